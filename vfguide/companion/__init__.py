@@ -1,0 +1,1 @@
+"""The companion: decoded messages in, setpoints out. No socket, clock or thread."""

@@ -1,0 +1,1 @@
+"""The companion on a real socket and a real clock."""

@@ -1,0 +1,1 @@
+"""The vector fields of the paper, the attitude they define and the rate law."""

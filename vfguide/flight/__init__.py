@@ -1,0 +1,1 @@
+"""From a field to a flyable aeroplane: approach, wind, attitude reference, energy."""

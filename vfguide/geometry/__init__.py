@@ -1,0 +1,1 @@
+"""Vectors, rotations, geodesy and units: pure mathematics, compiled."""

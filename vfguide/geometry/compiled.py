@@ -1,0 +1,59 @@
+"""The one way this project compiles a function.
+
+numba caches machine code by the time stamp of the file that holds the function, not of
+the files it calls into. Here the cache folder is named after the text of the whole
+package, so that a change anywhere makes every cached function stale at once.
+"""
+
+import hashlib
+import os
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar, cast
+
+import numba
+from numba.core import config
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+@cache
+def cache_folder() -> str:
+    """Folder for the machine code of exactly this version of the sources."""
+    package = Path(__file__).parent.parent
+    digest = hashlib.sha256()
+    for source in sorted(package.rglob("*.py")):
+        digest.update(source.read_bytes())
+    home = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    return str(Path(home) / "vfguide" / digest.hexdigest()[:16])
+
+
+def compiled(function: Callable[P, T]) -> Callable[P, T]:
+    """Compile `function` with numba on its first call; the machine code is cached on disk."""
+    return cast(Callable[P, T], _cached(numba.njit, function, {}))
+
+
+def over_points(signature: str, layout: str) -> Callable[[Callable[..., None]], Callable[..., Any]]:
+    """Compile a kernel into a NumPy ufunc that runs over the leading axes of arrays.
+
+    `signature` and `layout` are numba's, as in ``"(float64[:], float64[:])", "(n)->(n)"``.
+    """
+
+    def decorate(kernel: Callable[..., None]) -> Callable[..., Any]:
+        def guvectorize(**options: Any) -> Callable[[Callable[..., None]], Any]:
+            return numba.guvectorize([signature], layout, nopython=True, **options)
+
+        return cast(Callable[..., Any], _cached(guvectorize, kernel, {}))
+
+    return decorate
+
+
+def _cached(decorator: Any, function: Any, options: dict[str, Any]) -> Any:
+    before = config.CACHE_DIR
+    config.CACHE_DIR = cache_folder()
+    try:
+        return decorator(cache=True, **options)(function)
+    finally:
+        config.CACHE_DIR = before

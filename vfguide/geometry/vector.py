@@ -1,0 +1,78 @@
+"""Vectors of three floats and 3x3 matrices as plain tuples, for compiled code."""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+
+Vec3 = tuple[float, float, float]
+Mat3 = tuple[Vec3, Vec3, Vec3]
+"""A 3x3 matrix as its three rows."""
+
+
+@compiled
+def add(a: Vec3, b: Vec3) -> Vec3:
+    """a + b."""
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+@compiled
+def sub(a: Vec3, b: Vec3) -> Vec3:
+    """a - b."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+@compiled
+def scale(k: float, a: Vec3) -> Vec3:
+    """k a."""
+    return (k * a[0], k * a[1], k * a[2])
+
+
+@compiled
+def dot(a: Vec3, b: Vec3) -> float:
+    """a . b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@compiled
+def cross(a: Vec3, b: Vec3) -> Vec3:
+    """a x b."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+@compiled
+def norm(a: Vec3) -> float:
+    """Euclidean length of a."""
+    return math.sqrt(dot(a, a))
+
+
+@compiled
+def unit(a: Vec3) -> Vec3:
+    """a / |a|; a must not be zero."""
+    return scale(1.0 / norm(a), a)
+
+
+@compiled
+def matvec(m: Mat3, a: Vec3) -> Vec3:
+    """M a."""
+    return (dot(m[0], a), dot(m[1], a), dot(m[2], a))
+
+
+@compiled
+def transpose(m: Mat3) -> Mat3:
+    """M^T."""
+    return (
+        (m[0][0], m[1][0], m[2][0]),
+        (m[0][1], m[1][1], m[2][1]),
+        (m[0][2], m[1][2], m[2][2]),
+    )
+
+
+@compiled
+def matmul(a: Mat3, b: Mat3) -> Mat3:
+    """A B."""
+    c = transpose(b)
+    return (
+        (dot(a[0], c[0]), dot(a[0], c[1]), dot(a[0], c[2])),
+        (dot(a[1], c[0]), dot(a[1], c[1]), dot(a[1], c[2])),
+        (dot(a[2], c[0]), dot(a[2], c[1]), dot(a[2], c[2])),
+    )

@@ -1,0 +1,1 @@
+"""MAVLink bytes: message records, the codec, the tlog file."""

@@ -1,0 +1,1 @@
+"""What may leave the companion: limits on every setpoint."""

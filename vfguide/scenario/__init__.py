@@ -1,0 +1,1 @@
+"""Scenario and aircraft files, runs, results and reports."""

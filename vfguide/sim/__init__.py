@@ -1,0 +1,1 @@
+"""The simulated aircraft: JSBSim plant and software autopilot."""

@@ -1,0 +1,39 @@
+"""The true state of a simulated vehicle: what no companion ever sees."""
+
+from typing import NamedTuple
+
+from vfguide.geometry.vector import Vec3
+
+
+class Truth(NamedTuple):
+    """One vehicle at one instant, SI units, angles in radians."""
+
+    time: float
+    """Simulated time since the start of the run [s]."""
+    latitude: float
+    """Geodetic latitude [rad]."""
+    longitude: float
+    """Longitude [rad]."""
+    altitude: float
+    """Height above the WGS-84 ellipsoid [m]."""
+    v_n: Vec3
+    """Velocity over ground, north-east-down at the vehicle [m/s]."""
+    roll: float
+    pitch: float
+    yaw: float
+    """Euler angles z-y-x of the body FRD against north-east-down at the vehicle [rad]."""
+    omega_b: Vec3
+    """Body rates [rad/s]."""
+    airspeed: float
+    """True airspeed, gusts included [m/s]."""
+    alpha: float
+    beta: float
+    """Angles of attack and sideslip, gusts included [rad]."""
+    wind_n: Vec3
+    """Wind with gusts, the direction it blows toward, NED [m/s]."""
+    force_b: Vec3
+    """Specific force at the centre of gravity, body FRD [m/s^2]; level flight (0, 0, -g)."""
+    density: float
+    """Air density [kg/m^3]."""
+    height_above_ground: float
+    """[m]."""
