@@ -1,8 +1,8 @@
 """The one way this project compiles a function.
 
 numba caches machine code by the time stamp of the file that holds the function, not of
-the files it calls into. Here the cache folder is named after the text of the whole
-package, so that a change anywhere makes every cached function stale at once.
+the files it calls into. Here the cache folder is named after the text of every compiled
+module, so that a change in one makes all the cached machine code stale at once.
 """
 
 import hashlib
@@ -21,11 +21,13 @@ T = TypeVar("T")
 
 @cache
 def cache_folder() -> str:
-    """Folder for the machine code of exactly this version of the sources."""
+    """Folder for the machine code of exactly this version of the compiled sources."""
     package = Path(__file__).parent.parent
     digest = hashlib.sha256()
     for source in sorted(package.rglob("*.py")):
-        digest.update(source.read_bytes())
+        text = source.read_bytes()
+        if b"geometry.compiled import" in text or b"NamedTuple" in text:
+            digest.update(text)
     home = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
     return str(Path(home) / "vfguide" / digest.hexdigest()[:16])
 

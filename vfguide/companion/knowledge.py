@@ -1,0 +1,88 @@
+"""What the companion has been told by its autopilot, and the flight state that follows."""
+
+from typing import NamedTuple
+
+from vfguide.companion.place import Local, place_state
+from vfguide.flight.state import FlightState
+from vfguide.geometry.atmosphere import isa_density, true_airspeed
+from vfguide.geometry.geodesy import TangentPlane
+from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    GpsGlobalOrigin,
+    Heartbeat,
+    LocalPositionNed,
+    Message,
+    VfrHud,
+    WindCov,
+)
+
+STALE = 0.5
+"""A position, an attitude or an airspeed older than this is not flown on [s]."""
+ROLLOVER = 2**32
+"""time_boot_ms counts milliseconds in 32 bits: 49.7 days."""
+
+
+class Knowledge(NamedTuple):
+    """The newest message of each kind; None: never heard."""
+
+    heartbeat: Heartbeat | None = None
+    origin: GpsGlobalOrigin | None = None
+    attitude: AttitudeQuaternion | None = None
+    position: LocalPositionNed | None = None
+    hud: VfrHud | None = None
+    hud_time: int = 0
+    """time_boot_ms of the attitude that was newest when the airspeed came."""
+    wind: WindCov | None = None
+
+
+def observe(known: Knowledge, message: Message) -> Knowledge:
+    """What is known after `message`."""
+    match message:
+        case AttitudeQuaternion():
+            return known._replace(attitude=message)
+        case LocalPositionNed():
+            return known._replace(position=message)
+        case VfrHud():
+            now = known.attitude.time_boot_ms if known.attitude else 0
+            return known._replace(hud=message, hud_time=now)
+        case WindCov():
+            return known._replace(wind=message)
+        case GpsGlobalOrigin():
+            return known._replace(origin=message)
+        case Heartbeat():
+            return known._replace(heartbeat=message)
+        case _:
+            return known
+
+
+def flight_state(known: Knowledge, frame: TangentPlane) -> FlightState | None:
+    """The state at the newest attitude in the plane `frame`; None while anything is missing or old.
+
+    The position is moved on with its velocity from its own time to the attitude's. Airspeed
+    is calibrated on the wire and true here; without a wind message the air is taken as still.
+    """
+    attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
+    if attitude is None or position is None or hud is None or origin is None:
+        return None
+    ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
+    if abs(ahead) > STALE or elapsed(known.hud_time, attitude.time_boot_ms) > STALE:
+        return None
+    wind = known.wind
+    return place_state(
+        frame,
+        Local(origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
+        attitude.time_boot_ms * MS,
+        (position.x, position.y, position.z),
+        (position.vx, position.vy, position.vz),
+        ahead,
+        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
+        true_airspeed(hud.airspeed, isa_density(hud.alt)),
+        (0.0, 0.0, 0.0) if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+    )
+
+
+def elapsed(before_ms: int, after_ms: int) -> float:
+    """Time from one time_boot_ms to another [s], across the rollover."""
+    half = ROLLOVER // 2
+    return ((after_ms - before_ms + half) % ROLLOVER - half) * MS

@@ -1,0 +1,113 @@
+"""The plane of the approach: which way to fly over ground, and how far it still is.
+
+Everything here is in the horizontal plane of the goal frame: x along the goal's course,
+y to its right, courses measured from the goal's. The paper's field leads through the goal
+along circles that are tangent to the x axis there; within the two circles of the smallest
+flyable radius it turns too tightly, and beyond the goal it leads far away. There the
+vehicle flies along the tangent onto one of those two circles instead.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.field.navigation import navigation_field, navigation_field_rate
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+
+
+class Planar(NamedTuple):
+    """Position [m] and ground velocity [m/s] in the horizontal plane of the goal frame."""
+
+    x: float
+    y: float
+    vx: float
+    vy: float
+
+
+class Course(NamedTuple):
+    """A wanted direction of flight over ground."""
+
+    chi: float
+    """Course, measured from the goal's, clockwise [rad]."""
+    chi_rate: float
+    """Its rate of change along the present ground velocity [rad/s]."""
+    remaining: float
+    """Length of the path to the goal [m]."""
+
+
+@compiled
+def field_course(at: Planar, core: float) -> Course:
+    """Direction of the navigation field, eq_VF_xyz, restricted to the plane z = 0.
+
+    Closer than `core` [m] before the goal the field is that of a line: the angle falls
+    with y alone, so that the course stays calm where the field's circles become small.
+    """
+    p = (min(at.x, -core), at.y, 0.0)
+    v = (at.vx if at.x < -core else 0.0, at.vy, 0.0)
+    F = navigation_field(p)
+    dF = navigation_field_rate(p, v)
+    size = F[0] * F[0] + F[1] * F[1]
+    return Course(
+        math.atan2(F[1], F[0]),
+        (F[0] * dF[1] - F[1] * dF[0]) / size,
+        arc_to_goal(at.x, at.y),
+    )
+
+
+@compiled
+def arc_to_goal(x: float, y: float) -> float:
+    """Length of the field's circle from (x, y) to the goal [m]: eq_inte_curve_rhophitheta."""
+    distance = math.hypot(x, y)
+    angle = math.pi - abs(math.atan2(y, x))
+    return distance if angle < 1e-6 else distance * angle / math.sin(angle)
+
+
+@compiled
+def circle_course(at: Planar, side: float, radius: float) -> Course:
+    """Tangent onto the goal circle of `side` (+1: a right-hand turn), then round it.
+
+    Within 15 % of the radius the angle off the circle falls linearly, so that its rate
+    stays finite where the exact tangent's does not.
+    """
+    dx, dy = -at.x, side * radius - at.y
+    distance = max(math.hypot(dx, dy), 1e-3)
+    distance_rate = -(dx * at.vx + dy * at.vy) / distance
+    bearing = math.atan2(dy, dx)
+    bearing_rate = (dy * at.vx - dx * at.vy) / (distance * distance)
+    offset, slope = inward_angle(distance, radius)
+    chi = wrap(bearing - side * (0.5 * math.pi - offset))
+    chi_rate = bearing_rate + side * slope * distance_rate
+    arc = (-side * chi) % (2.0 * math.pi)
+    if arc > 2.0 * math.pi - 0.15:
+        arc -= 2.0 * math.pi
+    tangent = math.sqrt(max(distance * distance - radius * radius, 0.0))
+    return Course(chi, chi_rate, tangent + radius * max(arc, 0.0))
+
+
+@compiled
+def inward_angle(distance: float, radius: float) -> tuple[float, float]:
+    """Angle of the wanted course inward from the circle's direction [rad] and its slope [rad/m]."""
+    near = 1.15 * radius
+    if distance >= near:
+        ratio = radius / distance
+        return math.acos(ratio), ratio / (distance * math.sqrt(1.0 - ratio * ratio))
+    if distance >= radius:
+        slope = math.acos(1.0 / 1.15) / (near - radius)
+        return slope * (distance - radius), slope
+    slope = 2.0 / radius
+    if distance < 0.5 * radius:
+        return -1.0, 0.0
+    return slope * (distance - radius), slope
+
+
+@compiled
+def loiter_course(at: Planar, side: float, radius: float) -> Course:
+    """Course round a circle about the origin: converges smoothly and never tighter than it."""
+    distance = max(math.hypot(at.x, at.y), 1e-3)
+    distance_rate = (at.x * at.vx + at.y * at.vy) / distance
+    bearing = math.atan2(-at.y, -at.x)
+    bearing_rate = (at.x * at.vy - at.y * at.vx) / (distance * distance)
+    u = 1.25 * (distance - radius) / radius
+    u_rate = 1.25 * distance_rate / radius
+    chi = wrap(bearing - side * (0.5 * math.pi - math.atan(u)))
+    return Course(chi, bearing_rate + side * u_rate / (1.0 + u * u), math.inf)

@@ -1,0 +1,37 @@
+"""The attitude that flies a wanted direction: coordinated, with the lift the turn takes."""
+
+import math
+from typing import NamedTuple
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Mat3, matmul
+
+
+class Lift(NamedTuple):
+    """The lift of a turn."""
+
+    bank: float
+    """About the air velocity, right wing down positive [rad]."""
+    load: float
+    """Load factor: lift over weight."""
+
+
+@compiled
+def lift_for_turn(lateral: float, gamma: float, bank_max: float, load_max: float) -> Lift:
+    """Bank and load factor for the lateral acceleration [m/s^2] at path angle `gamma`.
+
+    The lift vector is a_n - g across the air velocity; the height comes first: where the
+    two limits forbid the whole turn, the lateral part is cut.
+    """
+    up = G0 * math.cos(gamma)
+    most = min(up * math.tan(bank_max), math.sqrt(max((load_max * G0) ** 2 - up * up, 0.0)))
+    right = max(-most, min(most, lateral))
+    return Lift(math.atan2(right, up), math.hypot(up, right) / G0)
+
+
+@compiled
+def attitude_for_lift(azimuth: float, elevation: float, bank: float, alpha: float) -> Mat3:
+    """R_nb with the air velocity along (azimuth, elevation), banked about it, alpha above it."""
+    return matmul(from_euler(bank, elevation, azimuth), from_euler(0.0, alpha, 0.0))

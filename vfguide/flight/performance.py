@@ -1,0 +1,58 @@
+"""What the guidance must know of an aircraft, and the gains it flies with."""
+
+from typing import NamedTuple
+
+
+class Performance(NamedTuple):
+    """Limits and trim of one aircraft, SI units and radians."""
+
+    airspeed_min: float
+    """Slowest true airspeed of level flight [m/s]."""
+    airspeed_cruise: float
+    """True airspeed at which the trim values below hold [m/s]."""
+    airspeed_max: float
+    """Fastest true airspeed [m/s]."""
+    bank_max: float
+    """Largest bank the guidance asks for [rad]."""
+    load_max: float
+    load_min: float
+    """Load factors n = lift / weight the guidance asks for."""
+    climb_max: float
+    descent_max: float
+    """Steepest air-relative path angles, both positive [rad]."""
+    rate_max: tuple[float, float, float]
+    """Largest body rates p, q, r [rad/s]."""
+    alpha_zero: float
+    alpha_load: float
+    """alpha = alpha_zero + alpha_load * n / V^2 [rad], [rad m^2/s^2]."""
+    thrust_trim: float
+    """Thrust setpoint of level flight at cruise, 0 to 1."""
+    thrust_per_climb: float
+    """Weight / full thrust: setpoint for each unit of sin(gamma) + acceleration / g."""
+    thrust_per_load: float
+    """Setpoint for each unit of n^2 - 1: the induced drag of a turn."""
+    thrust_per_airspeed: float
+    """Setpoint for each m/s of airspeed missing [s/m]."""
+    thrust_integral: float
+    """Setpoint for each m/s of airspeed missing during 1 s [1/m]."""
+
+
+class Gains(NamedTuple):
+    """Gains of the guidance; the defaults are measured for a rate-controlled aircraft."""
+
+    airspeed: float
+    """True airspeed to fly [m/s]."""
+    k_w: float = 3.5
+    """Attitude gain of Lemma 4 [1/s]."""
+    k_lateral: float = 1.2
+    """Turn rate per azimuth error of the air velocity [1/s]."""
+    k_elevation: float = 0.5
+    """Extra elevation per error of the path angle."""
+    k_alpha: float = 0.2
+    """Learning rate of the angle of attack from the error of the path angle [1/s]."""
+    bank_max: float = 0.8727
+    """Largest bank asked for [rad]."""
+    turn_margin: float = 1.25
+    """Radius of the goal circles over the smallest that the bank allows in this wind."""
+    smoothing: float = 0.08
+    """Time constant of the reference attitude's angular velocity [s]."""

@@ -1,0 +1,132 @@
+"""Which of the courses of `approach` to fly: the leg to a goal as a small state machine."""
+
+import math
+from typing import NamedTuple
+
+from vfguide.flight.approach import (
+    Course,
+    Planar,
+    circle_course,
+    field_course,
+    loiter_course,
+)
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+
+NEW, FIELD, CIRCLE, GAIN_HEIGHT = 0, 1, 2, 3
+"""Phases: nothing flown yet; along the paper's field; onto a goal circle; round a circle to change height."""
+
+PENETRATION = 3.0
+"""How far inside a goal circle the field is still flown [m]."""
+COMMITTED = 2.0
+"""The same once the field is being flown close before the goal [m]."""
+SWITCH_GAIN = 0.7
+"""The other goal circle is taken when it is shorter by this many radii."""
+CORE = 0.25
+"""Radius of the line core before the goal, in turn radii."""
+
+
+class Leg(NamedTuple):
+    """Memory of the leg to one goal."""
+
+    phase: int
+    side: float
+    """Goal circle that is flown: +1 right-hand, -1 left-hand."""
+    x: float
+    y: float
+    """Centre of the circle that is flown to change height [m]."""
+    radius: float
+    """Radius of the goal circles [m]: kept, so that they do not move during the approach."""
+
+
+@compiled
+def new_leg() -> Leg:
+    """A leg of which nothing has been flown."""
+    return Leg(NEW, 1.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
+    """Radius over ground that the bank allows flying downwind [m], times `margin`."""
+    return margin * (airspeed + wind) ** 2 / (9.80665 * math.tan(bank))
+
+
+@compiled
+def keep_radius(leg: Leg, radius: float) -> Leg:
+    """The leg with its radius, changed only if it fits the aircraft and the wind no longer."""
+    if 0.85 * leg.radius < radius <= 1.05 * leg.radius:
+        return leg
+    return Leg(leg.phase, leg.side, leg.x, leg.y, radius)
+
+
+@compiled
+def fly_leg(leg: Leg, at: Planar, climb_needed: float) -> tuple[Leg, Course]:
+    """One step along the leg: its memory and the course to fly.
+
+    Args:
+        leg: memory of the leg.
+        at: the vehicle in the plane of the goal frame.
+        climb_needed: path length that the remaining change of height takes [m].
+    """
+    radius = leg.radius
+    course = math.atan2(at.vy, at.vx)
+    direct, chosen = fly_direct(leg, at, course)
+    to_go = chosen.remaining + radius * abs(wrap(chosen.chi - course))
+    if leg.phase == GAIN_HEIGHT:
+        aligned = abs(wrap(chosen.chi - course)) < 0.2
+        if climb_needed > 0.9 * to_go or not aligned:
+            return circle_here(leg, at)
+    elif climb_needed > to_go and to_go > 2.0 * radius * (leg.phase != NEW):
+        offset = direct.side * radius / math.hypot(at.vx, at.vy)
+        here = Leg(GAIN_HEIGHT, direct.side, at.x - offset * at.vy, at.y + offset * at.vx, radius)
+        return circle_here(here, at)
+    return direct, chosen
+
+
+@compiled
+def circle_here(leg: Leg, at: Planar) -> tuple[Leg, Course]:
+    """Round the circle that the leg remembers, for height."""
+    about = Planar(at.x - leg.x, at.y - leg.y, at.vx, at.vy)
+    return leg, loiter_course(about, leg.side, leg.radius)
+
+
+@compiled
+def fly_direct(leg: Leg, at: Planar, course: float) -> tuple[Leg, Course]:
+    """The field where it is flyable, else a goal circle."""
+    radius = leg.radius
+    if field_is_flyable(leg.phase == FIELD, at, course, radius):
+        return Leg(FIELD, leg.side, leg.x, leg.y, radius), field_course(at, CORE * radius)
+    side = choose_side(leg, at, course)
+    return Leg(CIRCLE, side, leg.x, leg.y, radius), circle_course(at, side, radius)
+
+
+@compiled
+def choose_side(leg: Leg, at: Planar, course: float) -> float:
+    """The goal circle with the shorter path; once flown it is kept unless much longer."""
+    right = circle_length(at, course, 1.0, leg.radius)
+    left = circle_length(at, course, -1.0, leg.radius)
+    if leg.phase != CIRCLE:
+        return 1.0 if right < left else -1.0
+    shorter = right < left if leg.side < 0.0 else left < right
+    return -leg.side if shorter and abs(right - left) > SWITCH_GAIN * leg.radius else leg.side
+
+
+@compiled
+def circle_length(at: Planar, course: float, side: float, radius: float) -> float:
+    """Length of the path over the goal circle of `side`, the first turn included [m]."""
+    wanted = circle_course(at, side, radius)
+    inside = radius - math.hypot(at.x, at.y - side * radius)
+    blocked = 100.0 * radius if inside > 4.0 * PENETRATION else 0.0
+    return wanted.remaining + radius * abs(wrap(wanted.chi - course)) + blocked
+
+
+@compiled
+def field_is_flyable(flying: bool, at: Planar, course: float, radius: float) -> bool:
+    """Whether the field leads to the goal without a turn tighter than `radius`."""
+    distance = math.hypot(at.x, at.y)
+    side = 1.0 if at.y >= 0.0 else -1.0
+    inside = radius - math.hypot(at.x, at.y - side * radius)
+    if flying and at.x < 0.0 and distance < radius and abs(course) < 1.2:
+        return inside <= PENETRATION + COMMITTED
+    error = abs(wrap(course - 2.0 * math.atan2(at.y, at.x)))
+    return at.x < -abs(at.y) and inside <= PENETRATION and error < 2.0

@@ -1,0 +1,35 @@
+"""The wind triangle: from a course over ground to a direction through the air."""
+
+import math
+from typing import NamedTuple
+
+from vfguide.geometry.compiled import compiled
+
+
+class Heading(NamedTuple):
+    """A wanted direction of the horizontal air velocity."""
+
+    psi: float
+    """Azimuth [rad]."""
+    psi_rate: float
+    """[rad/s]"""
+    groundspeed: float
+    """Speed over ground along the course [m/s]."""
+
+
+@compiled
+def heading_for_course(
+    chi: float, chi_rate: float, wind: tuple[float, float], airspeed: float
+) -> Heading:
+    """Azimuth of the air velocity that makes good the course `chi` [rad] at `airspeed` [m/s].
+
+    V sin(psi - chi) = -(wind to the right of the course); the rate follows from its
+    derivative. Where the cross wind exceeds 95 % of the airspeed the nose stays there.
+    """
+    c, s = math.cos(chi), math.sin(chi)
+    along = wind[0] * c + wind[1] * s
+    across = -wind[0] * s + wind[1] * c
+    sine = max(-0.95, min(0.95, -across / airspeed))
+    forward = airspeed * math.sqrt(1.0 - sine * sine)
+    groundspeed = forward + along
+    return Heading(chi + math.asin(sine), chi_rate * groundspeed / forward, groundspeed)
