@@ -10,7 +10,6 @@ from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.link.messages import (
     AttitudeQuaternion,
     GpsGlobalOrigin,
-    Heartbeat,
     LocalPositionNed,
     Message,
     VfrHud,
@@ -26,7 +25,6 @@ ROLLOVER = 2**32
 class Knowledge(NamedTuple):
     """The newest message of each kind; None: never heard."""
 
-    heartbeat: Heartbeat | None = None
     origin: GpsGlobalOrigin | None = None
     attitude: AttitudeQuaternion | None = None
     position: LocalPositionNed | None = None
@@ -50,8 +48,6 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
             return known._replace(wind=message)
         case GpsGlobalOrigin():
             return known._replace(origin=message)
-        case Heartbeat():
-            return known._replace(heartbeat=message)
         case _:
             return known
 

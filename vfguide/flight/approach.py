@@ -50,7 +50,7 @@ def field_course(at: Planar, core: float) -> Course:
     return Course(
         math.atan2(F[1], F[0]),
         (F[0] * dF[1] - F[1] * dF[0]) / size,
-        arc_to_goal(at.x, at.y),
+        arc_to_goal(at.x, at.y) if at.x < 0.0 else -at.x,
     )
 
 

@@ -8,7 +8,7 @@ from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, attitude_for_lift, lift_for_turn
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.planner import Leg, fly_leg, keep_radius, new_leg, turn_radius
+from vfguide.flight.planner import Leg, fly_leg, keep_radius, leg_course, new_leg, turn_radius
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vertical import SLOPE_RATE, goal_slope, path_needed
 from vfguide.flight.wind import Heading, heading_for_course
@@ -109,7 +109,7 @@ def guide(
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     bank_max = usable_bank(aircraft, gains, speed)
     leg = keep_radius(memory.leg, flyable_radius(state, bank_max, gains))
-    leg, course = plan_course(state, target, aircraft, leg)
+    leg, course = plan_course(state, target, aircraft, gains, leg)
     gamma = math.asin(max(-1.0, min(1.0, -air[2] / speed)))
     heading = heading_for_course(
         target.course + course.chi,
@@ -130,9 +130,7 @@ def guide(
     alpha = aircraft.alpha_zero + aircraft.alpha_load * lift.load / speed**2 + alpha_bias
     elevation = gamma_wanted + gains.k_elevation * (gamma_wanted - gamma)
     R_na = attitude_for_lift(azimuth, elevation, lift.bank, alpha)
-    omega_a = (
-        (0.0, 0.0, 0.0) if first else reference_rate(memory, R_na, gains.smoothing, dt)
-    )
+    omega_a = (0.0, 0.0, 0.0) if first else reference_rate(memory, R_na, gains.smoothing, dt)
     omega = rate_law(state.R_nb, R_na, omega_a, gains.k_w)
 
     error = gains.airspeed - state.airspeed
@@ -177,18 +175,25 @@ def in_goal_plane(state: FlightState, target: Target) -> Planar:
 
 @compiled
 def plan_course(
-    state: FlightState, target: Target, aircraft: Performance, leg: Leg
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
 ) -> tuple[Leg, Course]:
-    """Course over ground, relative to the target's, and the memory of the leg."""
+    """Memory of the leg, and the course over ground relative to the target's."""
     at = in_goal_plane(state, target)
     if target.circle != 0.0:
-        radius = max(target.radius, leg.radius)
-        about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
-        return leg, loiter_course(about, target.circle, radius)
+        return leg, loiter(at, target, leg)
     height = target.p_n[2] - state.p_n[2]
     steepest = math.tan(aircraft.climb_max if height < 0.0 else aircraft.descent_max)
     needed = path_needed(height, math.hypot(at.x, at.y), target.slope, 0.8 * steepest)
-    return fly_leg(leg, at, needed)
+    leg = fly_leg(leg, at, needed, gains)
+    return leg, leg_course(leg, at, gains)
+
+
+@compiled
+def loiter(at: Planar, target: Target, leg: Leg) -> Course:
+    """Course round the target's circle, which touches the target's pose."""
+    radius = max(target.radius, leg.radius)
+    about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
+    return loiter_course(about, target.circle, radius)
 
 
 @compiled

@@ -54,5 +54,10 @@ class Gains(NamedTuple):
     """Largest bank asked for [rad]."""
     turn_margin: float = 1.25
     """Radius of the goal circles over the smallest that the bank allows in this wind."""
+    core: float = 0.4
+    """Radius of the line core of the field, in turn radii."""
+    final: float = 0.5
+    """Length of the straight end of the approach, in turn radii: field and circles lead to its
+    beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""

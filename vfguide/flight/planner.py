@@ -10,11 +10,13 @@ from vfguide.flight.approach import (
     field_course,
     loiter_course,
 )
+from vfguide.flight.performance import Gains
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
 NEW, FIELD, CIRCLE, GAIN_HEIGHT = 0, 1, 2, 3
-"""Phases: nothing flown yet; along the paper's field; onto a goal circle; round a circle to change height."""
+"""Phases: nothing flown yet; along the paper's field; onto a goal circle; round a circle to
+change height."""
 
 PENETRATION = 3.0
 """How far inside a goal circle the field is still flown [m]."""
@@ -22,8 +24,6 @@ COMMITTED = 2.0
 """The same once the field is being flown close before the goal [m]."""
 SWITCH_GAIN = 0.7
 """The other goal circle is taken when it is shorter by this many radii."""
-CORE = 0.25
-"""Radius of the line core before the goal, in turn radii."""
 
 
 class Leg(NamedTuple):
@@ -53,51 +53,63 @@ def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> flo
 
 @compiled
 def keep_radius(leg: Leg, radius: float) -> Leg:
-    """The leg with its radius, changed only if it fits the aircraft and the wind no longer."""
+    """The leg with the radius [m] of its circles, changed only if aircraft or wind ask for it."""
     if 0.85 * leg.radius < radius <= 1.05 * leg.radius:
         return leg
     return Leg(leg.phase, leg.side, leg.x, leg.y, radius)
 
 
 @compiled
-def fly_leg(leg: Leg, at: Planar, climb_needed: float) -> tuple[Leg, Course]:
-    """One step along the leg: its memory and the course to fly.
+def fly_leg(leg: Leg, at: Planar, climb_needed: float, gains: Gains) -> Leg:
+    """The memory of the leg after one step: the phase that is flown now.
 
     Args:
         leg: memory of the leg.
         at: the vehicle in the plane of the goal frame.
         climb_needed: path length that the remaining change of height takes [m].
+        gains: of the approach.
     """
-    radius = leg.radius
     course = math.atan2(at.vy, at.vx)
-    direct, chosen = fly_direct(leg, at, course)
-    to_go = chosen.remaining + radius * abs(wrap(chosen.chi - course))
+    direct = fly_direct(leg, at, course, gains)
+    wanted = leg_course(direct, at, gains)
+    turn = abs(wrap(wanted.chi - course))
+    to_go = wanted.remaining + leg.radius * turn
     if leg.phase == GAIN_HEIGHT:
-        aligned = abs(wrap(chosen.chi - course)) < 0.2
-        if climb_needed > 0.9 * to_go or not aligned:
-            return circle_here(leg, at)
-    elif climb_needed > to_go and to_go > 2.0 * radius * (leg.phase != NEW):
-        offset = direct.side * radius / math.hypot(at.vx, at.vy)
-        here = Leg(GAIN_HEIGHT, direct.side, at.x - offset * at.vy, at.y + offset * at.vx, radius)
-        return circle_here(here, at)
-    return direct, chosen
+        return leg if climb_needed > 0.9 * to_go or turn > 0.2 else direct
+    far = leg.phase == NEW or to_go > 2.0 * leg.radius
+    return circle_here(direct, at) if far and climb_needed > to_go else direct
 
 
 @compiled
-def circle_here(leg: Leg, at: Planar) -> tuple[Leg, Course]:
-    """Round the circle that the leg remembers, for height."""
-    about = Planar(at.x - leg.x, at.y - leg.y, at.vx, at.vy)
-    return leg, loiter_course(about, leg.side, leg.radius)
+def leg_course(leg: Leg, at: Planar, gains: Gains) -> Course:
+    """The course of the phase that is flown, and the path length to the goal."""
+    if leg.phase == GAIN_HEIGHT:
+        about = Planar(at.x - leg.x, at.y - leg.y, at.vx, at.vy)
+        return loiter_course(about, leg.side, leg.radius)
+    final = gains.final * leg.radius
+    entry = Planar(at.x + final, at.y, at.vx, at.vy)
+    if leg.phase == FIELD:
+        toward = field_course(entry, gains.core * leg.radius)
+    else:
+        toward = circle_course(entry, leg.side, leg.radius)
+    return Course(toward.chi, toward.chi_rate, toward.remaining + final)
 
 
 @compiled
-def fly_direct(leg: Leg, at: Planar, course: float) -> tuple[Leg, Course]:
+def circle_here(leg: Leg, at: Planar) -> Leg:
+    """Round a circle that touches the present path, for height."""
+    offset = leg.side * leg.radius / math.hypot(at.vx, at.vy)
+    return Leg(GAIN_HEIGHT, leg.side, at.x - offset * at.vy, at.y + offset * at.vx, leg.radius)
+
+
+@compiled
+def fly_direct(leg: Leg, at: Planar, course: float, gains: Gains) -> Leg:
     """The field where it is flyable, else a goal circle."""
-    radius = leg.radius
-    if field_is_flyable(leg.phase == FIELD, at, course, radius):
-        return Leg(FIELD, leg.side, leg.x, leg.y, radius), field_course(at, CORE * radius)
-    side = choose_side(leg, at, course)
-    return Leg(CIRCLE, side, leg.x, leg.y, radius), circle_course(at, side, radius)
+    entry = Planar(at.x + gains.final * leg.radius, at.y, at.vx, at.vy)
+    if field_is_flyable(leg.phase == FIELD, entry, course, leg.radius):
+        return Leg(FIELD, leg.side, leg.x, leg.y, leg.radius)
+    side = choose_side(leg, entry, course)
+    return Leg(CIRCLE, side, leg.x, leg.y, leg.radius)
 
 
 @compiled
@@ -123,10 +135,9 @@ def circle_length(at: Planar, course: float, side: float, radius: float) -> floa
 @compiled
 def field_is_flyable(flying: bool, at: Planar, course: float, radius: float) -> bool:
     """Whether the field leads to the goal without a turn tighter than `radius`."""
-    distance = math.hypot(at.x, at.y)
     side = 1.0 if at.y >= 0.0 else -1.0
     inside = radius - math.hypot(at.x, at.y - side * radius)
-    if flying and at.x < 0.0 and distance < radius and abs(course) < 1.2:
-        return inside <= PENETRATION + COMMITTED
+    if flying and math.hypot(at.x, at.y) < radius and abs(course) < 1.2:
+        return inside <= PENETRATION + COMMITTED or at.x > 0.0
     error = abs(wrap(course - 2.0 * math.atan2(at.y, at.x)))
     return at.x < -abs(at.y) and inside <= PENETRATION and error < 2.0

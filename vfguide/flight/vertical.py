@@ -1,7 +1,5 @@
 """The height profile: which path angle to fly."""
 
-import math
-
 from vfguide.geometry.compiled import compiled
 
 STANDOFF = 30.0

@@ -1,0 +1,103 @@
+"""Commands that must be answered: sent one at a time, repeated until they are."""
+
+from collections import deque
+from typing import NamedTuple
+
+from vfguide.link.enums import MavCmd, MavResult, ModeFlag
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    CommandAck,
+    CommandLong,
+    GpsGlobalOrigin,
+    LocalPositionNed,
+    VfrHud,
+    WindCov,
+)
+from vfguide.link.px4 import Px4Mode, main_and_sub
+
+RETRY = 500_000
+"""A command without an answer is sent again after this [us]."""
+TRIES = 5
+"""A command is given up after this many."""
+
+
+class Stream(NamedTuple):
+    """A message that the companion flies on."""
+
+    msgid: int
+    rate: float
+    """[Hz]."""
+
+
+def streams(rate: float) -> tuple[Stream, ...]:
+    """The messages the companion asks for, when it guides `rate` times a second."""
+    return (
+        Stream(LocalPositionNed.MSGID, rate),
+        Stream(VfrHud.MSGID, min(rate, 20.0)),
+        Stream(WindCov.MSGID, min(rate, 5.0)),
+        Stream(AttitudeQuaternion.MSGID, rate),
+    )
+
+
+def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
+    """A COMMAND_LONG to the autopilot of system `target`."""
+    p = (*parameters, *(0.0,) * (7 - len(parameters)))
+    return CommandLong(target, 1, number, 0, p[0], p[1], p[2], p[3], p[4], p[5], p[6])
+
+
+def set_mode(target: int, mode: Px4Mode) -> CommandLong:
+    """The command that changes PX4's flight mode."""
+    main, sub = main_and_sub(mode)
+    return command(target, MavCmd.DO_SET_MODE, ModeFlag.CUSTOM_MODE_ENABLED, main, sub)
+
+
+def request_origin(target: int) -> CommandLong:
+    """The command that makes PX4 tell the origin of its local frame; it does not by itself."""
+    return command(target, MavCmd.REQUEST_MESSAGE, GpsGlobalOrigin.MSGID)
+
+
+def requested_streams(target: int, rate: float) -> list[CommandLong]:
+    """The commands that make the autopilot send what the companion flies on."""
+    return [
+        command(target, MavCmd.SET_MESSAGE_INTERVAL, stream.msgid, round(1e6 / stream.rate))
+        for stream in streams(rate)
+    ]
+
+
+class Requests:
+    """The queue of commands to one autopilot."""
+
+    def __init__(self) -> None:
+        self._queue: deque[CommandLong] = deque()
+        self._sent_at = 0
+        self._tries = 0
+
+    def ask(self, commands: list[CommandLong]) -> None:
+        """Append commands to the queue."""
+        self._queue.extend(commands)
+
+    def due(self, now: int) -> CommandLong | None:
+        """The command to send now [us], if it is time for one."""
+        if self._tries >= TRIES:
+            self._drop()
+        if not self._queue or (self._tries and now - self._sent_at < RETRY):
+            return None
+        self._sent_at = now
+        self._tries += 1
+        return self._queue[0]._replace(confirmation=self._tries - 1)
+
+    def answer(self, ack: CommandAck) -> str | None:
+        """Note an answer; returns a complaint when the autopilot refuses for good."""
+        if not self._tries or ack.command != self._queue[0].command:
+            return None
+        if ack.result in (MavResult.IN_PROGRESS, MavResult.TEMPORARILY_REJECTED):
+            return None
+        asked = self._queue[0]
+        self._drop()
+        if ack.result == MavResult.ACCEPTED:
+            return None
+        return f"the autopilot refuses command {asked.command} ({asked.param1:g}): {ack.result}"
+
+    def _drop(self) -> None:
+        self._queue.popleft()
+        self._tries = 0

@@ -1,0 +1,46 @@
+"""A companion behind bytes: what its link delivers, what it answers, and the record of both."""
+
+from collections.abc import Callable, Iterable
+
+from vfguide.companion.companion import Companion
+from vfguide.link.codec import Encoder, Frame, Parser, decode
+from vfguide.link.enums import MavComponent
+from vfguide.link.messages import Message
+
+Record = Callable[[int, bytes], None]
+"""Takes the time [us since 1970] and the bytes of one frame."""
+
+
+class Session:
+    """One companion on one link to its autopilot."""
+
+    def __init__(self, companion: Companion, record: Record) -> None:
+        self.companion = companion
+        self.parser = Parser()
+        self._record = record
+        self._encoder = Encoder(companion.sysid, MavComponent.PATHPLANNER)
+
+    def receive(self, now: int, data: bytes) -> list[bytes]:
+        """Takes bytes that arrived at `now` [us since 1970]; returns the frames to send."""
+        out: list[bytes] = []
+        for frame in self.parser.feed(data):
+            if message := self.heed(frame):
+                self._record(now, frame.raw)
+                out += self._send(now, self.companion.receive(now, message))
+        return out
+
+    def poll(self, now: int) -> list[bytes]:
+        """The frames that are due at `now` [us since 1970] without anything received."""
+        return self._send(now, self.companion.poll(now))
+
+    def heed(self, frame: Frame) -> Message | None:
+        """The message of a frame, if it is the vehicle's autopilot that speaks."""
+        ours = frame.sysid == self.companion.sysid and frame.compid == MavComponent.AUTOPILOT1
+        return decode(frame) if ours else None
+
+    def _send(self, now: int, messages: Iterable[Message]) -> list[bytes]:
+        """Encode and record what goes out."""
+        frames = [self._encoder.encode(message) for message in messages]
+        for frame in frames:
+            self._record(now, frame)
+        return frames

@@ -1,0 +1,92 @@
+"""Any goal: the frame at the goal pose and the paper's fields turned into it (Corollary 1).
+
+The print writes the components with earth-frame differences x - x_d, ...; they belong into the
+goal frame: F~(p) = R_d F(R_d^T (p - p_d)), and likewise for G and H.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.field.navigation import (
+    binormal_field,
+    navigation_field,
+    navigation_field_rate,
+    normal_field,
+    normal_field_rate,
+)
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.vector import Mat3, Vec3, matvec, sub, transpose
+
+
+class GoalFrame(NamedTuple):
+    """A goal pose: p_d and R_d of the paper."""
+
+    p_n: Vec3
+    """The goal, NED [m]."""
+    R_ng: Mat3
+    """From the goal frame to NED; its first column is the direction e_d to arrive in."""
+
+
+@compiled
+def goal_frame(p_n: Vec3, heading: float, climb: float) -> GoalFrame:
+    """The goal at `p_n` with course `heading` and angle of climb `climb`, up positive [rad].
+
+    R_d = Rz(heading) Ry(climb), hence e_d = (cos c cos h, cos c sin h, -sin c).
+    """
+    return GoalFrame(p_n, from_euler(0.0, climb, heading))
+
+
+@compiled
+def goal_frame_from_direction(p_n: Vec3, e_d: Vec3) -> GoalFrame:
+    """The goal at `p_n` with the direction `e_d`, of any length but zero.
+
+    Straight up or down the heading is 0.
+    """
+    north, east, down = e_d
+    climb = math.atan2(-down, math.hypot(north, east))
+    return goal_frame(p_n, math.atan2(east, north), climb)
+
+
+@compiled
+def position_in_goal(goal: GoalFrame, p_n: Vec3) -> Vec3:
+    """p_g = R_d^T (p - p_d), the position in the goal frame [m]."""
+    return velocity_in_goal(goal, sub(p_n, goal.p_n))
+
+
+@compiled
+def velocity_in_goal(goal: GoalFrame, v_n: Vec3) -> Vec3:
+    """v_g = R_d^T v, a velocity or any free vector in the goal frame."""
+    return matvec(transpose(goal.R_ng), v_n)
+
+
+@compiled
+def navigation_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
+    """F~ in NED: Corollary 1 (cor_VF_arbitra), corrected."""
+    return matvec(goal.R_ng, navigation_field(position_in_goal(goal, p_n)))
+
+
+@compiled
+def normal_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
+    """G~ in NED: Lemma 1 under Corollary 1."""
+    return matvec(goal.R_ng, normal_field(position_in_goal(goal, p_n)))
+
+
+@compiled
+def binormal_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
+    """H~ = G~ x F~ in NED."""
+    return matvec(goal.R_ng, binormal_field(position_in_goal(goal, p_n)))
+
+
+@compiled
+def navigation_field_rate_n(goal: GoalFrame, p_n: Vec3, v_n: Vec3) -> Vec3:
+    """dF~/dt in NED at a point that moves with `v_n`."""
+    p_g, v_g = position_in_goal(goal, p_n), velocity_in_goal(goal, v_n)
+    return matvec(goal.R_ng, navigation_field_rate(p_g, v_g))
+
+
+@compiled
+def normal_field_rate_n(goal: GoalFrame, p_n: Vec3, v_n: Vec3) -> Vec3:
+    """dG~/dt in NED at a point that moves with `v_n`."""
+    p_g, v_g = position_in_goal(goal, p_n), velocity_in_goal(goal, v_n)
+    return matvec(goal.R_ng, normal_field_rate(p_g, v_g))

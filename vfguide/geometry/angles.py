@@ -1,0 +1,17 @@
+"""Angles on the circle."""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+
+TURN = 2.0 * math.pi
+
+
+@compiled
+def wrap(angle: float) -> float:
+    """The same direction in [-pi, pi) [rad]; an angle that is in there already is unchanged."""
+    if -math.pi <= angle < math.pi:
+        return angle
+    wrapped = (angle + math.pi) % TURN - math.pi
+    # The remainder of a tiny negative number rounds to a whole turn.
+    return wrapped if wrapped < math.pi else -math.pi

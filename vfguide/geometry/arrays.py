@@ -1,0 +1,16 @@
+"""Geodesy over arrays: NumPy ufuncs on the last axis, from the formulas of `geodesy`."""
+
+from typing import Any
+
+from vfguide.geometry.compiled import over_points
+from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
+
+
+@over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")
+def geodetic_to_neds(origin: Any, points: Any, p_n: Any) -> None:
+    """Positions north-east-down [m], (..., 3), of points on the tangent plane at `origin`.
+
+    Both arguments are latitude [rad], longitude [rad], altitude [m] along the last axis.
+    """
+    plane = tangent_plane(origin[0], origin[1], origin[2])
+    p_n[0], p_n[1], p_n[2] = geodetic_to_ned(plane, points[0], points[1], points[2])

@@ -1,0 +1,44 @@
+"""The international standard atmosphere, and what its density does to airspeeds."""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+
+DENSITY_0 = 1.225
+"""Density at sea level [kg/m^3]."""
+TEMPERATURE_0 = 288.15
+"""Temperature at sea level [K]."""
+LAPSE = 0.0065
+"""Fall of temperature with height up to the tropopause [K/m]."""
+EXPONENT = 4.255876
+"""g0 / (R_air LAPSE) - 1: the power of temperature that density follows."""
+TROPOPAUSE = 11_000.0
+"""[m]."""
+SCALE_HEIGHT = 6341.62
+"""Height over which density falls e-fold in the isothermal layer above [m]."""
+
+
+@compiled
+def isa_density(altitude: float) -> float:
+    """Air density [kg/m^3] at `altitude` [m] above mean sea level, up to 20 km.
+
+    ISO 2533: rho = rho_0 (T / T_0)^(g / (R L) - 1), exponential above the tropopause.
+    """
+    temperature = TEMPERATURE_0 - LAPSE * min(altitude, TROPOPAUSE)
+    stratospheric = math.exp(-max(altitude - TROPOPAUSE, 0.0) / SCALE_HEIGHT)
+    return DENSITY_0 * (temperature / TEMPERATURE_0) ** EXPONENT * stratospheric
+
+
+@compiled
+def true_airspeed(calibrated: float, density: float) -> float:
+    """True airspeed of a calibrated one [m/s] in air of `density` [kg/m^3].
+
+    V = V_c sqrt(rho_0 / rho), without compressibility: under 0.2 % below 100 m/s.
+    """
+    return calibrated * math.sqrt(DENSITY_0 / density)
+
+
+@compiled
+def calibrated_airspeed(true: float, density: float) -> float:
+    """Calibrated airspeed of a true one [m/s], the inverse of `true_airspeed`."""
+    return true * math.sqrt(density / DENSITY_0)

@@ -1,0 +1,183 @@
+"""Frames in a stream of bytes: found, checked, counted; MAVLink 1 and 2, signed or not.
+
+A frame is true if its checksum is, whatever stands around it. Nothing that a peer sends raises:
+what is wrong with the stream is counted (`LinkCounters`).
+
+The wire (n bytes of payload, checksum over all but the magic byte, then the CRC_EXTRA byte):
+
+    MAVLink 1: FE n seq sysid compid msgid(1) payload checksum(2)
+    MAVLink 2: FD n incompat compat seq sysid compid msgid(3) payload checksum(2) [signature(13)]
+"""
+
+import re
+import struct
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from typing import NamedTuple
+
+from fastcrc.crc16 import mcrf4xx
+
+from vfguide.link.dialect import CRC_EXTRA
+
+MAGIC_1 = 0xFE
+MAGIC_2 = 0xFD
+SIGNED = 0x01
+"""The one incompatibility flag that is defined: 13 bytes of signature follow the checksum."""
+
+_MAGIC = re.compile(b"[\xfd\xfe]")
+_HEADER_1 = struct.Struct("<6B")
+_HEADER_2 = struct.Struct("<7BHB")
+
+
+class Frame(NamedTuple):
+    """One frame whose checksum is right."""
+
+    sysid: int
+    compid: int
+    seq: int
+    msgid: int
+    payload: bytes
+    """As on the wire: MAVLink 2 cuts zeros off its end."""
+    raw: bytes
+    """The whole frame, a signature included."""
+    version: int
+    """1 or 2."""
+
+    @property
+    def signed(self) -> bool:
+        """Whether it carries a signature; nobody has checked it."""
+        return self.version == 2 and bool(self.raw[2] & SIGNED)
+
+
+class Flaw(Enum):
+    """Why no frame can be read at a place that looks like the start of one."""
+
+    INCOMPLETE = auto()
+    """More bytes are needed to tell."""
+    FOREIGN = auto()
+    """Flags that nobody has defined: its length cannot be known."""
+    UNKNOWN = auto()
+    """A message that the dialect does not have: its checksum cannot be known."""
+    BAD_CRC = auto()
+
+
+def frame_length(data: bytes, start: int) -> int:
+    """Length of the frame at `start` by what its first three bytes say, `start` on its magic."""
+    if data[start] == MAGIC_1:
+        return data[start + 1] + 8
+    return data[start + 1] + (25 if data[start + 2] & SIGNED else 12)
+
+
+def frame_at(data: bytes, start: int) -> Frame | Flaw:
+    """The frame that begins at `start`, where its magic byte must be, or why there is none."""
+    if len(data) - start < 3:
+        return Flaw.INCOMPLETE
+    if data[start] == MAGIC_2 and data[start + 2] & ~SIGNED:
+        return Flaw.FOREIGN
+    end = start + frame_length(data, start)
+    if end > len(data):
+        return Flaw.INCOMPLETE
+    return _checked(data[start:end])
+
+
+def _checked(raw: bytes) -> Frame | Flaw:
+    """The frame that `raw` is, if its checksum is right."""
+    if raw[0] == MAGIC_1:
+        begin, version = 6, 1
+        _, length, seq, sysid, compid, msgid = _HEADER_1.unpack_from(raw)
+    else:
+        begin, version = 10, 2
+        _, length, _, _, seq, sysid, compid, low, high = _HEADER_2.unpack_from(raw)
+        msgid = low | high << 16
+    extra = CRC_EXTRA.get(msgid)
+    if extra is None:
+        return Flaw.UNKNOWN
+    end = begin + length
+    if mcrf4xx(raw[1:end] + extra) != raw[end] | raw[end + 1] << 8:
+        return Flaw.BAD_CRC
+    return Frame(sysid, compid, seq, msgid, raw[begin:end], raw, version)
+
+
+def next_magic(data: bytes, position: int) -> int:
+    """Where the next frame may begin, at `position` or behind it; len(data) if nowhere."""
+    found = _MAGIC.search(data, position)
+    return found.start() if found else len(data)
+
+
+@dataclass(slots=True)
+class LinkCounters:
+    """What has come in so far, good and bad."""
+
+    frames: int = 0
+    bad_crc: int = 0
+    """Places that look like a frame but for the checksum."""
+    unknown: int = 0
+    """Frames of messages that the dialect does not have."""
+    junk_bytes: int = 0
+    """Bytes of no frame."""
+    lost: dict[tuple[int, int], int] = field(default_factory=dict[tuple[int, int], int])
+    """Frames missing by their sequence numbers, by (sysid, compid)."""
+
+
+class Parser:
+    """Finds the frames of one stream, however it is cut into pieces.
+
+    Behind a place that turns out to be no frame the search goes on with the very next byte: junk
+    never costs a true frame, though it may keep one back until 280 bytes more are there.
+    """
+
+    def __init__(self) -> None:
+        self.counters = LinkCounters()
+        self._rest = b""
+        self._unknown_end = 0  # in _rest: up to here an unknown frame claims the bytes
+        self._last_seq: dict[tuple[int, int], int] = {}
+
+    def feed(self, data: bytes) -> list[Frame]:
+        """Takes the next bytes of the stream; returns the frames that they complete."""
+        buffer = self._rest + data
+        frames: list[Frame] = []
+        position = 0
+        while position < len(buffer):
+            start = next_magic(buffer, position)
+            self._skip(position, start)
+            position = start
+            found = frame_at(buffer, start)
+            if found is Flaw.INCOMPLETE:
+                break
+            if isinstance(found, Frame):
+                frames.append(found)
+                self._count(found)
+                position += len(found.raw)
+            else:
+                self._reject(found, buffer, start)
+                position += 1
+        self._rest = buffer[position:]
+        self._unknown_end = max(0, self._unknown_end - position)
+        return frames
+
+    def _skip(self, start: int, end: int) -> None:
+        """Counts bytes of no frame."""
+        if start < end:
+            self.counters.junk_bytes += max(0, end - max(start, self._unknown_end))
+
+    def _reject(self, flaw: Flaw, buffer: bytes, start: int) -> None:
+        """Counts a place that is no frame, unless it lies within an unknown frame."""
+        if start >= self._unknown_end:
+            if flaw is Flaw.UNKNOWN:
+                self.counters.unknown += 1
+                self._unknown_end = start + frame_length(buffer, start)
+            elif flaw is Flaw.BAD_CRC:
+                self.counters.bad_crc += 1
+        self._skip(start, start + 1)
+
+    def _count(self, frame: Frame) -> None:
+        """Counts a frame and those that its sequence number says are missing before it."""
+        counters = self.counters
+        counters.frames += 1
+        self._unknown_end = 0
+        sender = (frame.sysid, frame.compid)
+        lost = (frame.seq - self._last_seq.get(sender, frame.seq - 1) - 1) & 0xFF
+        if lost < 128:  # else it is late or came twice
+            self._last_seq[sender] = frame.seq
+            if lost:
+                counters.lost[sender] = counters.lost.get(sender, 0) + lost

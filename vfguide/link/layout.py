@@ -1,0 +1,137 @@
+"""How the fields of a record lie on the wire, worked out from the dialect's tables."""
+
+import struct
+from operator import itemgetter
+from typing import Any
+
+from vfguide.link.dialect import WireField, wire_fields
+from vfguide.link.messages import RECORDS, Message
+
+_KINDS = {
+    "b": "an integer, -128 to 127",
+    "B": "an integer, 0 to 255",
+    "h": "an integer, -32768 to 32767",
+    "H": "an integer, 0 to 65535",
+    "i": "an integer, -2147483648 to 2147483647",
+    "I": "an integer, 0 to 4294967295",
+    "q": "an integer of 64 bits",
+    "Q": "an integer of 64 bits, not negative",
+    "f": "a number within +-3.4e38, inf or nan",
+    "d": "a number",
+    "s": "text without NUL",
+}
+_MISFITS = (struct.error, ValueError, OverflowError, TypeError, AttributeError)
+"""What `struct` and the conversions raise at a value that does not fit."""
+
+
+class EncodeError(ValueError):
+    """We asked for bytes that MAVLink cannot carry."""
+
+
+class Layout:
+    """Turns one class of records to payloads and back."""
+
+    def __init__(self, record: type[Message]) -> None:
+        fields = _fields_of(record)
+        self._fields = {field.name: field for field in fields}
+        self._struct = struct.Struct("<" + "".join(field.code for field in fields))
+        self._make = record._make
+        self._to_wire = itemgetter(*(record._fields.index(field.name) for field in fields))
+        self._to_record = itemgetter(*_slots(record, fields))
+        self._arrays = [(i, f.size) for i, f in enumerate(fields) if f.is_array][::-1]
+        self._texts_on_wire = [(i, f.size) for i, f in enumerate(fields) if f.is_text]
+        self._texts = [i for i, name in enumerate(record._fields) if self._fields[name].is_text]
+
+    def unpack(self, payload: bytes) -> Message:
+        """The record; what the payload lacks is zero, what it has beyond is left out."""
+        values = self._to_record(self._struct.unpack_from(payload.ljust(self._struct.size, b"\0")))
+        if self._texts:
+            values = list(values)
+            for i in self._texts:
+                values[i] = values[i].partition(b"\0")[0].decode(errors="replace")
+        return self._make(values)
+
+    def pack(self, message: Message) -> bytes:
+        """The whole payload of a record of this class.
+
+        Raises:
+            EncodeError: a field does not fit.
+        """
+        try:
+            values = self._to_wire(message)
+            if self._texts:
+                values = self._with_bytes(values)
+            for i, size in self._arrays:  # from the last: places before it stay
+                values = values[:i] + _elements(values[i], size) + values[i + 1 :]
+            return self._struct.pack(*values)
+        except _MISFITS as error:
+            raise self._misfit(message) from error
+
+    def _with_bytes(self, values: tuple[Any, ...]) -> tuple[Any, ...]:
+        """The values with every text as its bytes."""
+        wire = list(values)
+        for i, size in self._texts_on_wire:
+            wire[i] = _text_bytes(wire[i], size)
+        return tuple(wire)
+
+    def _misfit(self, message: Message) -> EncodeError:
+        """The error that names the first field that does not fit."""
+        for name, value in zip(message._fields, message, strict=True):
+            field = self._fields[name]
+            if not _fits(value, field):
+                return EncodeError(f"{message.NAME}.{name} = {value!r}: must be {_kind(field)}")
+        return EncodeError(f"{message!r} cannot be written")
+
+
+def _fields_of(record: type[Message]) -> list[WireField]:
+    """Fields of a record in wire order, without extensions at the end that it leaves out."""
+    fields = wire_fields(record.MSGID)
+    while fields[-1].name not in record._fields:
+        fields.pop()
+    return fields
+
+
+def _slots(record: type[Message], fields: list[WireField]) -> list[int | slice]:
+    """For each field of the record, where it is among the values that `struct` unpacks."""
+    slots: dict[str, int | slice] = {}
+    position = 0
+    for field in fields:
+        width = field.size if field.is_array else 1
+        slots[field.name] = slice(position, position + width) if field.is_array else position
+        position += width
+    return [slots[name] for name in record._fields]
+
+
+def _elements(array: Any, size: int) -> tuple[Any, ...]:
+    if len(array) != size:
+        raise ValueError
+    return tuple(array)
+
+
+def _text_bytes(text: str, size: int) -> bytes:
+    data = text.encode()
+    if len(data) > size or b"\0" in data:
+        raise ValueError
+    return data
+
+
+def _fits(value: Any, field: WireField) -> bool:
+    try:
+        if field.is_text:
+            _text_bytes(value, field.size)
+        else:
+            struct.pack("<" + field.code, *(value if field.is_array else (value,)))
+    except _MISFITS:
+        return False
+    return True
+
+
+def _kind(field: WireField) -> str:
+    """What values a field takes, in words."""
+    kind = _KINDS[field.code[-1]]
+    if field.is_text:
+        return f"{kind}, at most {field.size} bytes of UTF-8"
+    return f"{field.size} values, each {kind}" if field.is_array else kind
+
+
+LAYOUTS: dict[type[Message], Layout] = {record: Layout(record) for record in RECORDS}

@@ -1,0 +1,96 @@
+"""Where an autopilot is reached: the URLs of the command line."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class UrlError(ValueError):
+    """A text that is none of the allowed forms; the message lists them."""
+
+    def __init__(self, text: str, reason: str) -> None:
+        super().__init__(
+            f"{text!r}: {reason}. Allowed: udpin:HOST:PORT (listen there), udpout:HOST:PORT,"
+            " tcp:HOST:PORT (send there), serial:DEVICE:BAUD,"
+            " for example udpin:127.0.0.1:14540 or serial:/dev/ttyACM0:57600"
+        )
+
+
+class Transport(StrEnum):
+    """How to reach a host."""
+
+    UDPIN = "udpin"
+    """Listen, answer to where the last datagram came from."""
+    UDPOUT = "udpout"
+    TCP = "tcp"
+
+
+@dataclass(frozen=True)
+class NetworkUrl:
+    """`udpin:HOST:PORT`, `udpout:HOST:PORT` or `tcp:HOST:PORT`."""
+
+    transport: Transport
+    host: str
+    """A name or an address, that of IPv6 without its brackets."""
+    port: int
+
+    def __str__(self) -> str:
+        host = f"[{self.host}]" if ":" in self.host else self.host
+        return f"{self.transport}:{host}:{self.port}"
+
+
+@dataclass(frozen=True)
+class SerialUrl:
+    """`serial:DEVICE:BAUD`."""
+
+    device: str
+    baud: int
+    """[bit/s]."""
+
+    def __str__(self) -> str:
+        return f"serial:{self.device}:{self.baud}"
+
+
+Url = NetworkUrl | SerialUrl
+
+
+def parse_url(text: str) -> Url:
+    """The record of a URL; `str` of it gives the text again.
+
+    Raises:
+        UrlError: the text is none of the forms.
+    """
+    scheme, _, rest = text.partition(":")
+    place, _, number = rest.rpartition(":")
+    if scheme == "serial":
+        return _serial(text, place, number)
+    if scheme in list(Transport):
+        return _network(text, Transport(scheme), place, number)
+    raise UrlError(text, f"{scheme!r} is no way to reach an autopilot")
+
+
+def _serial(text: str, device: str, number: str) -> SerialUrl:
+    if not device:
+        raise UrlError(text, "the device is missing")
+    baud = _positive(number)
+    if baud is None:
+        raise UrlError(text, "the baud rate must be a whole number above 0")
+    return SerialUrl(device, baud)
+
+
+def _network(text: str, transport: Transport, host: str, number: str) -> NetworkUrl:
+    if host.startswith("[") and host.endswith("]"):
+        host = host[1:-1]
+    elif ":" in host:
+        raise UrlError(text, "an IPv6 address stands in brackets, as [::1]")
+    if not host:
+        raise UrlError(text, "the host is missing")
+    port = _positive(number)
+    if port is None or port > 65535:
+        raise UrlError(text, "the port must be a whole number, 1 to 65535")
+    return NetworkUrl(transport, host, port)
+
+
+def _positive(digits: str) -> int | None:
+    """The number above 0 that stands there in plain digits, None if there is none."""
+    number = int(digits) if digits.isascii() and digits.isdigit() and len(digits) < 10 else 0
+    return number or None
