@@ -4,6 +4,7 @@ from typing import Any
 
 from vfguide.geometry.compiled import over_points
 from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.geometry.vector import vec3
 
 
 @over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")
@@ -12,5 +13,5 @@ def geodetic_to_neds(origin: Any, points: Any, p_n: Any) -> None:
 
     Both arguments are latitude [rad], longitude [rad], altitude [m] along the last axis.
     """
-    plane = tangent_plane(origin[0], origin[1], origin[2])
-    p_n[0], p_n[1], p_n[2] = geodetic_to_ned(plane, points[0], points[1], points[2])
+    plane = tangent_plane(*vec3(origin))
+    p_n[0], p_n[1], p_n[2] = geodetic_to_ned(plane, *vec3(points))

@@ -34,7 +34,7 @@ def cache_folder() -> str:
 
 def compiled(function: Callable[P, T]) -> Callable[P, T]:
     """Compile `function` with numba on its first call; the machine code is cached on disk."""
-    return cast(Callable[P, T], _cached(numba.njit, function, {}))
+    return cast("Callable[P, T]", _cached(numba.njit, function, {}))
 
 
 def over_points(signature: str, layout: str) -> Callable[[Callable[..., None]], Callable[..., Any]]:
@@ -47,15 +47,16 @@ def over_points(signature: str, layout: str) -> Callable[[Callable[..., None]], 
         def guvectorize(**options: Any) -> Callable[[Callable[..., None]], Any]:
             return numba.guvectorize([signature], layout, nopython=True, **options)
 
-        return cast(Callable[..., Any], _cached(guvectorize, kernel, {}))
+        return cast("Callable[..., Any]", _cached(guvectorize, kernel, {}))
 
     return decorate
 
 
 def _cached(decorator: Any, function: Any, options: dict[str, Any]) -> Any:
-    before = config.CACHE_DIR
-    config.CACHE_DIR = cache_folder()
+    settings = cast("Any", config)
+    before = settings.CACHE_DIR
+    settings.CACHE_DIR = cache_folder()
     try:
         return decorator(cache=True, **options)(function)
     finally:
-        config.CACHE_DIR = before
+        settings.CACHE_DIR = before

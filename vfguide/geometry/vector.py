@@ -1,6 +1,7 @@
 """Vectors of three floats and 3x3 matrices as plain tuples, for compiled code."""
 
 import math
+from typing import Any
 
 from vfguide.geometry.compiled import compiled
 
@@ -10,32 +11,44 @@ Mat3 = tuple[Vec3, Vec3, Vec3]
 
 
 @compiled
+def vec3(a: Any) -> Vec3:
+    """The three components of an array (3,), for kernels over arrays.
+
+    Raises:
+        ValueError: the array is not of length 3.
+    """
+    if len(a) != 3:
+        raise ValueError("the last axis must have the three components of a vector")
+    return (a[0], a[1], a[2])
+
+
+@compiled
 def add(a: Vec3, b: Vec3) -> Vec3:
-    """a + b."""
+    """Sum a + b."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 @compiled
 def sub(a: Vec3, b: Vec3) -> Vec3:
-    """a - b."""
+    """Difference a - b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 @compiled
 def scale(k: float, a: Vec3) -> Vec3:
-    """k a."""
+    """Multiple k a."""
     return (k * a[0], k * a[1], k * a[2])
 
 
 @compiled
 def dot(a: Vec3, b: Vec3) -> float:
-    """a . b."""
+    """Dot product a . b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @compiled
 def cross(a: Vec3, b: Vec3) -> Vec3:
-    """a x b."""
+    """Cross product a x b."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
@@ -47,19 +60,19 @@ def norm(a: Vec3) -> float:
 
 @compiled
 def unit(a: Vec3) -> Vec3:
-    """a / |a|; a must not be zero."""
+    """Direction a / |a|; a must not be zero."""
     return scale(1.0 / norm(a), a)
 
 
 @compiled
 def matvec(m: Mat3, a: Vec3) -> Vec3:
-    """M a."""
+    """Product M a."""
     return (dot(m[0], a), dot(m[1], a), dot(m[2], a))
 
 
 @compiled
 def transpose(m: Mat3) -> Mat3:
-    """M^T."""
+    """Transpose M^T."""
     return (
         (m[0][0], m[1][0], m[2][0]),
         (m[0][1], m[1][1], m[2][1]),
@@ -69,7 +82,7 @@ def transpose(m: Mat3) -> Mat3:
 
 @compiled
 def matmul(a: Mat3, b: Mat3) -> Mat3:
-    """A B."""
+    """Product A B."""
     c = transpose(b)
     return (
         (dot(a[0], c[0]), dot(a[0], c[1]), dot(a[0], c[2])),

@@ -76,11 +76,12 @@ class Layout:
 
     def _misfit(self, message: Message) -> EncodeError:
         """The error that names the first field that does not fit."""
-        for name, value in zip(message._fields, message, strict=True):
-            field = self._fields[name]
-            if not _fits(value, field):
-                return EncodeError(f"{message.NAME}.{name} = {value!r}: must be {_kind(field)}")
-        return EncodeError(f"{message!r} cannot be written")
+        field, value = next(
+            (self._fields[name], value)
+            for name, value in zip(message._fields, message, strict=True)
+            if not _fits(value, self._fields[name])
+        )
+        return EncodeError(f"{message.NAME}.{field.name} = {value!r}: must be {_kind(field)}")
 
 
 def _fields_of(record: type[Message]) -> list[WireField]:

@@ -1,0 +1,240 @@
+"""Scenarios as they are flown: defaults, goals in the scenario frame, the round trip."""
+
+import math
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pymap3d
+import pytest
+from flight_samples import MINIMAL, SECOND, loaded_from
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.scenario.data import shipped_scenarios
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.resolved import Scenario
+
+RICH = """\
+name = "rich 2.0_b-c"
+duration_s = 60
+seed = 4294967295
+start_time = 2026-03-01T12:00:00.25+01:00
+
+[origin]
+latitude_deg = -33.9
+longitude_deg = 151.2
+altitude_m = 20
+
+[wind]
+speed_mps = 4.5
+from_deg = -90
+turbulence = "moderate"
+
+[guidance]
+airspeed_mps = 27.0
+bank_max_deg = 45
+loiter = "left"
+
+[avoidance]
+between_vehicles = false
+
+[[vehicle]]
+id = 250
+position_m = [-500, 1e-7, -100]
+
+[[vehicle.goal]]
+latitude_deg = -33.903
+longitude_deg = 151.207
+altitude_m = 170
+direction = [1, -1, -0.1]
+
+[[vehicle.goal]]
+position_m = [0.1, 0.2, -100.3]
+heading_deg = 360
+climb_deg = -3
+tolerance_m = 2
+tolerance_deg = 5
+
+[[vehicle]]
+id = 3
+position_m = [-500, 0, -100]
+
+[[vehicle.goal]]
+position_m = [0, 0, -100]
+heading_deg = 12.3456789012345
+"""
+
+
+def again(folder: Path, scenario: Scenario) -> Scenario:
+    return loaded_from(folder, scenario.to_toml()).scenario
+
+
+@pytest.mark.parametrize("text", [MINIMAL, MINIMAL + SECOND, RICH])
+def test_the_resolved_file_resolves_to_the_same_scenario(tmp_path: Path, text: str) -> None:
+    loaded = loaded_from(tmp_path, text)
+    loaded.write_resolved(tmp_path / "scenario.toml")
+    resolved = load_scenario(tmp_path / "scenario.toml")
+    assert resolved.scenario == loaded.scenario
+    assert resolved.aircraft == loaded.aircraft
+    assert resolved.scenario.to_toml() == loaded.scenario.to_toml()
+
+
+@given(
+    st.floats(-80, 80),
+    st.floats(-180, 180),
+    st.floats(-1000, 1000),
+    st.floats(-1000, 1000),
+    st.floats(-500, -1),
+    st.floats(-360, 360),
+)
+def test_no_bit_is_lost_on_the_way_through_the_file(
+    tmp_path_factory: pytest.TempPathFactory,
+    latitude: float,
+    longitude: float,
+    north: float,
+    east: float,
+    down: float,
+    heading: float,
+) -> None:
+    folder = tmp_path_factory.mktemp("again")
+    overrides = (
+        f"origin.latitude_deg={latitude!r}",
+        f"origin.longitude_deg={longitude!r}",
+        f"vehicle.0.goal.0.position_m=[{north!r}, {east!r}, {down!r}]",
+        f"vehicle.0.goal.0.heading_deg={heading!r}",
+    )
+    scenario = loaded_from(folder, overrides=overrides).scenario
+    assert scenario.vehicles[0].goals[0].position_m == (north, east, down)
+    assert again(folder, scenario) == scenario
+
+
+def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
+    scenario = loaded_from(tmp_path).scenario
+    assert scenario.model_dump() == {
+        "name": "minimal",
+        "plant": "jsbsim",
+        "law": "flight",
+        "duration_s": 300.0,
+        "seed": 1,
+        "start_time": datetime(2026, 1, 1, tzinfo=UTC),
+        "origin": {"latitude_deg": 47.397742, "longitude_deg": 8.545594, "altitude_m": 488.0},
+        "wind": {"speed_mps": 0.0, "from_deg": 0.0, "turbulence": "none"},
+        "guidance": {
+            "rate_hz": 50.0,
+            "airspeed_mps": None,
+            "bank_max_deg": None,
+            "k_w": 3.5,
+            "k_v": 1.0,
+            "k_lateral": 1.2,
+            "k_elevation": 0.5,
+            "loiter": "right",
+        },
+        "avoidance": {
+            "safety_radius_m": 10.0,
+            "detection_range_m": 300.0,
+            "between_vehicles": True,
+        },
+        "vehicles": (
+            {
+                "id": 1,
+                "position_m": (-500.0, 0.0, -100.0),
+                "heading_deg": 0.0,
+                "airspeed_mps": 25.0,
+                "aircraft": "aerosonde",
+                "goals": (
+                    {
+                        "position_m": (0.0, 0.0, -100.0),
+                        "heading_deg": 0.0,
+                        "climb_deg": 0.0,
+                        "tolerance_m": 5.0,
+                        "tolerance_deg": 10.0,
+                    },
+                ),
+            },
+        ),
+    }
+
+
+def test_every_value_of_the_file_arrives(tmp_path: Path) -> None:
+    scenario = loaded_from(tmp_path, RICH).scenario
+    assert scenario.start_time == datetime(2026, 3, 1, 11, 0, 0, 250_000, tzinfo=UTC)
+    assert (scenario.duration_s, scenario.seed) == (60.0, 4294967295)
+    assert (scenario.wind.speed_mps, scenario.wind.turbulence) == (4.5, "moderate")
+    assert scenario.guidance.loiter == "left"
+    assert [vehicle.id for vehicle in scenario.vehicles] == [250, 3]
+    second = scenario.vehicles[0].goals[1]
+    assert second.model_dump() == {
+        "position_m": (0.1, 0.2, -100.3),
+        "heading_deg": 360.0,
+        "climb_deg": -3.0,
+        "tolerance_m": 2.0,
+        "tolerance_deg": 5.0,
+    }
+
+
+def test_geographic_goals_lie_in_the_tangent_plane_at_the_origin(tmp_path: Path) -> None:
+    goal = loaded_from(tmp_path, RICH).scenario.vehicles[0].goals[0]
+    expected = pymap3d.geodetic2ned(-33.903, 151.207, 170.0, -33.9, 151.2, 20.0)
+    assert goal.position_m == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("direction", "heading", "climb"),
+    [
+        ("[1, 0, 0]", 0.0, 0.0),
+        ("[0, 2, 0]", 90.0, 0.0),
+        ("[-1, 0, 0]", 180.0, 0.0),
+        ("[0, -0.5, 0]", -90.0, 0.0),
+        ("[1, 1, 0]", 45.0, 0.0),
+        ("[1, 0, -0.1]", 0.0, math.degrees(math.atan(0.1))),
+        ("[1e-9, 0, 1e-10]", 0.0, -math.degrees(math.atan(0.1))),
+    ],
+)
+def test_directions(tmp_path: Path, direction: str, heading: float, climb: float) -> None:
+    text = MINIMAL.replace("heading_deg = 0", f"direction = {direction}")
+    goal = loaded_from(tmp_path, text).scenario.vehicles[0].goals[0]
+    assert (goal.heading_deg, goal.climb_deg) == pytest.approx((heading, climb), abs=1e-12)
+
+
+def test_speeds_and_bank_to_fly(tmp_path: Path) -> None:
+    text = MINIMAL.replace("id = 1", "id = 1\nairspeed_mps = 22.0")
+    own = loaded_from(tmp_path, text)
+    gains = own.gains(own.scenario.vehicles[0])
+    assert (gains.airspeed, gains.bank_max) == pytest.approx((22.0, math.radians(50.0)))
+    common = loaded_from(tmp_path, RICH)
+    gains = common.gains(common.scenario.vehicles[1])
+    assert (gains.airspeed, gains.bank_max) == pytest.approx((27.0, math.radians(45.0)))
+
+
+def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None:
+    own = tmp_path / "aircraft" / "mine"
+    own.mkdir(parents=True)
+    shipped = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    (own / "mine.toml").write_text(shipped.replace('name = "aerosonde"', 'name = "mine"'))
+    (own / "mine.xml").write_text("<fdm_config/>")
+    text = MINIMAL.replace("id = 1", 'id = 1\naircraft = "mine"')
+    loaded = loaded_from(tmp_path, text)
+    run = tmp_path / "run"
+    run.mkdir()
+    loaded.write_resolved(run / "scenario.toml")
+    resolved = load_scenario(run / "scenario.toml")
+    assert resolved.aircraft == loaded.aircraft
+    assert resolved.files["mine"].model == run / "aircraft" / "mine" / "mine.xml"
+    loaded.write_resolved(tmp_path / "scenario.toml")
+    assert load_scenario(tmp_path / "scenario.toml").scenario == loaded.scenario
+
+
+@pytest.mark.parametrize("name", shipped_scenarios())
+def test_shipped_scenarios_can_be_flown(name: str) -> None:
+    loaded = load_scenario(name)
+    assert loaded.scenario.name == name.replace("/", "-")
+    loaded.require_models()
+
+
+def test_first_flight_needs_a_turn() -> None:
+    scenario = load_scenario("first-flight").scenario
+    (vehicle,) = scenario.vehicles
+    (goal,) = vehicle.goals
+    assert 500.0 < math.dist(vehicle.position_m, goal.position_m) < 900.0
+    assert abs(goal.heading_deg - vehicle.heading_deg) >= 45.0
+    assert scenario.wind.speed_mps == 3.0

@@ -1,0 +1,61 @@
+"""The Aerosonde in the air, under its rate loop alone."""
+
+from functools import cache
+from pathlib import Path
+
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import FlightCondition, Model, Start, Weather
+from vfguide.sim.identify import Airframe, identify
+from vfguide.sim.inner_loop import inner_loop
+from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.trim import trim
+from vfguide.sim.truth import Truth
+
+AIRCRAFT = Path(__file__).parents[2] / "aircraft"
+AEROSONDE = Model(AIRCRAFT, "aerosonde")
+GROUND = 488.0
+ALTITUDE = 638.0
+STEPS_PER_S = round(1.0 / STEP)
+
+
+@cache
+def bench(altitude: float = ALTITUDE) -> Bench:
+    return Bench(AEROSONDE, altitude)
+
+
+@cache
+def steady(airspeed: float = 25.0, climb: float = 0.0) -> FlightCondition:
+    return trim(bench(), airspeed, climb)
+
+
+def airframe() -> Airframe:
+    return identify(AEROSONDE, 25.0, ALTITUDE)
+
+
+def start(condition: FlightCondition | None = None, yaw: float = 0.0) -> Start:
+    return Start(47.4 * DEG, 8.5 * DEG, ALTITUDE, yaw, condition or steady())
+
+
+def airborne(
+    airspeed: float = 25.0, yaw: float = 0.0, weather: Weather | None = None
+) -> Plant:
+    return Plant(AEROSONDE, start(steady(airspeed), yaw), weather, GROUND)
+
+
+def thrust_in(condition: FlightCondition) -> float:
+    """Thrust setpoint that holds a steady flight."""
+    return bench().thrust(condition) / airframe().thrust.full_thrust
+
+
+def fly(
+    plant: Plant, omega_b: Vec3, seconds: float, thrust: float = 0.295, memory: Vec3 = (0.0, 0.0, 0.0)
+) -> list[Truth]:
+    """The truth before each step, and after the last."""
+    tables, truths = airframe().tables, [plant.truth()]
+    for _ in range(round(seconds * STEPS_PER_S)):
+        controls, memory = inner_loop(tables, plant.inner(), (*omega_b, thrust), memory, STEP)
+        plant.advance(controls)
+        truths.append(plant.truth())
+    return truths

@@ -1,0 +1,128 @@
+"""What has to hold between the values of a scenario and those of its aircraft."""
+
+import math
+from collections.abc import Mapping
+from itertools import combinations
+
+from vfguide.scenario.aircraft_file import Aircraft
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.scenario_file import LEAST_BANK_DEG, ScenarioFile
+from vfguide.scenario.source import Location, Source
+from vfguide.scenario.tables import in_words
+
+
+def check_ids(scenario: Scenario, source: Source) -> None:
+    """No two vehicles of one id.
+
+    Raises:
+        InputError: there are.
+    """
+    ids = [vehicle.id for vehicle in scenario.vehicles]
+    for index, its in enumerate(ids):
+        if its in ids[:index]:
+            rule = f"already the id of vehicle[{ids.index(its)}], each needs its own"
+            raise source.error(("vehicle", index, "id"), rule, its)
+
+
+def check_aircraft(
+    scenario: Scenario, entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Source
+) -> None:
+    """No vehicle is asked for what its aircraft cannot fly.
+
+    Raises:
+        InputError: one is.
+    """
+    for index, vehicle in enumerate(scenario.vehicles):
+        its, at = aircraft[vehicle.aircraft], ("vehicle", index)
+        speeds, limits = its.airspeed, its.limits
+        for place, speed in (
+            ((*at, "airspeed_mps"), vehicle.airspeed_mps),
+            (("guidance", "airspeed_mps"), scenario.airspeed_of(vehicle)),
+        ):
+            _check_range(speed, (speeds.min_mps, speeds.max_mps), its.name, source, place)
+        bank = scenario.guidance.bank_max_deg or limits.bank_max_deg
+        place = ("guidance", "bank_max_deg")
+        _check_range(bank, (LEAST_BANK_DEG, limits.bank_max_deg), its.name, source, place)
+        steepest = (-limits.descent_max_deg, limits.climb_max_deg)
+        for number, goal in enumerate(vehicle.goals):
+            place = (*at, "goal", number)
+            direction = entry.vehicle[index].goal[number].direction
+            if direction is None:
+                _check_range(goal.climb_deg, steepest, its.name, source, (*place, "climb_deg"))
+            elif rule := _outside(goal.climb_deg, steepest, its.name):
+                rule = f"climbs by {goal.climb_deg:.1f} degrees, {rule}"
+                raise source.error((*place, "direction"), rule, direction)
+
+
+def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> None:
+    """Every start and every goal is above the ground, the plane z = 0 of the scenario frame.
+
+    Raises:
+        InputError: one is not.
+    """
+    height = in_words(scenario.origin.altitude_m)
+    rule = f"not above the ground; z points down, allowed z < 0 (above the origin's {height} m)"
+    for index, vehicle in enumerate(scenario.vehicles):
+        if vehicle.position_m[2] >= 0.0:
+            raise source.error(("vehicle", index, "position_m"), rule, vehicle.position_m)
+        for number, goal in enumerate(vehicle.goals):
+            if goal.position_m[2] < 0.0:
+                continue
+            at: Location = ("vehicle", index, "goal", number)
+            altitude = entry.vehicle[index].goal[number].altitude_m
+            if altitude is None:
+                raise source.error((*at, "position_m"), rule, goal.position_m)
+            lowest = f"allowed above {altitude + goal.position_m[2]:.1f} (see [origin])"
+            raise source.error((*at, "altitude_m"), f"not above the ground, {lowest}", altitude)
+
+
+def check_wind(scenario: Scenario, source: Source) -> None:
+    """Every vehicle can fly against the wind.
+
+    Raises:
+        InputError: one cannot.
+    """
+    slowest = min(map(scenario.airspeed_of, scenario.vehicles))
+    wind = scenario.wind.speed_mps
+    if wind >= slowest:
+        rule = f"as fast as a vehicle flies, allowed below {in_words(slowest)}"
+        raise source.error(("wind", "speed_mps"), rule, wind)
+
+
+def check_room(scenario: Scenario, source: Source) -> None:
+    """Vehicles start apart, and are seen before they are too close.
+
+    Raises:
+        InputError: two start within two safety radii, or the detection range is shorter.
+    """
+    avoidance = scenario.avoidance
+    apart = 2.0 * avoidance.safety_radius_m
+    if avoidance.detection_range_m <= apart:
+        rule = f"not beyond two safety radii, allowed above {in_words(apart)}"
+        at: Location = ("avoidance", "detection_range_m")
+        raise source.error(at, rule, avoidance.detection_range_m)
+    pairs = combinations(enumerate(scenario.vehicles), 2) if avoidance.between_vehicles else ()
+    for (first, one), (second, other) in pairs:
+        distance = math.dist(one.position_m, other.position_m)
+        if distance <= apart:
+            rule = (
+                f"{distance:.1f} m from vehicle[{first}], "
+                f"allowed more than {in_words(apart)} (two safety_radius_m)"
+            )
+            raise source.error(("vehicle", second, "position_m"), rule, other.position_m)
+
+
+def _check_range(
+    value: float, allowed: tuple[float, float], aircraft: str, source: Source, at: Location
+) -> None:
+    if rule := _outside(value, allowed, aircraft):
+        raise source.error(at, rule, value)
+
+
+def _outside(value: float, allowed: tuple[float, float], aircraft: str) -> str:
+    """What is wrong with a value that leaves what an aircraft allows; empty if it does not."""
+    low, high = allowed
+    if low <= value <= high:
+        return ""
+    side = "below the minimum" if value < low else "above the maximum"
+    return f"{side} of {aircraft}, allowed {in_words(low)} to {in_words(high)}"

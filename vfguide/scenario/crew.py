@@ -1,0 +1,125 @@
+"""From a scenario to what flies it: the simulated vehicles and the plans of their companions."""
+
+import math
+
+import numpy as np
+
+from vfguide.companion.plan import Goal, Plan
+from vfguide.geometry.geodesy import TangentPlane, ned_to_geodetic, tangent_plane
+from vfguide.geometry.units import DEG, US
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.resolved import Goal as ScenarioGoal
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import Model, Start, Turbulence, Weather
+from vfguide.sim.fdm import ModelError
+from vfguide.sim.identify import IdentifyError
+from vfguide.sim.trim import TrimError, trim
+from vfguide.sim.vehicle import Setup
+from vfguide.sim.vehicle import Vehicle as SimVehicle
+
+GUSTS = 1
+"""Purpose of a random stream."""
+SIDES = {"right": 1.0, "left": -1.0}
+LOITER_RADIUS = 100.0
+"""Of the circle after the last goal [m]; more where wind and bank ask for it."""
+
+
+def frame_of(scenario: Scenario) -> TangentPlane:
+    """The tangent plane of the scenario frame."""
+    origin = scenario.origin
+    return tangent_plane(origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
+
+
+def start_us(scenario: Scenario) -> int:
+    """The date of time zero [us since 1970]."""
+    return round(scenario.start_time.timestamp() / US)
+
+
+def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
+    """The vehicle of an id.
+
+    Raises:
+        InputError: there is none.
+    """
+    for vehicle in scenario.vehicles:
+        if vehicle.id == sysid:
+            return vehicle
+    known = ", ".join(str(vehicle.id) for vehicle in scenario.vehicles)
+    raise InputError(f"--vehicle {sysid}: no such vehicle in {scenario.name}, allowed {known}")
+
+
+def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
+    """What the companion of a vehicle is asked to do."""
+    guidance = loaded.scenario.guidance
+    return Plan(
+        frame_of(loaded.scenario),
+        tuple(goal_of(goal) for goal in vehicle.goals),
+        SIDES[guidance.loiter],
+        LOITER_RADIUS,
+        guidance.rate_hz,
+        loaded.performance(vehicle),
+        loaded.gains(vehicle),
+    )
+
+
+def goal_of(goal: ScenarioGoal) -> Goal:
+    """A goal in SI units and radians."""
+    return Goal(
+        goal.position_m,
+        goal.heading_deg * DEG,
+        goal.climb_deg * DEG,
+        goal.tolerance_m,
+        goal.tolerance_deg * DEG,
+    )
+
+
+def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:
+    """The simulated vehicle at its start, trimmed for level flight.
+
+    Raises:
+        InputError: its model cannot be flown.
+    """
+    try:
+        return SimVehicle(setup_of(loaded, vehicle), start_us(loaded.scenario))
+    except (ModelError, TrimError, IdentifyError) as error:
+        raise InputError(str(error)) from error
+
+
+def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
+    """What a simulated vehicle begins with."""
+    scenario = loaded.scenario
+    files = loaded.files[vehicle.aircraft]
+    model = Model(files.root, vehicle.aircraft)
+    latitude, longitude, altitude = ned_to_geodetic(frame_of(scenario), vehicle.position_m)
+    condition = trim(Bench(model, altitude), vehicle.airspeed_mps)
+    return Setup(
+        vehicle.id,
+        model,
+        loaded.performance(vehicle),
+        scenario.airspeed_of(vehicle),
+        Start(latitude, longitude, altitude, vehicle.heading_deg * DEG, condition),
+        Weather(
+            wind_of(scenario),
+            Turbulence[scenario.wind.turbulence.upper()],
+            random_seed(scenario.seed, vehicle.id, GUSTS),
+        ),
+        scenario.origin.altitude_m,
+    )
+
+
+def wind_of(scenario: Scenario) -> Vec3:
+    """The steady wind, the direction it blows toward, NED [m/s]."""
+    toward = scenario.wind.from_deg * DEG + math.pi
+    return (
+        scenario.wind.speed_mps * math.cos(toward),
+        scenario.wind.speed_mps * math.sin(toward),
+        0.0,
+    )
+
+
+def random_seed(seed: int, sysid: int, purpose: int) -> int:
+    """The seed of one random stream: nothing else changes it, no other vehicle either."""
+    return int(np.random.SeedSequence([seed, sysid, purpose]).generate_state(1)[0])

@@ -1,0 +1,95 @@
+"""Where scenarios and aircraft are found: the user's own files first, then the shipped ones."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+from vfguide.scenario.errors import InputError
+
+PACKAGE = Path(__file__).parent.parent
+
+
+@dataclass(frozen=True)
+class AircraftFiles:
+    """The files of one aircraft."""
+
+    name: str
+    root: Path
+    """The `aircraft` folder that holds them: the aircraft path of JSBSim."""
+    performance: Path
+    """What the companion knows of it: `NAME.toml` or `NAME/NAME.toml`."""
+    model: Path | None
+    """The JSBSim model `NAME/NAME.xml`; None where there is none."""
+
+
+def data_folder() -> Path:
+    """The folder that holds the shipped `aircraft` and `scenarios`: in the wheel or a checkout."""
+    inside = PACKAGE / "_data"
+    return inside if inside.is_dir() else PACKAGE.parent
+
+
+def shipped_scenarios() -> list[str]:
+    """Names of the shipped scenarios, such as `first-flight` and `paper/example-1`."""
+    folder = data_folder() / "scenarios"
+    names = (path.relative_to(folder).with_suffix("") for path in folder.rglob("*.toml"))
+    return sorted(name.as_posix() for name in names if "aircraft" not in name.parts)
+
+
+def find_scenario(name_or_path: str | Path) -> Path:
+    """The scenario file at a path or of a shipped name.
+
+    Raises:
+        InputError: there is neither; the message lists the shipped names.
+    """
+    path = Path(name_or_path)
+    if path.is_file():
+        return path
+    names = shipped_scenarios()
+    name = path.as_posix().removesuffix(".toml")
+    if name in names:
+        return data_folder() / "scenarios" / f"{name}.toml"
+    raise InputError(
+        f"{name_or_path}: no such file and no shipped scenario{close_match(name, names)}; "
+        f"shipped: {', '.join(names)}"
+    )
+
+
+def find_aircraft(name: str, beside: Path | None = None) -> AircraftFiles:
+    """The files of an aircraft: from `aircraft/` beside the scenario file, else shipped.
+
+    Args:
+        name: of the aircraft.
+        beside: the scenario file.
+
+    Raises:
+        InputError: there is none of that name; the message lists those that there are.
+    """
+    own = [beside.parent / "aircraft"] if beside else []
+    roots = [*own, data_folder() / "aircraft"]
+    if re.fullmatch(r"[\w.-]+", name):
+        for root in roots:
+            if files := _files(root, name):
+                return files
+    names = sorted({found for root in roots for found in _names(root)})
+    raise InputError(f"no such aircraft{close_match(name, names)}; allowed: {', '.join(names)}")
+
+
+def close_match(wrong: str, right: Iterable[str]) -> str:
+    """`, did you mean X?` or nothing, to be put after the naming of `wrong`."""
+    matches = get_close_matches(wrong, list(right), n=1)
+    return f", did you mean {matches[0]}?" if matches else ""
+
+
+def _files(root: Path, name: str) -> AircraftFiles | None:
+    for performance in (root / f"{name}.toml", root / name / f"{name}.toml"):
+        if performance.is_file():
+            model = root / name / f"{name}.xml"
+            return AircraftFiles(name, root, performance, model if model.is_file() else None)
+    return None
+
+
+def _names(root: Path) -> list[str]:
+    candidates = {path.stem for pattern in ("*.toml", "*/*.toml") for path in root.glob(pattern)}
+    return [name for name in candidates if _files(root, name)]

@@ -1,0 +1,98 @@
+"""How figures look: colours that the colour-blind can tell apart, sizes, PNG."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.record import Array, FlightRecord
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+"""Okabe and Ito's palette, of which the yellow is too light on white."""
+STYLES = ("solid", "dashed", "dashdot", "dotted")
+GOAL = "#111111"
+MUTED = "#6b7280"
+
+_LOOK: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "axes.titlesize": 12,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.edgecolor": "#9ca3af",
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "grid.color": "#e5e7eb",
+    "grid.linewidth": 0.8,
+    "legend.frameon": False,
+    "lines.linewidth": 1.8,
+    "lines.solid_capstyle": "round",
+    "savefig.bbox": "tight",
+    "savefig.dpi": 140,
+    "savefig.pad_inches": 0.15,
+}
+
+
+@dataclass(frozen=True)
+class Flights:
+    """What the figures show: a scenario and the flights of its vehicles."""
+
+    loaded: LoadedScenario
+    records: Sequence[FlightRecord]
+
+    @property
+    def several(self) -> bool:
+        """There is more than one vehicle, so that lines need a legend."""
+        return len(self.records) > 1
+
+
+def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
+    """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed."""
+    with mpl.rc_context(_LOOK):
+        figure = Figure(layout="constrained")
+        draw(figure, flights)
+        png = BytesIO()
+        figure.savefig(png, format="png")
+    return png.getvalue()
+
+
+def line_of(index: int) -> dict[str, Any]:
+    """Colour and style of the line of a vehicle, by its place in the scenario."""
+    style = STYLES[index // len(COLOURS) % len(STYLES)]
+    return {"color": COLOURS[index % len(COLOURS)], "linestyle": style}
+
+
+def name_of(record: FlightRecord) -> str:
+    """A vehicle as legends call it."""
+    return f"Vehicle {record.vehicle.id}"
+
+
+def legend_below(figure: Figure, handles: Sequence[Any]) -> None:
+    """One legend under all the axes of a figure."""
+    columns = min(len(handles), 6)
+    figure.legend(handles=list(handles), loc="outside lower center", ncols=columns)
+
+
+def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:
+    """e_d = (cos c cos h, cos c sin h, -sin c): the x axis of the goal frame in NED."""
+    h, c = heading_deg * DEG, climb_deg * DEG
+    return (
+        float(np.cos(c) * np.cos(h)),
+        float(np.cos(c) * np.sin(h)),
+        float(-np.sin(c)),
+    )
+
+
+def broken(angle_deg: Array) -> Array:
+    """Angles with NaN where they jump round the circle, so that no line is drawn there."""
+    jumps = np.abs(np.diff(angle_deg, prepend=angle_deg[:1])) > 180.0
+    return np.where(jumps, np.nan, angle_deg)

@@ -1,0 +1,117 @@
+"""A scenario with its aircraft: found, read, resolved and checked."""
+
+import shutil
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from vfguide.flight.performance import Gains, Performance
+from vfguide.geometry.units import DEG
+from vfguide.scenario import checks
+from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
+from vfguide.scenario.atomic import write_atomically
+from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft, find_scenario
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.overrides import parse_override
+from vfguide.scenario.resolve import resolve
+from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.scenario_file import ScenarioFile
+from vfguide.scenario.source import Source, read_toml
+
+
+@dataclass(frozen=True)
+class LoadedScenario:
+    """A scenario that can be flown, and the aircraft that fly it, by their names."""
+
+    scenario: Scenario
+    path: Path
+    """The file it came from."""
+    files: Mapping[str, AircraftFiles]
+    aircraft: Mapping[str, Aircraft]
+
+    def performance(self, vehicle: Vehicle) -> Performance:
+        """What the flight law knows of the aircraft of `vehicle`."""
+        return self.aircraft[vehicle.aircraft].performance()
+
+    def gains(self, vehicle: Vehicle) -> Gains:
+        """What the flight law of `vehicle` flies with."""
+        guidance = self.scenario.guidance
+        bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
+        return Gains(
+            airspeed=self.scenario.airspeed_of(vehicle),
+            k_w=guidance.k_w,
+            k_lateral=guidance.k_lateral,
+            k_elevation=guidance.k_elevation,
+            bank_max=bank * DEG,
+        )
+
+    def require_models(self) -> None:
+        """Make sure that every aircraft can be simulated.
+
+        Raises:
+            InputError: one has no JSBSim model.
+        """
+        for name, files in self.files.items():
+            if files.model is None:
+                missing = files.root / name / f"{name}.xml"
+                raise InputError(f"{missing}: no such file, the simulation of {name} needs it")
+
+    def write_resolved(self, path: Path) -> None:
+        """Write the scenario whose flight is the same, and beside it aircraft of the user's own."""
+        for files in self.files.values():
+            if files.root != data_folder() / "aircraft":
+                _copy_aircraft(files, path.parent / "aircraft")
+        write_atomically(path, self.scenario.to_toml())
+
+
+def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> LoadedScenario:
+    """The scenario of a file or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
+
+    Raises:
+        InputError: it cannot be flown; the message says what is wrong and what is allowed.
+    """
+    source = Source(find_scenario(name_or_path), tuple(map(parse_override, overrides)))
+    entry = source.parse(ScenarioFile)
+    files = _find_all(entry, source)
+    aircraft = {name: load_aircraft(its) for name, its in files.items()}
+    scenario = resolve(entry, aircraft, source)
+    checks.check_ids(scenario, source)
+    checks.check_aircraft(scenario, entry, aircraft, source)
+    checks.check_ground(scenario, entry, source)
+    checks.check_wind(scenario, source)
+    checks.check_room(scenario, source)
+    return LoadedScenario(scenario, source.path, files, aircraft)
+
+
+def check_file(path: Path) -> None:
+    """Check a scenario or an aircraft file.
+
+    Raises:
+        InputError: it says something that is not allowed.
+    """
+    if "airspeed" in read_toml(path):
+        load_aircraft(AircraftFiles(path.stem, path.parent, path, None))
+    else:
+        load_scenario(path)
+
+
+def _find_all(entry: ScenarioFile, source: Source) -> dict[str, AircraftFiles]:
+    files: dict[str, AircraftFiles] = {}
+    for index, vehicle in enumerate(entry.vehicle):
+        try:
+            files[vehicle.aircraft] = find_aircraft(vehicle.aircraft, beside=source.path)
+        except InputError as error:
+            at = ("vehicle", index, "aircraft")
+            raise source.error(at, str(error), vehicle.aircraft) from None
+    return files
+
+
+def _copy_aircraft(files: AircraftFiles, root: Path) -> None:
+    """Copy the files of one aircraft into the `aircraft` folder `root`."""
+    if root.resolve() == files.root.resolve():
+        return
+    folder = root / files.name
+    folder.mkdir(parents=True, exist_ok=True)
+    if files.model is not None:
+        shutil.copytree(files.model.parent, folder, dirs_exist_ok=True)
+    shutil.copy(files.performance, folder)

@@ -1,0 +1,137 @@
+"""One vehicle of a run: the aircraft, its companion, and what is noted of its flight."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from vfguide.companion.companion import Companion
+from vfguide.companion.session import Session
+from vfguide.geometry.geodesy import R_level, geodetic_to_ned
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import matvec
+from vfguide.link.codec import Encoder
+from vfguide.scenario.crew import frame_of, plan_of, simulate
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.passes import Legs, Sample
+from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.resolved import Vehicle
+from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
+from vfguide.sim.port import ONBOARD
+
+Write = Callable[[int, bytes], None]
+"""Takes a time [us since 1970] and the bytes of one frame."""
+
+ROUNDS = 4
+"""Messages go back and forth at most this often at one instant; the rest waits for the next."""
+NOTHING_YET = (math.nan, math.nan, math.nan, math.nan)
+
+
+class Member:
+    """One vehicle, flown."""
+
+    def __init__(
+        self, loaded: LoadedScenario, vehicle: Vehicle, write_own: Write, write_truth: Write
+    ) -> None:
+        """The vehicle at its start.
+
+        Args:
+            loaded: the scenario.
+            vehicle: which of its vehicles.
+            write_own: takes every frame between the companion and its autopilot.
+            write_truth: takes the frames that tell the truth.
+
+        Raises:
+            InputError: the aircraft's model cannot be flown.
+        """
+        self.vehicle = vehicle
+        self.sim = simulate(loaded, vehicle)
+        self.companion = Companion(vehicle.id, plan_of(loaded, vehicle), engage=True)
+        self.legs = Legs(vehicle.goals)
+        self._frame = frame_of(loaded.scenario)
+        self._port = self.sim.connect(ONBOARD)
+        self._session = Session(self.companion, write_own)
+        self._write_truth = write_truth
+        self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
+        self._waiting: list[bytes] = []
+        self._rows: list[tuple[float, ...]] = []
+        self.exchange()
+        self.note()
+
+    @property
+    def grounded(self) -> bool:
+        """Whether the flight has ended on the ground."""
+        return self.sim.truth.height_above_ground <= 0.0
+
+    def fly(self, steps: int) -> None:
+        """Fly on for some steps of the plant, then let autopilot and companion speak."""
+        self.sim.advance(steps)
+        self.exchange()
+        self.note()
+
+    def exchange(self) -> None:
+        """Carry bytes between autopilot and companion until both are silent."""
+        now = self.sim.now
+        down = self._waiting + self.sim.transmit(self._port)
+        for _ in range(ROUNDS):
+            up = [frame for data in down for frame in self._session.receive(now, data)]
+            down = [frame for data in up for frame in self.sim.receive(self._port, data)]
+        self._waiting = down
+
+    def note(self) -> None:
+        """Note the truth of this instant."""
+        truth = self.sim.truth
+        self._write_truth(
+            self.sim.now, self._truth_encoder.encode(truth_message(self.sim.now, truth))
+        )
+        p_n = geodetic_to_ned(self._frame, truth.latitude, truth.longitude, truth.altitude)
+        R_nl = R_level(self._frame, truth.latitude, truth.longitude)
+        v_n = matvec(R_nl, truth.v_n)
+        self.legs.feed(Sample(truth.time, p_n, v_n))
+        self._rows.append(
+            (
+                truth.time,
+                *p_n,
+                *v_n,
+                truth.roll,
+                truth.pitch,
+                truth.yaw,
+                *truth.omega_b,
+                *self._commanded(),
+                truth.airspeed,
+                -truth.force_b[2] / G0,
+                *truth.wind_n,
+                truth.altitude,
+                truth.height_above_ground,
+            )
+        )
+
+    def _commanded(self) -> tuple[float, float, float, float]:
+        """Body rates and thrust of the latest setpoint."""
+        sp = self.sim.autopilot.setpoint
+        if sp is None:
+            return NOTHING_YET
+        return (sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate, sp.thrust)
+
+    def record(self) -> FlightRecord:
+        """What was noted."""
+        rows = np.array(self._rows)
+        time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
+            np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
+        )
+        return FlightRecord(
+            self.vehicle,
+            time[:, 0],
+            p_n,
+            v_n,
+            euler,
+            omega,
+            wanted,
+            thrust[:, 0],
+            speed[:, 0],
+            load[:, 0],
+            wind,
+            altitude[:, 0],
+            height[:, 0],
+            self.companion.setpoints,
+        )

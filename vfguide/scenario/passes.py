@@ -1,0 +1,120 @@
+"""Passes of goals: where the true path comes closest to one, and whether it reaches it."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.resolved import Goal
+
+
+class Sample(NamedTuple):
+    """A point of a path."""
+
+    time: float
+    """[s]."""
+    p_n: Vec3
+    """In the scenario frame [m]."""
+    v_n: Vec3
+    """Velocity over ground in the same frame [m/s]."""
+
+
+class Pass(NamedTuple):
+    """A local minimum of the distance to a goal, on the leg to it."""
+
+    time: float
+    """[s]."""
+    miss: float
+    """Distance from the goal [m]."""
+    course_error: float
+    climb_error: float
+    """How far the ground velocity points off the goal's course and climb, not negative [rad]."""
+    reaches: bool
+    """All three are within the goal's tolerances."""
+
+
+class Legs:
+    """The legs of one vehicle from goal to goal, fed with its path one sample at a time."""
+
+    def __init__(self, goals: Sequence[Goal]) -> None:
+        self.goals = tuple(goals)
+        self.passes: tuple[list[Pass], ...] = tuple([] for _ in self.goals)
+        """Of each goal in turn, in the order of time."""
+        self.leg = 0
+        """Index of the goal that is flown to; the number of goals when all are reached."""
+        self._last: Sample | None = None
+
+    @property
+    def finished(self) -> bool:
+        """Every goal has been reached."""
+        return self.leg == len(self.goals)
+
+    def feed(self, sample: Sample) -> bool:
+        """Take the next sample; true if a goal was reached since the one before.
+
+        Between two samples the path is the cubic that has their positions and velocities.
+        """
+        before, leg = self._last, self.leg
+        while before is not None and not self.finished:
+            goal = self.goals[self.leg]
+            if not _approach(before, goal) < 0.0 <= _approach(sample, goal):
+                break
+            closest = _closest(before, sample, goal)
+            self.passes[self.leg].append(_judge(closest, goal))
+            if not self.passes[self.leg][-1].reaches:
+                break
+            before, self.leg = closest, self.leg + 1
+        self._last = sample
+        return self.leg > leg
+
+    def best(self) -> list[Pass | None]:
+        """The pass of each goal that counts: the one that reaches it, else the nearest."""
+        return [
+            min(passes, key=lambda a_pass: (not a_pass.reaches, a_pass.miss), default=None)
+            for passes in self.passes
+        ]
+
+
+def interpolate(one: Sample, other: Sample, time: float) -> Sample:
+    """The path between two samples: the cubic with their positions and velocities (Hermite)."""
+    span = other.time - one.time
+    s = (time - one.time) / span
+    powers: list[tuple[float, float, float, float]] = []
+    for p0, p1, v0, v1 in zip(one.p_n, other.p_n, one.v_n, other.v_n, strict=True):
+        step, d0, d1 = p1 - p0, v0 * span, v1 * span
+        powers.append((p0, d0, 3.0 * step - 2.0 * d0 - d1, d0 + d1 - 2.0 * step))
+    x, y, z = (a + s * (b + s * (c + s * d)) for a, b, c, d in powers)
+    u, v, w = ((b + s * (2.0 * c + s * 3.0 * d)) / span for _, b, c, d in powers)
+    return Sample(time, (x, y, z), (u, v, w))
+
+
+def _approach(at: Sample, goal: Goal) -> float:
+    """Half the rate of the squared distance to the goal: (p - p_d) . v, negative on approach."""
+    x, y, z = goal.position_m
+    (px, py, pz), (vx, vy, vz) = at.p_n, at.v_n
+    return (px - x) * vx + (py - y) * vy + (pz - z) * vz
+
+
+def _closest(one: Sample, other: Sample, goal: Goal) -> Sample:
+    """The point between two samples where the approach ends, by bisection."""
+    low, high = one.time, other.time
+    while low < (middle := 0.5 * (low + high)) < high:
+        if _approach(interpolate(one, other, middle), goal) < 0.0:
+            low = middle
+        else:
+            high = middle
+    return interpolate(one, other, high)
+
+
+def _judge(at: Sample, goal: Goal) -> Pass:
+    north, east, down = at.v_n
+    course, climb = math.atan2(east, north), math.atan2(-down, math.hypot(north, east))
+    miss = math.dist(at.p_n, goal.position_m)
+    course_error = abs(wrap(course - goal.heading_deg * DEG))
+    climb_error = abs(climb - goal.climb_deg * DEG)
+    reaches = (
+        miss <= goal.tolerance_m and max(course_error, climb_error) <= goal.tolerance_deg * DEG
+    )
+    return Pass(at.time, miss, course_error, climb_error, reaches)

@@ -1,0 +1,52 @@
+"""What is recorded of a flight: the truth at the guidance rate, and what was commanded."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.scenario.passes import Legs, Sample
+from vfguide.scenario.resolved import Vehicle
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class FlightRecord:
+    """One vehicle's flight: n samples at equal steps, SI units and radians."""
+
+    vehicle: Vehicle
+    time: Array
+    """(n,) since the start of the run."""
+    p_n: Array
+    """(n, 3) in the scenario frame."""
+    v_n: Array
+    """(n, 3) velocity over ground in the scenario frame."""
+    euler: Array
+    """(n, 3) roll, pitch, yaw."""
+    omega_b: Array
+    """(n, 3) body rates."""
+    omega_wanted_b: Array
+    """(n, 3) body rates of the latest setpoint; NaN before the first."""
+    thrust: Array
+    """(n,) thrust of the latest setpoint, 0 to 1; NaN before the first."""
+    airspeed: Array
+    """(n,) true airspeed."""
+    load_factor: Array
+    """(n,) lift over weight."""
+    wind_n: Array
+    """(n, 3) the direction the air moves toward, gusts included."""
+    altitude: Array
+    """(n,) above the ellipsoid."""
+    height_above_ground: Array
+    """(n,)."""
+    setpoints: int
+    """How many were sent."""
+
+    def legs(self) -> Legs:
+        """The legs that were flown."""
+        legs = Legs(self.vehicle.goals)
+        rows = zip(self.time.tolist(), self.p_n.tolist(), self.v_n.tolist(), strict=True)
+        for time, p_n, v_n in rows:
+            legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
+        return legs

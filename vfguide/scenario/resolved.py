@@ -1,0 +1,60 @@
+"""A scenario as it is flown: every default filled in, every goal in the scenario frame."""
+
+import re
+
+import tomli_w
+from pydantic import Field
+
+from vfguide import __version__
+from vfguide.scenario.scenario_file import ScenarioHead
+from vfguide.scenario.tables import Table, Vector
+
+_LIST = re.compile(r"\[\n((?: +[-+.\w]+,\n)+)\]")
+"""A list of numbers as tomli_w writes it, one to a line."""
+
+
+class Goal(Table):
+    """A pose to fly through."""
+
+    position_m: Vector
+    """North, east, down of the origin [m]."""
+    heading_deg: float
+    """Ground course."""
+    climb_deg: float
+    """Angle of the ground velocity above the horizon."""
+    tolerance_m: float
+    tolerance_deg: float
+
+
+class Vehicle(Table):
+    """A vehicle, its start and its goals in the order of flight."""
+
+    id: int
+    position_m: Vector
+    """North, east, down of the origin [m]."""
+    heading_deg: float
+    """Yaw at the start."""
+    airspeed_mps: float
+    """True airspeed at the start."""
+    aircraft: str
+    goals: tuple[Goal, ...] = Field(serialization_alias="goal")
+
+
+class Scenario(ScenarioHead):
+    """What is flown."""
+
+    vehicles: tuple[Vehicle, ...] = Field(serialization_alias="vehicle")
+
+    def airspeed_of(self, vehicle: Vehicle) -> float:
+        """True airspeed that the guidance of `vehicle` flies [m/s]."""
+        return self.guidance.airspeed_mps or vehicle.airspeed_mps
+
+    def to_toml(self) -> str:
+        """A scenario file that resolves to this scenario again."""
+        table = self.model_dump(by_alias=True, exclude_none=True)
+        head = f"# Resolved by vfguide {__version__}: every default filled in.\n\n"
+        return head + _LIST.sub(_on_one_line, tomli_w.dumps(table))
+
+
+def _on_one_line(numbers: re.Match[str]) -> str:
+    return f"[{', '.join(numbers[1].replace(',', ' ').split())}]"

@@ -1,0 +1,195 @@
+"""The result of a run: figures from the truth, and the verdict; `result.json`."""
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from vfguide import __version__
+from vfguide.geometry.units import DEG
+from vfguide.scenario.atomic import write_atomically
+from vfguide.scenario.passes import Pass
+from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.resolved import Scenario
+
+TOUCH = 0.3
+"""An aircraft whose centre is this low has touched the ground [m]."""
+
+Range = tuple[float | None, float | None]
+
+
+@dataclass(frozen=True)
+class GoalResult:
+    """How a goal was met; None where the flight had no pass of it."""
+
+    reached: bool
+    time_s: float | None
+    miss_m: float | None
+    course_error_deg: float | None
+    climb_error_deg: float | None
+
+
+@dataclass(frozen=True)
+class ObstacleResult:
+    """How near an obstacle came."""
+
+    name: str
+    min_level: float
+    min_clearance_m: float
+
+
+@dataclass(frozen=True)
+class VehicleResult:
+    """How one vehicle flew; ranges are (least, most)."""
+
+    id: int
+    goals: tuple[GoalResult, ...]
+    obstacles: tuple[ObstacleResult, ...]
+    max_bank_deg: float | None
+    load_factor: Range
+    airspeed_mps: Range
+    altitude_m: Range
+    setpoints: int
+    setpoint_rate_hz: float | None
+
+
+@dataclass(frozen=True)
+class Result:
+    """What `result.json` holds."""
+
+    name: str
+    version: str
+    seed: int
+    verdict: Literal["good", "bad"]
+    reasons: tuple[str, ...]
+    sim_s: float
+    wall_s: float
+    realtime_factor: float | None
+    min_separation_m: float | None
+    vehicles: tuple[VehicleResult, ...]
+
+    def to_json(self) -> str:
+        """As strict JSON."""
+        return json.dumps(asdict(self), indent=2, allow_nan=False) + "\n"
+
+
+def judge(
+    scenario: Scenario,
+    records: Sequence[FlightRecord],
+    sim_s: float,
+    wall_s: float,
+    ended_early: Sequence[str] = (),
+) -> Result:
+    """The result of a run.
+
+    Args:
+        scenario: that was flown.
+        records: one of each vehicle, in its order.
+        sim_s: simulated time.
+        wall_s: time that the flight loop took.
+        ended_early: why the run ended before 5 s after the last goal, such as "time"; empty if
+            it did not.
+    """
+    vehicles = tuple(_vehicle(record, sim_s) for record in records)
+    separation = min_separation(records)
+    reasons = (*ended_early, *_reasons(scenario, records, vehicles, separation))
+    return Result(
+        name=scenario.name,
+        version=__version__,
+        seed=scenario.seed,
+        verdict="bad" if reasons else "good",
+        reasons=reasons,
+        sim_s=round(sim_s, 6),
+        wall_s=round(wall_s, 6),
+        realtime_factor=_rounded(sim_s / wall_s) if wall_s > 0.0 else None,
+        min_separation_m=None if separation is None else _rounded(separation),
+        vehicles=vehicles,
+    )
+
+
+def write_result(result: Result, path: Path) -> None:
+    """Write `result.json`."""
+    write_atomically(path, result.to_json())
+
+
+def min_separation(records: Sequence[FlightRecord]) -> float | None:
+    """Least distance between the centres of two vehicles [m]; None with fewer than two.
+
+    Between samples both move on straight lines.
+    """
+    pairs = combinations(records, 2)
+    return min((_least_norm(one.p_n - other.p_n) for one, other in pairs), default=None)
+
+
+def _least_norm(path: Array) -> float:
+    """Least distance from zero of the line through the points of `path`, (n, 3)."""
+    steps = np.diff(path, axis=0)
+    lengths = np.maximum(np.einsum("ij,ij->i", steps, steps), np.finfo(float).tiny)
+    along = np.clip(-np.einsum("ij,ij->i", path[:-1], steps) / lengths, 0.0, 1.0)
+    nearest = np.vstack((path[:1], path[:-1] + along[:, None] * steps))
+    return float(np.linalg.norm(nearest, axis=1).min())
+
+
+def _vehicle(record: FlightRecord, sim_s: float) -> VehicleResult:
+    return VehicleResult(
+        id=record.vehicle.id,
+        goals=tuple(_goal(best) for best in record.legs().best()),
+        obstacles=(),
+        max_bank_deg=_rounded(float(np.abs(record.euler[:, 0]).max()) / DEG),
+        load_factor=_range(record.load_factor),
+        airspeed_mps=_range(record.airspeed),
+        altitude_m=_range(record.altitude),
+        setpoints=record.setpoints,
+        setpoint_rate_hz=_rounded(record.setpoints / sim_s) if sim_s > 0.0 else None,
+    )
+
+
+def _goal(best: Pass | None) -> GoalResult:
+    if best is None:
+        return GoalResult(False, None, None, None, None)
+    return GoalResult(
+        best.reaches,
+        _rounded(best.time),
+        _rounded(best.miss),
+        _rounded(best.course_error / DEG),
+        _rounded(best.climb_error / DEG),
+    )
+
+
+def _reasons(
+    scenario: Scenario,
+    records: Sequence[FlightRecord],
+    vehicles: Sequence[VehicleResult],
+    separation: float | None,
+) -> list[str]:
+    """What is wrong with the flight itself; empty if nothing is."""
+    reasons = [
+        f"goal {number} of vehicle {vehicle.id} not reached"
+        for vehicle in vehicles
+        for number, goal in enumerate(vehicle.goals, start=1)
+        if not goal.reached
+    ]
+    for record in records:
+        low = np.flatnonzero(record.height_above_ground <= TOUCH)
+        if low.size:
+            reasons.append(f"ground: vehicle {record.vehicle.id} after {record.time[low[0]]:.1f} s")
+        if not (np.isfinite(record.p_n).all() and np.isfinite(record.v_n).all()):
+            reasons.append(f"numbers: the state of vehicle {record.vehicle.id} is not finite")
+    apart = 2.0 * scenario.avoidance.safety_radius_m
+    if separation is not None and scenario.avoidance.between_vehicles and not separation > apart:
+        reasons.append(f"separation: {separation:.1f} m, not more than {apart:g} m")
+    return reasons
+
+
+def _range(values: Array) -> Range:
+    return _rounded(float(values.min())), _rounded(float(values.max()))
+
+
+def _rounded(number: float) -> float | None:
+    """To a millionth; None where JSON has no number for it."""
+    return round(number, 6) if math.isfinite(number) else None

@@ -1,0 +1,155 @@
+"""A scenario as it is written: the TOML tables, their keys, types and ranges."""
+
+from datetime import UTC, datetime
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import AfterValidator, AwareDatetime, Field
+
+from vfguide.scenario.tables import Angle, Table, Vector, above, between, rule_broken, word
+
+Latitude = Annotated[float, between(-89, 89)]
+Longitude = Annotated[float, between(-180, 180)]
+Altitude = Annotated[float, between(-500, 10_000)]
+Speed = Annotated[float, above(0, 150)]
+
+LEAST_BANK_DEG = 5.0
+"""With less bank than this the circles grow beyond any use."""
+
+
+def _name(text: str) -> str:
+    """Names become folder names: no path in them, nothing that hides them."""
+    bad = sorted({letter for letter in text if not (letter.isalnum() or letter in "-_. ")})
+    if bad or not text[:1].isalnum() or len(text) > 100:
+        raise rule_broken("allowed are letters, digits, - _ . and spaces, a letter or digit first")
+    return text
+
+
+def _after_1970(time: datetime) -> datetime:
+    """Logs count microseconds since 1970."""
+    if not 1970 <= time.astimezone(UTC).year < 2200:
+        raise rule_broken("allowed 1970 to 2200")
+    return time.astimezone(UTC)
+
+
+def _reachable(position: tuple[float, float, float]) -> tuple[float, float, float]:
+    if max(abs(part) for part in position) > 100_000:
+        raise rule_broken("too far from the origin, allowed -100000 to 100000 on each axis")
+    return position
+
+
+Name = Annotated[str, AfterValidator(_name)]
+Time = Annotated[AwareDatetime, AfterValidator(_after_1970)]
+Position = Annotated[Vector, AfterValidator(_reachable)]
+"""North, east, down of the origin [m]."""
+Plant = Annotated[
+    Literal["jsbsim"],
+    word("jsbsim", "kinematic", not_yet={"kinematic": "the paper's rigid body"}),
+]
+Law = Annotated[
+    Literal["flight"],
+    word("flight", "paper", not_yet={"paper": "the law as printed"}),
+]
+Turbulence = Annotated[
+    Literal["none", "light", "moderate", "severe"], word("none", "light", "moderate", "severe")
+]
+
+
+class Origin(Table):
+    """Where the scenario frame, NED, touches the WGS-84 ellipsoid or hovers above it."""
+
+    latitude_deg: Latitude = 47.397742
+    longitude_deg: Longitude = 8.545594
+    altitude_m: Altitude = 488.0
+    """Above the ellipsoid; also the height of the flat ground."""
+
+
+class Wind(Table):
+    """The air's motion; the companion never sees these numbers."""
+
+    speed_mps: Annotated[float, between(0, 50)] = 0.0
+    from_deg: Angle = 0.0
+    """Where it comes from."""
+    turbulence: Turbulence = "none"
+
+
+class Guidance(Table):
+    """Gains and limits of the companion."""
+
+    rate_hz: Annotated[float, between(5, 200)] = 50.0
+    airspeed_mps: Speed | None = None
+    """True airspeed to fly; None: each vehicle's own."""
+    bank_max_deg: Annotated[float, between(LEAST_BANK_DEG, 75)] | None = None
+    """Largest bank asked for; None: each aircraft's own."""
+    k_w: Annotated[float, above(0, 20)] = 3.5
+    """Attitude gain of Lemma 4 [1/s]."""
+    k_v: Annotated[float, above(0, 20)] = 1.0
+    """Speed gain of the paper [1/s]; only the kinematic plant flies it."""
+    k_lateral: Annotated[float, above(0, 10)] = 1.2
+    """Turn rate per azimuth error of the air velocity [1/s]."""
+    k_elevation: Annotated[float, between(0, 5)] = 0.5
+    """Extra elevation per error of the path angle."""
+    loiter: Annotated[Literal["right", "left"], word("right", "left")] = "right"
+    """Which way round to circle after the last goal."""
+
+
+class Avoidance(Table):
+    """How much room there has to be."""
+
+    safety_radius_m: Annotated[float, above(0, 1000)] = 10.0
+    """Of one vehicle: centres have to stay two of them apart."""
+    detection_range_m: Annotated[float, above(0, 100_000)] = 300.0
+    between_vehicles: bool = True
+
+
+class GoalEntry(Table):
+    """A goal as it is written."""
+
+    position_m: Position | None = None
+    latitude_deg: Latitude | None = None
+    longitude_deg: Longitude | None = None
+    altitude_m: Altitude | None = None
+    heading_deg: Angle | None = None
+    direction: Vector | None = None
+    climb_deg: Annotated[float, between(-89, 89)] | None = None
+    tolerance_m: Annotated[float, above(0, 1000)] = 5.0
+    tolerance_deg: Annotated[float, above(0, 180)] = 10.0
+
+
+class VehicleEntry(Table):
+    """A vehicle as it is written."""
+
+    id: Annotated[int, between(1, 250)]
+    position_m: Position
+    heading_deg: Angle = 0.0
+    airspeed_mps: Speed | None = None
+    """At the start; None: the aircraft's cruise."""
+    aircraft: str = "aerosonde"
+    goal: Annotated[list[GoalEntry], Field(min_length=1)]
+
+    not_yet: ClassVar[dict[str, str]] = {"attitude_deg": "the start of the kinematic plant"}
+
+
+class ScenarioHead(Table):
+    """What concerns all vehicles."""
+
+    name: Name
+    plant: Plant = "jsbsim"
+    law: Law = "flight"
+    duration_s: Annotated[float, above(0, 86_400)] = 300.0
+    seed: Annotated[int, between(0, 2**32 - 1)] = 1
+    start_time: Time = datetime(2026, 1, 1, tzinfo=UTC)
+    origin: Origin = Origin()
+    wind: Wind = Wind()
+    guidance: Guidance = Guidance()
+    avoidance: Avoidance = Avoidance()
+
+
+class ScenarioFile(ScenarioHead):
+    """The whole file as it is written."""
+
+    vehicle: Annotated[list[VehicleEntry], Field(min_length=1)]
+
+    not_yet: ClassVar[dict[str, str]] = {
+        "obstacle": "flight among obstacles",
+        "vary": "values drawn at random, for campaigns",
+    }

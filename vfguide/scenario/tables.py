@@ -1,0 +1,97 @@
+"""The vocabulary of the TOML files: strict tables, bounded numbers, vectors, words."""
+
+from typing import Annotated, Any, ClassVar
+
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, model_validator
+from pydantic_core import PydanticCustomError
+
+from vfguide.scenario.data import close_match
+
+
+class Table(BaseModel):
+    """A table of which every key is known, every type is exact and every number finite."""
+
+    model_config = ConfigDict(strict=True, extra="forbid", frozen=True, allow_inf_nan=False)
+
+    not_yet: ClassVar[dict[str, str]] = {}
+    """Keys of the format that the program cannot fly yet: what they are for."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, table: Any) -> Any:
+        """Refuse unknown keys before anything else: a typing error explains what it caused."""
+        for key in table if isinstance(table, dict) else ():
+            if key in cls.not_yet:
+                raise _key_error(key, f"not supported yet: {cls.not_yet[key]}")
+            if key not in cls.model_fields:
+                names = list(cls.model_fields)
+                hint = close_match(key, names)
+                raise _key_error(key, f"unknown key{hint}; allowed: {', '.join(names)}")
+        return table
+
+
+def _key_error(key: str, rule: str) -> PydanticCustomError:
+    return PydanticCustomError("key", "{rule}", {"key": key, "rule": rule})
+
+
+def rule_broken(rule: str) -> PydanticCustomError:
+    """The error of a value that breaks `rule`; validators raise it."""
+    return PydanticCustomError("rule", "{rule}", {"rule": rule})
+
+
+def between(low: float, high: float) -> AfterValidator:
+    """Numbers from `low` to `high`, both included."""
+
+    def check(value: float) -> float:
+        if not low <= value <= high:
+            side = "too small" if value < low else "too large"
+            raise rule_broken(f"{side}, allowed {in_words(low)} to {in_words(high)}")
+        return value
+
+    return AfterValidator(check)
+
+
+def above(low: float, high: float) -> AfterValidator:
+    """Numbers greater than `low`, up to `high`."""
+
+    def check(value: float) -> float:
+        if not low < value <= high:
+            side = "too small" if value <= low else "too large"
+            raise rule_broken(f"{side}, allowed above {in_words(low)}, up to {in_words(high)}")
+        return value
+
+    return AfterValidator(check)
+
+
+def word(*names: str, not_yet: dict[str, str] | None = None) -> BeforeValidator:
+    """One of `names`; those in `not_yet` belong to the format but cannot be flown yet."""
+    later = not_yet or {}
+    allowed = "allowed " + ", ".join(f'"{name}"' for name in names if name not in later)
+
+    def check(value: object) -> object:
+        if isinstance(value, str) and value in later:
+            raise rule_broken(f"not supported yet: {later[value]}; {allowed}")
+        if value not in names:
+            raise rule_broken(f"unknown{close_match(str(value), names)}; {allowed}")
+        return value
+
+    return BeforeValidator(check)
+
+
+def in_words(number: float) -> str:
+    """A number as messages show it: 17.5, 90, 4294967295."""
+    return str(number) if isinstance(number, int) else f"{number:.10g}"
+
+
+def _three(value: object) -> object:
+    if not isinstance(value, list | tuple):
+        raise rule_broken("wrong type, a list of three numbers is required")
+    if len(value) != 3:
+        raise rule_broken(f"{len(value)} values, a list of three numbers is required")
+    return tuple(value)
+
+
+Vector = Annotated[tuple[float, float, float], BeforeValidator(_three)]
+"""Three finite numbers."""
+Angle = Annotated[float, between(-360, 360)]
+"""A heading, a course or an attitude angle [deg]."""

@@ -1,0 +1,32 @@
+"""The truth in the log: HIL_STATE_QUATERNION, which no companion sees."""
+
+from vfguide.geometry.atmosphere import calibrated_airspeed
+from vfguide.geometry.so3 import from_euler, to_quaternion
+from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
+from vfguide.link.messages import HilStateQuaternion
+from vfguide.sim.truth import Truth
+
+TRUTH_COMPONENT = 25
+"""MAV_COMP_ID_USER1: a component of the vehicle's system that is nobody else's."""
+MOST = 2**15 - 1
+
+
+def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
+    """The truth at the date `now` [us since 1970]; the altitude is above the ellipsoid."""
+    return HilStateQuaternion(
+        now,
+        to_quaternion(from_euler(truth.roll, truth.pitch, truth.yaw)),
+        *truth.omega_b,
+        round(truth.latitude / DEG_E7),
+        round(truth.longitude / DEG_E7),
+        round(truth.altitude / MM),
+        *(short(v / CM_S) for v in truth.v_n),
+        round(calibrated_airspeed(truth.airspeed, truth.density) / CM_S),
+        round(truth.airspeed / CM_S),
+        *(short(a / MILLI_G) for a in truth.force_b),
+    )
+
+
+def short(value: float) -> int:
+    """As a 16-bit integer, the nearest one that fits."""
+    return max(-MOST, min(MOST, round(value)))

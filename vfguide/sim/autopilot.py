@@ -1,0 +1,177 @@
+"""The software autopilot: PX4's identity and behaviour on MAVLink, as far as a flight needs it.
+
+No socket, clock or thread: the caller brings the time, the truth and the bytes.
+"""
+
+import math
+
+from vfguide.field.rate_law import rate_law
+from vfguide.flight.performance import Performance
+from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3
+from vfguide.link.enums import AttitudeTypeMask, MavSeverity
+from vfguide.link.messages import CurrentMode, SetAttitudeTarget, Statustext
+from vfguide.sim.estimate import Estimate, Estimator
+from vfguide.sim.flight_mode import LOST, NEXT, REPORTED, Event, Mode
+from vfguide.sim.hold import Hold
+from vfguide.sim.identify import Airframe
+from vfguide.sim.inner_loop import inner_loop
+from vfguide.sim.parameters import HOLD_ACTION, Parameters
+from vfguide.sim.port import SECOND, Port
+from vfguide.sim.signals import ControlTuple, Inner
+from vfguide.sim.telemetry import MAKERS, Report
+from vfguide.sim.truth import Truth
+
+K_ATTITUDE = 2.5
+"""Attitude gain for setpoints of attitude [1/s], PX4's FW_R_TC of 0.4 s."""
+
+
+class Autopilot:
+    """One autopilot, airborne, armed and in hold from its first moment."""
+
+    def __init__(
+        self, sysid: int, airframe: Airframe, aircraft: Performance, airspeed: float, first: Truth
+    ) -> None:
+        """An autopilot that has just taken over.
+
+        Args:
+            sysid: its MAVLink system id.
+            airframe: what the rate loop and the thrust map know of the aircraft.
+            aircraft: what its hold knows of it.
+            airspeed: true airspeed of its hold [m/s].
+            first: the truth at its start; the local frame begins there.
+        """
+        self.sysid = sysid
+        self.mode = Mode.HOLD
+        self.parameters = Parameters()
+        self.ports: list[Port] = []
+        self.now = 0
+        """[us since 1970]."""
+        self._airframe = airframe
+        self._estimator = Estimator(first)
+        self.estimate: Estimate = self._estimator.update(first)
+        self._hold = Hold(aircraft, airspeed)
+        self._hold.begin_here(self.estimate)
+        self.setpoint: SetAttitudeTarget | None = None
+        self._setpoint_at = -SECOND * 3600
+        self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
+        self._integral: Vec3 = (0.0, 0.0, 0.0)
+        self._throttle = 0.0
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """Latitude, longitude [rad] and altitude [m] of the local frame."""
+        return self._estimator.origin
+
+    def control(self, inner: Inner, dt: float) -> ControlTuple:
+        """The rate loop and the thrust map: at every step of the plant."""
+        if not all(map(math.isfinite, self._wanted)):
+            self._throttle = 0.0
+            return (*self._airframe.cruise.controls[:3], 0.0)
+        controls, self._integral = inner_loop(
+            self._airframe.tables, inner, self._wanted, self._integral, dt
+        )
+        self._throttle = controls[3]
+        return controls
+
+    def update(self, now: int, truth: Truth) -> None:
+        """The slower part: estimate, loss of the stream, hold."""
+        self.now = now
+        self.estimate = self._estimator.update(truth)
+        self._watch_stream()
+        if self.mode is Mode.OFFBOARD:
+            self._follow_setpoint()
+        else:
+            wanted = self._hold.step(self.estimate)
+            self._wanted = (*wanted.omega_b, wanted.thrust)
+
+    def streams(self, port: Port) -> list[bytes]:
+        """The frames that are due on a port now."""
+        report = self.report()
+        queued = [port.encode(message) for message in port.take_queue(self.now)]
+        return queued + [port.encode(MAKERS[msgid](report)) for msgid in port.due(self.now)]
+
+    def report(self) -> Report:
+        """Everything that the streams tell."""
+        return Report(
+            self.now,
+            self.estimate,
+            self._estimator.origin,
+            self.mode,
+            True,
+            self.setpoint if self.mode is Mode.OFFBOARD else None,
+            self._throttle,
+        )
+
+    def take_setpoint(self, setpoint: SetAttitudeTarget) -> None:
+        """Take a setpoint; the stream goes on with it."""
+        self.setpoint = setpoint
+        self._setpoint_at = self.now
+        if self.mode in LOST:
+            self.happen(Event.STREAM_BACK)
+        if self.mode is Mode.OFFBOARD:
+            self._follow_setpoint()
+
+    @property
+    def has_stream(self) -> bool:
+        """Whether setpoints arrive."""
+        age = self.now - self._setpoint_at
+        return age <= self.parameters["COM_OF_LOSS_T"] * SECOND
+
+    def happen(self, event: Event) -> None:
+        """Go on in the table of modes; tell the links."""
+        after = NEXT[self.mode, event]
+        if after is self.mode:
+            return
+        self.mode = after
+        if after in (Mode.HOLD, Mode.LOST_TO_HOLD):
+            self._hold.begin_here(self.estimate)
+        elif after is not Mode.OFFBOARD:
+            self._hold.begin_about(self._estimator.origin)
+        self._announce(after)
+
+    def _announce(self, mode: Mode) -> None:
+        name = REPORTED[mode].name.lower()
+        lost = mode in LOST
+        text = f"Failsafe: no offboard setpoints, {name}" if lost else f"Flight mode {name}"
+        severity = MavSeverity.CRITICAL if lost else MavSeverity.INFO
+        for port in self.ports:
+            port.queue(self.now, CurrentMode(0, REPORTED[mode], REPORTED[mode]))
+            if port.has_ground_station:
+                port.queue(self.now, Statustext(severity, text))
+
+    def _watch_stream(self) -> None:
+        if self.mode is Mode.OFFBOARD and not self.has_stream:
+            hold = self.parameters["NAV_RCL_ACT"] == HOLD_ACTION
+            self.happen(Event.STREAM_LOST_HOLD if hold else Event.STREAM_LOST_RETURN)
+
+    def _follow_setpoint(self) -> None:
+        """Body rates and thrust of the setpoint; what it ignores is not made up for."""
+        sp = self.setpoint
+        if sp is None:
+            return
+        mask = sp.type_mask
+        if mask & AttitudeTypeMask.ATTITUDE_IGNORE:
+            omega_b = (
+                0.0 if mask & AttitudeTypeMask.BODY_ROLL_RATE_IGNORE else sp.body_roll_rate,
+                0.0 if mask & AttitudeTypeMask.BODY_PITCH_RATE_IGNORE else sp.body_pitch_rate,
+                0.0 if mask & AttitudeTypeMask.BODY_YAW_RATE_IGNORE else sp.body_yaw_rate,
+            )
+        else:
+            omega_b = self._rates_for_attitude(sp)
+        thrust = 0.0 if mask & AttitudeTypeMask.THROTTLE_IGNORE else sp.thrust
+        self._wanted = (*omega_b, thrust)
+
+    def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
+        """Roll and pitch of the quaternion, the yaw of a coordinated turn."""
+        roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
+        yaw = self.estimate.euler[2]
+        turn = G0 * math.tan(roll) / max(self.estimate.true_airspeed, 5.0)
+        coordinated = (
+            -turn * math.sin(pitch),
+            turn * math.sin(roll) * math.cos(pitch),
+            turn * math.cos(roll) * math.cos(pitch),
+        )
+        R_na = from_euler(roll, pitch, yaw)
+        return rate_law(self.estimate.R_nb, R_na, coordinated, K_ATTITUDE)

@@ -1,0 +1,55 @@
+"""A JSBSim model in the wind tunnel: what acts on it at any flight condition."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Mat3
+from vfguide.sim.condition import FlightCondition, Model, Start
+from vfguide.sim.plant import Plant
+
+_CLEAR_OF_GROUND = 1000.0
+"""Height of the bench above the ground [m], where the ground has no effect."""
+_FIRST_AIRSPEED = 50.0
+
+
+class Bench:
+    """`model` at `altitude` [m] above the ellipsoid, which sets the density of the air.
+
+    Raises:
+        ModelError: the model is missing, unreadable or broken.
+    """
+
+    def __init__(self, model: Model, altitude: float = 0.0) -> None:
+        self.model = model
+        self._altitude = altitude
+        start = self._start(FlightCondition(_FIRST_AIRSPEED))
+        self._plant = Plant(model, start, ground_altitude=altitude - _CLEAR_OF_GROUND)
+
+    @property
+    def density(self) -> float:
+        """Air density [kg/m^3]."""
+        return self._plant.truth().density
+
+    @property
+    def mass(self) -> float:
+        """[kg]."""
+        return self._plant.mass()
+
+    @property
+    def inertia(self) -> Mat3:
+        """Inertia tensor, body FRD [kg m^2]."""
+        return self._plant.inertia()
+
+    def accelerations(self, condition: FlightCondition) -> NDArray[np.float64]:
+        """Derivatives of u, v, w [m/s^2] and of p, q, r [rad/s^2]; shape (6,)."""
+        self._plant.place(self._start(condition))
+        return np.array(self._plant.accelerations())
+
+    def thrust(self, condition: FlightCondition) -> float:
+        """Steady thrust along body x [N]."""
+        self._plant.place(self._start(condition))
+        return self._plant.thrust()
+
+    def _start(self, condition: FlightCondition) -> Start:
+        return Start(45.0 * DEG, 0.0, self._altitude, 0.0, condition)

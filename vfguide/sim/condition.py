@@ -1,0 +1,109 @@
+"""What a simulated flight starts from: the model, the place, the motion and the weather."""
+
+import hashlib
+import math
+from dataclasses import dataclass, field
+from enum import Enum
+from pathlib import Path
+
+from vfguide.geometry.units import KT
+from vfguide.geometry.vector import Vec3
+from vfguide.sim.signals import Controls
+
+
+@dataclass(frozen=True)
+class Model:
+    """A JSBSim model: the file `directory`/`name`/`name`.xml."""
+
+    directory: Path
+    name: str
+
+    @property
+    def folder(self) -> Path:
+        """The model's own folder."""
+        return self.directory / self.name
+
+    @property
+    def file(self) -> Path:
+        """The file that JSBSim loads."""
+        return self.folder / f"{self.name}.xml"
+
+    def fingerprint(self) -> str:
+        """A digest of every XML file of the model."""
+        texts = (file.read_bytes() for file in sorted(self.folder.rglob("*.xml")))
+        return hashlib.sha256(b"\0".join(texts)).hexdigest()
+
+
+@dataclass(frozen=True)
+class FlightCondition:
+    """Motion through the air with the controls held; `trim` finds those without acceleration."""
+
+    airspeed: float
+    """True airspeed [m/s]."""
+    alpha: float = 0.0
+    beta: float = 0.0
+    """Angles of attack and sideslip [rad]."""
+    bank: float = 0.0
+    """Euler roll angle [rad]."""
+    climb: float = 0.0
+    """Angle of the path through the air above the horizon [rad]."""
+    omega_b: Vec3 = (0.0, 0.0, 0.0)
+    """Body rates [rad/s]."""
+    controls: Controls = field(default_factory=Controls)
+
+    @property
+    def pitch(self) -> float:
+        """Euler pitch angle [rad].
+
+        Stevens and Lewis, Aircraft Control and Simulation, rate-of-climb constraint:
+        tan(pitch) = (a b + sin(climb) sqrt(a^2 - sin^2(climb) + b^2)) / (a^2 - sin^2(climb)).
+        """
+        a = math.cos(self.alpha) * math.cos(self.beta)
+        b = math.sin(self.bank) * math.sin(self.beta)
+        b += math.cos(self.bank) * math.sin(self.alpha) * math.cos(self.beta)
+        s = math.sin(self.climb)
+        return math.atan2(a * b + s * math.sqrt(a * a - s * s + b * b), a * a - s * s)
+
+    @property
+    def v_air_b(self) -> Vec3:
+        """Velocity through the air, body FRD [m/s]."""
+        in_plane = self.airspeed * math.cos(self.beta)
+        return (
+            in_plane * math.cos(self.alpha),
+            self.airspeed * math.sin(self.beta),
+            in_plane * math.sin(self.alpha),
+        )
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where and how a flight begins."""
+
+    latitude: float
+    """Geodetic latitude [rad]."""
+    longitude: float
+    """[rad]."""
+    altitude: float
+    """Height above the WGS-84 ellipsoid [m]."""
+    yaw: float
+    """[rad]."""
+    condition: FlightCondition
+
+
+class Turbulence(Enum):
+    """MIL-F-8785C: wind at 20 ft [m/s], and JSBSim's index of the probability of exceedance."""
+
+    NONE = (0.0, 0)
+    LIGHT = (15.0 * KT, 3)
+    MODERATE = (30.0 * KT, 4)
+    SEVERE = (45.0 * KT, 6)
+
+
+@dataclass(frozen=True)
+class Weather:
+    """Steady wind and gusts; equal seeds give equal gusts."""
+
+    wind_n: Vec3 = (0.0, 0.0, 0.0)
+    """The steady wind, the direction it blows toward, NED [m/s]."""
+    turbulence: Turbulence = Turbulence.NONE
+    seed: int = 0

@@ -1,0 +1,72 @@
+"""The flight modes of the software autopilot and the table of their changes."""
+
+from enum import Enum, auto
+
+from vfguide.link.px4 import Px4Mode
+
+
+class Mode(Enum):
+    """What the autopilot is flying."""
+
+    HOLD = auto()
+    """A circle at constant height."""
+    RETURN = auto()
+    """A circle about the place where it started."""
+    OFFBOARD = auto()
+    """The setpoints of a companion."""
+    LOST_TO_HOLD = auto()
+    LOST_TO_RETURN = auto()
+    """The stream of setpoints has ended: failsafe, until it resumes or a mode is asked for."""
+
+
+class Event(Enum):
+    """What can happen."""
+
+    HOLD_ASKED = auto()
+    RETURN_ASKED = auto()
+    OFFBOARD_ASKED = auto()
+    """While setpoints arrive; without them it is refused before it comes to this table."""
+    STREAM_LOST_HOLD = auto()
+    STREAM_LOST_RETURN = auto()
+    """Setpoints have ceased to arrive; the parameters say what follows."""
+    STREAM_BACK = auto()
+    """Setpoints arrive again."""
+
+
+LOST = frozenset({Mode.LOST_TO_HOLD, Mode.LOST_TO_RETURN})
+"""Modes of the failsafe."""
+
+_ASKED = {
+    Event.HOLD_ASKED: Mode.HOLD,
+    Event.RETURN_ASKED: Mode.RETURN,
+    Event.OFFBOARD_ASKED: Mode.OFFBOARD,
+}
+_BY_ITSELF = {
+    (Mode.OFFBOARD, Event.STREAM_LOST_HOLD): Mode.LOST_TO_HOLD,
+    (Mode.OFFBOARD, Event.STREAM_LOST_RETURN): Mode.LOST_TO_RETURN,
+    (Mode.LOST_TO_HOLD, Event.STREAM_BACK): Mode.OFFBOARD,
+    (Mode.LOST_TO_RETURN, Event.STREAM_BACK): Mode.OFFBOARD,
+}
+
+NEXT: dict[tuple[Mode, Event], Mode] = {
+    (mode, event): _ASKED.get(event) or _BY_ITSELF.get((mode, event), mode)
+    for mode in Mode
+    for event in Event
+}
+"""Every pair of mode and event. A mode that was asked for is always taken."""
+
+REPORTED = {
+    Mode.HOLD: Px4Mode.HOLD,
+    Mode.RETURN: Px4Mode.RETURN,
+    Mode.OFFBOARD: Px4Mode.OFFBOARD,
+    Mode.LOST_TO_HOLD: Px4Mode.HOLD,
+    Mode.LOST_TO_RETURN: Px4Mode.RETURN,
+}
+"""What the heartbeat calls it."""
+
+ASKED_BY = {
+    Px4Mode.HOLD: Event.HOLD_ASKED,
+    Px4Mode.RETURN: Event.RETURN_ASKED,
+    Px4Mode.OFFBOARD: Event.OFFBOARD_ASKED,
+}
+"""Modes that can be asked for. The others need a pilot, a runway or a mission."""

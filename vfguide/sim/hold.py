@@ -1,0 +1,61 @@
+"""What the software autopilot flies by itself: level circles."""
+
+import math
+
+from vfguide.flight.guidance import Memory, Target, fresh_memory, guide
+from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
+from vfguide.safety.limits import limit_setpoint
+from vfguide.sim.estimate import Estimate, Origin
+
+RADIUS = 100.0
+"""Of the circle [m], as PX4's NAV_LOITER_RAD; more where wind and speed ask for it."""
+
+
+class Hold:
+    """A level right-hand circle."""
+
+    def __init__(self, aircraft: Performance, airspeed: float) -> None:
+        """A hold for `aircraft` at the true `airspeed` [m/s]."""
+        self._aircraft = aircraft
+        self._gains = Gains(airspeed)
+        self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
+        self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, RADIUS)
+        self._memory: Memory = fresh_memory()
+
+    def begin_here(self, estimate: Estimate) -> None:
+        """Turn off the present path to the right, at this height."""
+        north, east, _ = estimate.v_n
+        place = (estimate.latitude, estimate.longitude, estimate.altitude)
+        self._begin(place, (0.0, 0.0, 0.0), math.atan2(east, north))
+
+    def begin_about(self, origin: Origin) -> None:
+        """Fly to a circle about `origin`, at its height."""
+        self._begin((origin.latitude, origin.longitude, origin.altitude), (0.0, -RADIUS, 0.0), 0.0)
+
+    def _begin(
+        self,
+        place: tuple[float, float, float],
+        p_n: tuple[float, float, float],
+        course: float,
+    ) -> None:
+        self._plane = tangent_plane(*place)
+        self._target = Target(p_n, course, 0.0, 1.0, RADIUS)
+        self._memory = fresh_memory()
+
+    def step(self, estimate: Estimate) -> RateSetpoint:
+        """Body rates and thrust for the next while."""
+        p_n = geodetic_to_ned(self._plane, estimate.latitude, estimate.longitude, estimate.altitude)
+        state = FlightState(
+            estimate.time,
+            p_n,
+            estimate.v_n,
+            estimate.R_nb,
+            estimate.true_airspeed,
+            estimate.wind_n,
+        )
+        wanted, self._memory, _ = guide(
+            state, self._target, self._aircraft, self._gains, self._memory
+        )
+        return limit_setpoint(wanted, self._aircraft)

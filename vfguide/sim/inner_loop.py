@@ -1,0 +1,29 @@
+"""The inner loop of the software autopilot: body rates and thrust to servos and motor."""
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+from vfguide.sim.rate_loop import RateTable, rate_loop
+from vfguide.sim.signals import ControlTuple, Inner
+from vfguide.sim.thrust_map import Throttles, throttle_for
+
+Tables = tuple[RateTable, Throttles, Vec3]
+"""What the loop knows of its airframe: the table of `rate_loop`, then those of `throttle_for`."""
+
+
+@compiled
+def inner_loop(
+    tables: Tables,
+    inner: Inner,
+    setpoint: tuple[float, float, float, float],
+    memory: Vec3,
+    dt: float,
+) -> tuple[ControlTuple, Vec3]:
+    """Controls for body rates p, q, r [rad/s] and thrust (0 to 1), and the next memory.
+
+    `memory` is that of `rate_loop`, zero at first; `dt` is the time step [s].
+    """
+    rates, throttles, axes = tables
+    p, q, r, thrust = setpoint
+    surfaces, memory = rate_loop(rates, inner, (p, q, r), memory, dt)
+    throttle = throttle_for(throttles, axes, thrust, inner[5], inner[6])
+    return (surfaces[0], surfaces[1], surfaces[2], throttle), memory

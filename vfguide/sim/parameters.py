@@ -1,0 +1,71 @@
+"""The parameters of the software autopilot: few, those that a companion looks at."""
+
+import struct
+from dataclasses import dataclass
+
+from vfguide.link.enums import MavParamType
+from vfguide.link.messages import ParamValue
+
+HOLD_ACTION, RETURN_ACTION = 1, 2
+"""Values of NAV_RCL_ACT that the software autopilot can fly."""
+
+
+@dataclass
+class Parameter:
+    """One parameter and what it may be."""
+
+    name: str
+    value: float
+    low: float
+    high: float
+    integer: bool
+
+
+class Parameters:
+    """All parameters, in the order of their index."""
+
+    def __init__(self) -> None:
+        self._all = [
+            Parameter("COM_OBL_RC_ACT", 5, 5, 5, integer=True),
+            Parameter("COM_OF_LOSS_T", 1.0, 0.0, 60.0, integer=False),
+            Parameter("MAV_TYPE", 1, 1, 1, integer=True),
+            Parameter("NAV_RCL_ACT", HOLD_ACTION, HOLD_ACTION, RETURN_ACTION, integer=True),
+        ]
+
+    def __getitem__(self, name: str) -> float:
+        return self._all[self._index(name)].value
+
+    def set(self, name: str, wire_value: float) -> ParamValue | None:
+        """Take a new value; the echo tells the value that holds. None: no such parameter."""
+        if name not in self.names():
+            return None
+        parameter = self._all[self._index(name)]
+        value = from_bytes(wire_value) if parameter.integer else wire_value
+        if parameter.low <= value <= parameter.high:
+            parameter.value = value
+        return self.describe(name)
+
+    def names(self) -> list[str]:
+        """The names in the order of their index."""
+        return [parameter.name for parameter in self._all]
+
+    def describe(self, name: str) -> ParamValue:
+        """PARAM_VALUE of one parameter."""
+        index = self._index(name)
+        parameter = self._all[index]
+        kind = MavParamType.INT32 if parameter.integer else MavParamType.REAL32
+        value = to_bytes(int(parameter.value)) if parameter.integer else parameter.value
+        return ParamValue(name, value, kind, len(self._all), index)
+
+    def _index(self, name: str) -> int:
+        return self.names().index(name)
+
+
+def to_bytes(value: int) -> float:
+    """PX4 puts the four bytes of an integer where the float stands."""
+    return float(struct.unpack("<f", struct.pack("<i", value))[0])
+
+
+def from_bytes(value: float) -> int:
+    """The integer whose bytes stand where the float is."""
+    return int(struct.unpack("<i", struct.pack("<f", value))[0])

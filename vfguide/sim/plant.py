@@ -1,0 +1,261 @@
+"""The simulated aeroplane: one JSBSim instance, seen in SI units."""
+
+import math
+from collections.abc import Callable
+
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
+from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
+from vfguide.sim.condition import Model, Start, Turbulence, Weather
+from vfguide.sim.fdm import JsbsimError, ModelError, PropertyNode, load, one_line
+from vfguide.sim.signals import ControlTuple, Inner
+from vfguide.sim.truth import Truth
+
+STEP = 1.0 / 200.0
+"""Default time step [s]."""
+
+_TUSTIN = 4
+"""JSBSim's number for MIL-F-8785C gusts discretised by Tustin's rule."""
+_SETTLING_RUNS = 3
+"""Runs with the clock stopped: by the third, every function has seen what the others give."""
+_EVERY_ENGINE = -1
+_RETRACTED = 0.0
+_SEEDS = 2**31
+"""JSBSim keeps its seed in a signed integer of 32 bits."""
+
+Getter = Callable[[], float]
+
+
+class Plant:
+    """One aeroplane in its air, from its start onward.
+
+    Each plant is a JSBSim instance of its own, made afresh: equal arguments and controls give
+    bit-identical flights, whatever else has run in the process. The ground is level at
+    `ground_altitude` [m] above the ellipsoid. `dt` is the time step [s].
+
+    Raises:
+        ModelError: the model is missing, unreadable or broken.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        start: Start,
+        weather: Weather | None = None,
+        ground_altitude: float = 0.0,
+        dt: float = STEP,
+    ) -> None:
+        weather = weather or Weather()
+        self._model = model
+        self._dt = dt
+        self._steps = 0
+        self._fdm = load(model, dt)
+        self._fdm["ic/terrain-elevation-ft"] = ground_altitude / FT
+        self._bind_controls()
+        self._bind_inner()
+        self._bind_truth()
+        self._bind_bench()
+        self.place(start, weather.wind_n)
+        self._stir(weather)
+        if not all(map(math.isfinite, self.accelerations())):
+            raise ModelError(f"{model.file}: accelerations are not finite at the start")
+
+    @property
+    def time(self) -> float:
+        """Simulated time since the start [s]."""
+        return self._steps * self._dt
+
+    def advance(self, controls: ControlTuple) -> None:
+        """Fly one time step with `controls` (aileron, elevator, rudder, throttle) held.
+
+        Raises:
+            ModelError: the model fails in flight.
+        """
+        self._command(controls)
+        try:
+            self._run()
+        except JsbsimError as error:
+            raise ModelError(f"{self._model.file}: in flight: {one_line(str(error))}") from error
+        self._steps += 1
+
+    def inner(self) -> Inner:
+        """Body rates and air data, for the inner loop at every time step."""
+        return (
+            self._p(),
+            self._q(),
+            self._r(),
+            self._alpha(),
+            self._beta(),
+            FT * self._airspeed(),
+            SLUG_FT3 * self._density(),
+        )
+
+    def truth(self) -> Truth:
+        """The whole state."""
+        load_x, load_y, load_up = self._load_factors()
+        return Truth(
+            time=self.time,
+            latitude=self._latitude(),
+            longitude=self._longitude(),
+            altitude=FT * self._altitude(),
+            v_n=self._v_n(),
+            roll=self._roll(),
+            pitch=self._pitch(),
+            yaw=self._yaw(),
+            omega_b=(self._p(), self._q(), self._r()),
+            airspeed=FT * self._airspeed(),
+            alpha=self._alpha(),
+            beta=self._beta(),
+            wind_n=self._wind_n(),
+            force_b=(G0 * load_x, G0 * load_y, -G0 * load_up),
+            density=SLUG_FT3 * self._density(),
+            height_above_ground=FT * self._height(),
+        )
+
+    def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
+        """Put the aeroplane into `start`, servos and motor in steady state, time standing still.
+
+        For trim and identification. A flight needs a fresh plant: what the gusts and the
+        integrators remember is not wiped here.
+        """
+        self._place_at(start)
+        self._move(start, wind_n)
+        self._fdm.run_ic()
+        # run_ic forgets the controls and takes its own wind.
+        self._set_wind(wind_n)
+        self._settle(start.condition.controls)
+
+    def accelerations(self) -> tuple[float, float, float, float, float, float]:
+        """Derivatives of u, v, w [m/s^2] and of p, q, r [rad/s^2] at this instant."""
+        return (*self._v_dot_b(), *self._omega_dot_b())
+
+    def thrust(self) -> float:
+        """All force along body x but the aerodynamic one [N]."""
+        return LBF * (self._force_x() - self._aero_force_x())
+
+    def inertia(self) -> Mat3:
+        """Inertia tensor about the centre of gravity, body FRD [kg m^2]."""
+        ixx, iyy, izz, ixy, ixz, iyz = (SLUG_FT2 * moment() for moment in self._moments)
+        # JSBSim's properties are elements of the tensor, two of them with the sign changed.
+        return ((ixx, -ixy, ixz), (-ixy, iyy, -iyz), (ixz, -iyz, izz))
+
+    def mass(self) -> float:
+        """[kg]."""
+        return LBF / G0 * self._weight()
+
+    def _place_at(self, start: Start) -> None:
+        fdm = self._fdm
+        fdm["ic/lat-geod-rad"] = start.latitude
+        fdm["ic/long-gc-rad"] = start.longitude
+        # JSBSim takes the height above its sea level along the radius: millimetres off.
+        fdm["ic/h-sl-ft"] = start.altitude / FT
+        fdm["ic/h-sl-ft"] += start.altitude / FT - fdm["ic/geod-alt-ft"]
+
+    def _move(self, start: Start, wind_n: Vec3) -> None:
+        """Set attitude, then the velocity over ground: any other order changes the first."""
+        fdm, condition = self._fdm, start.condition
+        fdm["ic/phi-rad"] = condition.bank
+        fdm["ic/theta-rad"] = condition.pitch
+        fdm["ic/psi-true-rad"] = start.yaw
+        R_nb = from_euler(condition.bank, condition.pitch, start.yaw)
+        v_b = add(condition.v_air_b, matvec(transpose(R_nb), wind_n))
+        for name, speed in zip("uvw", v_b, strict=True):
+            fdm[f"ic/{name}-fps"] = speed / FT
+        for name, rate in zip("pqr", condition.omega_b, strict=True):
+            fdm[f"ic/{name}-rad_sec"] = rate
+
+    def _set_wind(self, wind_n: Vec3) -> None:
+        for axis, speed in zip(("north", "east", "down"), wind_n, strict=True):
+            self._fdm[f"atmosphere/wind-{axis}-fps"] = speed / FT
+
+    def _settle(self, controls: ControlTuple) -> None:
+        """Bring servos, motor and engines to what `controls` command, the clock standing."""
+        fdm, propulsion = self._fdm, self._fdm.get_propulsion()
+        fdm["gear/gear-cmd-norm"] = _RETRACTED
+        if self._engines:
+            propulsion.init_running(_EVERY_ENGINE)
+        # Servos leave out lag and rate limit while JSBSim believes that it is being trimmed.
+        fdm.set_trim_status(True)
+        fdm.suspend_integration()
+        for _ in range(_SETTLING_RUNS):
+            self._command(controls)
+            self._run()
+            if self._engines:
+                propulsion.get_steady_state()
+        fdm.resume_integration()
+        fdm.set_trim_status(False)
+
+    def _stir(self, weather: Weather) -> None:
+        if weather.turbulence is Turbulence.NONE:
+            return
+        fdm = self._fdm
+        wind_at_20_ft, severity = weather.turbulence.value
+        fdm["simulation/randomseed"] = weather.seed % _SEEDS
+        fdm["atmosphere/turb-type"] = _TUSTIN
+        fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = wind_at_20_ft / FT
+        fdm["atmosphere/turbulence/milspec/severity"] = severity
+
+    def _command(self, controls: ControlTuple) -> None:
+        aileron, elevator, rudder, throttle = controls
+        self._set_aileron(aileron)
+        self._set_elevator(elevator)
+        self._set_rudder(rudder)
+        for set_throttle in self._set_throttles:
+            set_throttle(throttle)
+
+    def _bind_controls(self) -> None:
+        self._run = self._fdm.run
+        self._engines = self._fdm.get_propulsion().get_num_engines()
+        self._set_aileron = self._node("fcs/aileron-cmd-norm").set_double_value
+        self._set_elevator = self._node("fcs/elevator-cmd-norm").set_double_value
+        self._set_rudder = self._node("fcs/rudder-cmd-norm").set_double_value
+        throttles = [f"fcs/throttle-cmd-norm[{i}]" for i in range(max(1, self._engines))]
+        self._set_throttles = [self._node(name).set_double_value for name in throttles]
+
+    def _bind_inner(self) -> None:
+        self._p = self._getter("velocities/p-rad_sec")
+        self._q = self._getter("velocities/q-rad_sec")
+        self._r = self._getter("velocities/r-rad_sec")
+        self._alpha = self._getter("aero/alpha-rad")
+        self._beta = self._getter("aero/beta-rad")
+        self._airspeed = self._getter("velocities/vt-fps")
+        self._density = self._getter("atmosphere/rho-slugs_ft3")
+
+    def _bind_truth(self) -> None:
+        self._latitude = self._getter("position/lat-geod-rad")
+        self._longitude = self._getter("position/long-gc-rad")
+        self._altitude = self._getter("position/geod-alt-ft")
+        self._height = self._getter("position/h-agl-ft")
+        self._roll = self._getter("attitude/phi-rad")
+        self._pitch = self._getter("attitude/theta-rad")
+        self._yaw = self._getter("attitude/psi-rad")
+        directions = ("north", "east", "down")
+        self._v_n = self._vector_getter([f"velocities/v-{d}-fps" for d in directions], FT)
+        self._wind_n = self._vector_getter(
+            [f"atmosphere/total-wind-{d}-fps" for d in directions], FT
+        )
+        self._load_factors = self._vector_getter([f"accelerations/N{axis}" for axis in "xyz"], 1.0)
+
+    def _bind_bench(self) -> None:
+        self._v_dot_b = self._vector_getter([f"accelerations/{x}dot-ft_sec2" for x in "uvw"], FT)
+        self._omega_dot_b = self._vector_getter(
+            [f"accelerations/{x}dot-rad_sec2" for x in "pqr"], 1.0
+        )
+        self._force_x = self._getter("forces/fbx-total-lbs")
+        self._aero_force_x = self._getter("forces/fbx-aero-lbs")
+        self._weight = self._getter("inertia/weight-lbs")
+        pairs = ("xx", "yy", "zz", "xy", "xz", "yz")
+        self._moments = [self._getter(f"inertia/i{pair}-slugs_ft2") for pair in pairs]
+
+    def _getter(self, name: str) -> Getter:
+        return self._node(name).get_double_value
+
+    def _node(self, name: str) -> PropertyNode:
+        node = self._fdm.get_property_manager().get_node(name)
+        if node is None:
+            raise ModelError(f"{self._model.file}: has no property {name}")
+        return node
+
+    def _vector_getter(self, names: list[str], unit: float) -> Callable[[], Vec3]:
+        x, y, z = map(self._getter, names)
+        return lambda: (unit * x(), unit * y(), unit * z())

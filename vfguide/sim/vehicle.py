@@ -1,0 +1,93 @@
+"""One simulated vehicle: its plant and its autopilot, advancing together."""
+
+from dataclasses import dataclass
+
+from vfguide.flight.performance import Performance
+from vfguide.geometry.units import US
+from vfguide.sim.autopilot import Autopilot
+from vfguide.sim.condition import Model, Start, Weather
+from vfguide.sim.dialogue import receive
+from vfguide.sim.identify import identify
+from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.port import Port
+from vfguide.sim.truth import Truth
+
+STEP_US = round(STEP / US)
+"""Time step of the plant [us]."""
+SLOWEST_UPDATE = 0.02
+"""The autopilot's estimate and streams are renewed at least this often [s]."""
+
+
+def steps_between_updates(rate: float) -> int:
+    """Steps of the plant between two looks of the autopilot, for guidance at `rate` [Hz]."""
+    return max(1, int(min(1.0 / rate, SLOWEST_UPDATE) / STEP + 1e-9))
+
+
+@dataclass(frozen=True)
+class Setup:
+    """Everything a simulated vehicle begins with."""
+
+    sysid: int
+    model: Model
+    aircraft: Performance
+    airspeed: float
+    """True airspeed of the autopilot's own flight [m/s]."""
+    start: Start
+    weather: Weather
+    ground_altitude: float
+    """[m] above the ellipsoid."""
+
+
+class Vehicle:
+    """A plant and its autopilot; airborne, armed and in hold."""
+
+    def __init__(self, setup: Setup, start_us: int) -> None:
+        """A vehicle at its start.
+
+        Args:
+            setup: what it begins with.
+            start_us: the date of its time zero [us since 1970].
+
+        Raises:
+            ModelError: the model cannot be flown.
+        """
+        self.sysid = setup.sysid
+        self.plant = Plant(setup.model, setup.start, setup.weather, setup.ground_altitude)
+        self.truth: Truth = self.plant.truth()
+        airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.start.altitude)
+        self.autopilot = Autopilot(
+            setup.sysid, airframe, setup.aircraft, setup.airspeed, self.truth
+        )
+        self._start_us = start_us
+        self.renew()
+
+    @property
+    def now(self) -> int:
+        """The date [us since 1970]."""
+        return self._start_us + round(self.plant.time / US)
+
+    def advance(self, steps: int) -> None:
+        """Fly on: the rate loop at every step of the plant, then the autopilot's slower part."""
+        plant, control = self.plant, self.autopilot.control
+        for _ in range(steps):
+            plant.advance(control(plant.inner(), STEP))
+        self.truth = plant.truth()
+        self.renew()
+
+    def renew(self) -> None:
+        """The autopilot looks at the vehicle."""
+        self.autopilot.update(self.now, self.truth)
+
+    def connect(self, rates: dict[int, float]) -> Port:
+        """A new MAVLink channel with these streams [Hz]."""
+        port = Port(self.sysid, rates)
+        self.autopilot.ports.append(port)
+        return port
+
+    def transmit(self, port: Port) -> list[bytes]:
+        """The frames that are due on a channel."""
+        return self.autopilot.streams(port)
+
+    def receive(self, port: Port, data: bytes) -> list[bytes]:
+        """Takes bytes that arrived on a channel; returns the frames that answer them."""
+        return receive(self.autopilot, port, data)
