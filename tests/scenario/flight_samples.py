@@ -56,6 +56,11 @@ def straight(time: Array) -> Array:
     return np.column_stack((25.0 * (time - 20.0), 0.0 * time, 0.0 * time - 100.0))
 
 
+def moved(path: Path3, by: tuple[float, float, float]) -> Path3:
+    """The same path elsewhere."""
+    return lambda time: path(time) + np.array(by)
+
+
 def record_of(
     vehicle: Vehicle, path: Path3, seconds: float, rate: float = 50.0, height: float = 0.0
 ) -> FlightRecord:

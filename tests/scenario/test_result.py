@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, SECOND, loaded_from, record_of, spiral, straight
+from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spiral, straight
 
 from vfguide import __version__
 from vfguide.scenario.atomic import write_atomically
@@ -98,7 +98,7 @@ def test_bank_to_the_left_counts_as_much(scenario: Scenario) -> None:
 
 
 def test_a_goal_that_is_missed_makes_the_verdict_bad(scenario: Scenario) -> None:
-    off = record_of(scenario.vehicles[0], lambda time: straight(time) + (0.0, 6.0, 0.0), 25.0)
+    off = record_of(scenario.vehicles[0], moved(straight, (0.0, 6.0, 0.0)), 25.0)
     result = judge(scenario, [off], 25.0, 0.1)
     assert (result.verdict, result.reasons) == ("bad", ("goal 1 of vehicle 1 not reached",))
     assert result.vehicles[0].goals[0].miss_m == pytest.approx(6.0)
@@ -141,12 +141,12 @@ def test_the_ground(
 )
 def test_separation(pair: Scenario, apart: float, reasons: tuple[str, ...]) -> None:
     one, other = pair.vehicles
-    moved = other.model_copy(
+    beside = other.model_copy(
         update={"goals": (other.goals[0].model_copy(update={"position_m": (0.0, apart, -100.0)}),)}
     )
     records = [
         record_of(one, straight, 25.0),
-        record_of(moved, lambda time: straight(time) + (0.0, apart, 0.0), 25.0),
+        record_of(beside, moved(straight, (0.0, apart, 0.0)), 25.0),
     ]
     result = judge(pair, records, 25.0, 0.1)
     assert result.min_separation_m == pytest.approx(apart)

@@ -8,6 +8,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
@@ -17,6 +18,8 @@ from vfguide.scenario.record import Array, FlightRecord
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Okabe and Ito's palette, of which the yellow is too light on white."""
 STYLES = ("solid", "dashed", "dashdot", "dotted")
+COLUMNS = 6
+"""Entries in a row of a legend."""
 GOAL = "#111111"
 MUTED = "#6b7280"
 
@@ -36,7 +39,6 @@ _LOOK: Any = {
     "legend.frameon": False,
     "lines.linewidth": 1.8,
     "lines.solid_capstyle": "round",
-    "savefig.bbox": "tight",
     "savefig.dpi": 140,
     "savefig.pad_inches": 0.15,
 }
@@ -56,12 +58,17 @@ class Flights:
 
 
 def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
-    """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed."""
+    """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed.
+
+    Figures that leave the layout to matplotlib are cut to what they show; those that take it
+    into their own hands are drawn in a third of the time.
+    """
     with mpl.rc_context(_LOOK):
         figure = Figure(layout="constrained")
         draw(figure, flights)
         png = BytesIO()
-        figure.savefig(png, format="png")
+        bbox = "tight" if figure.get_layout_engine() else None
+        figure.savefig(png, format="png", bbox_inches=bbox)
     return png.getvalue()
 
 
@@ -71,15 +78,12 @@ def line_of(index: int) -> dict[str, Any]:
     return {"color": COLOURS[index % len(COLOURS)], "linestyle": style}
 
 
-def name_of(record: FlightRecord) -> str:
-    """A vehicle as legends call it."""
-    return f"Vehicle {record.vehicle.id}"
-
-
-def legend_below(figure: Figure, handles: Sequence[Any]) -> None:
-    """One legend under all the axes of a figure."""
-    columns = min(len(handles), 6)
-    figure.legend(handles=list(handles), loc="outside lower center", ncols=columns)
+def vehicle_lines(flights: Flights) -> list[Line2D]:
+    """Legend entries of the vehicles."""
+    return [
+        Line2D([], [], **line_of(index), label=f"Vehicle {record.vehicle.id}")
+        for index, record in enumerate(flights.records)
+    ]
 
 
 def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:

@@ -15,6 +15,8 @@ from vfguide.scenario.resolved import Vehicle
 from vfguide.sim.plant import STEP
 from vfguide.sim.vehicle import steps_between_updates
 
+WARM_UP_UPDATES = 100
+"""Long enough for the companion to take over."""
 AFTERWARDS = 5.0
 """A run goes on for this long after the last goal [s]."""
 
@@ -57,6 +59,17 @@ class Logs:
         return write
 
 
+def warm_up(loaded: LoadedScenario) -> None:
+    """Fly a moment of the first vehicle for nothing: compiles or loads all compiled code."""
+
+    def ignore(_: int, __: bytes) -> None:
+        pass
+
+    member = Member(loaded, loaded.scenario.vehicles[0], ignore, ignore)
+    for _ in range(WARM_UP_UPDATES):
+        member.fly(1)
+
+
 def fly_scenario(
     loaded: LoadedScenario, folder: Path, progress: Progress, realtime: bool = False
 ) -> Flight:
@@ -69,6 +82,7 @@ def fly_scenario(
         TlogError: a log cannot be written.
     """
     scenario = loaded.scenario
+    warm_up(loaded)
     with ExitStack() as stack:
         logs = Logs(folder, stack)
         members = [

@@ -11,13 +11,13 @@ from matplotlib.transforms import ScaledTranslation, Transform
 
 from vfguide.geometry.units import DEG
 from vfguide.scenario.drawing import (
+    COLUMNS,
     GOAL,
     MUTED,
     Flights,
     goal_axis,
-    legend_below,
     line_of,
-    name_of,
+    vehicle_lines,
 )
 from vfguide.scenario.record import Array
 from vfguide.scenario.resolved import Goal
@@ -51,7 +51,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
     axes.set_xlabel("East of the origin [m]", labelpad=10)
     axes.set_ylabel("North of the origin [m]", labelpad=10)
     axes.set_zlabel("Above the origin [m]", labelpad=4)
-    legend_below(figure, _legend(flights))
+    _draw_legend(figure, flights)
 
 
 def draw_plan(figure: Figure, flights: Flights) -> None:
@@ -70,7 +70,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
     _draw_wind(figure, axes, flights)
-    legend_below(figure, _legend(flights))
+    _draw_legend(figure, flights)
 
 
 def draw_side(figure: Figure, flights: Flights) -> None:
@@ -91,7 +91,7 @@ def draw_side(figure: Figure, flights: Flights) -> None:
     axes.set_xlabel(f"From the origin along the course {course % 360.0:03.0f}° [m]")
     axes.set_ylabel("Above the origin [m]")
     axes.set_title(f"Path from the side, seen toward {(course - 90.0) % 360.0:03.0f}°")
-    legend_below(figure, _legend(flights))
+    _draw_legend(figure, flights)
 
 
 def _neu(p_n: Array) -> tuple[Array, Array, Array]:
@@ -185,9 +185,7 @@ def _emptiest_corner(axes: Axes, flights: Flights) -> tuple[float, float]:
     return max(((x, y) for x in (0.0, 1.0) for y in (0.0, 1.0)), key=room)
 
 
-def _legend(flights: Flights) -> list[Line2D]:
-    lines = [
-        Line2D([], [], **line_of(index), label=name_of(record))
-        for index, record in enumerate(flights.records)
-    ]
-    return [*lines, *_MARKS]
+def _draw_legend(figure: Figure, flights: Flights) -> None:
+    handles = [*vehicle_lines(flights), *_MARKS]
+    columns = min(len(handles), COLUMNS)
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns)

@@ -1,7 +1,9 @@
 """Figures over time: position, attitude, flight envelope, body rates."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -9,16 +11,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
-from vfguide.scenario.drawing import (
-    GOAL,
-    MUTED,
-    Flights,
-    broken,
-    legend_below,
-    line_of,
-    name_of,
-)
+from vfguide.scenario.drawing import COLUMNS, GOAL, MUTED, Flights, broken, line_of, vehicle_lines
 from vfguide.scenario.record import Array, FlightRecord
+
+_LIMIT: dict[str, Any] = {"color": MUTED, "linestyle": (0, (4, 3)), "linewidth": 1.2}
+_WANTED: dict[str, Any] = {"color": GOAL, "linewidth": 0.9}
 
 
 @dataclass(frozen=True)
@@ -39,8 +36,8 @@ def draw_position(figure: Figure, flights: Flights) -> None:
         Panel("East [m]", lambda its: its.p_n[:, 1]),
         Panel("Above the origin [m]", lambda its: -its.p_n[:, 2]),
     ]
-    grid = _draw(figure, flights, "Position", panels)
-    reached = False
+    mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
+    grid = _draw(figure, flights, "Position", panels, [mark])
     for record in flights.records:
         for goal, best in zip(record.vehicle.goals, record.legs().best(), strict=True):
             if best is None or not best.reaches:
@@ -48,9 +45,6 @@ def draw_position(figure: Figure, flights: Flights) -> None:
             north, east, down = goal.position_m
             for axes, value in zip(grid, (north, east, -down), strict=True):
                 axes.plot(best.time, value, "D", color=GOAL, markersize=5, zorder=5)
-            reached = True
-    mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
-    legend_below(figure, [*_vehicles(flights), *([mark] if reached else [])])
 
 
 def draw_attitude(figure: Figure, flights: Flights) -> None:
@@ -60,8 +54,7 @@ def draw_attitude(figure: Figure, flights: Flights) -> None:
         Panel("Pitch [°]", lambda its: its.euler[:, 1] / DEG),
         Panel("Yaw [°]", lambda its: broken(its.euler[:, 2] / DEG % 360.0)),
     ]
-    _draw(figure, flights, "Attitude (Euler angles)", panels)
-    legend_below(figure, _vehicles(flights))
+    _draw(figure, flights, "Attitude (Euler angles)", panels, [])
 
 
 def draw_envelope(figure: Figure, flights: Flights) -> None:
@@ -89,9 +82,7 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
         ),
         Panel("Thrust setpoint", lambda record: record.thrust, (0.0, 1.0)),
     ]
-    _draw(figure, flights, "Flight envelope", panels)
-    limit = Line2D([], [], color=MUTED, linestyle=(0, (4, 3)), linewidth=1.2, label="Limit")
-    legend_below(figure, [*_vehicles(flights), limit])
+    _draw(figure, flights, "Flight envelope", panels, [Line2D([], [], **_LIMIT, label="Limit")])
 
 
 def draw_rates(figure: Figure, flights: Flights) -> None:
@@ -106,36 +97,38 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
             ("Roll rate p [°/s]", "Pitch rate q [°/s]", "Yaw rate r [°/s]")
         )
     ]
-    _draw(figure, flights, "Body rates", panels)
-    wanted = Line2D([], [], color=GOAL, linewidth=0.9, label="Commanded")
     flown = [] if flights.several else [Line2D([], [], **line_of(0), label="Flown")]
-    legend_below(figure, [*_vehicles(flights), *flown, wanted])
+    wanted = Line2D([], [], **_WANTED, label="Commanded")
+    _draw(figure, flights, "Body rates", panels, [*flown, wanted])
 
 
-def _draw(figure: Figure, flights: Flights, title: str, panels: Sequence[Panel]) -> Sequence[Axes]:
-    """Panels under each other over one time axis."""
-    figure.set_size_inches(8.6, 0.9 + 1.75 * len(panels))
+def _draw(
+    figure: Figure, flights: Flights, title: str, panels: Sequence[Panel], marks: Sequence[Line2D]
+) -> Sequence[Axes]:
+    """Panels under each other over one time axis, and the legend with `marks` below."""
+    legend = [*(vehicle_lines(flights) if flights.several else ()), *marks]
+    bottom = 0.55 + 0.24 * math.ceil(len(legend) / COLUMNS)
+    height = 0.4 + 1.75 * len(panels) + bottom
+    figure.set_layout_engine("none")
+    figure.set_size_inches(8.6, height)
+    figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
     grid: Sequence[Axes] = figure.subplots(len(panels), 1, sharex=True)
     for axes, panel in zip(grid, panels, strict=True):
-        for limit in panel.limits:
-            axes.axhline(limit, color=MUTED, linestyle=(0, (4, 3)), linewidth=1.2)
-        for index, record in enumerate(flights.records):
-            axes.plot(record.time, panel.values(record), **line_of(index))
-            if panel.wanted is not None:
-                axes.plot(record.time, panel.wanted(record), color=GOAL, linewidth=0.9)
-        axes.set_ylabel(panel.label)
-        axes.margins(x=0.01, y=0.12)
+        _draw_panel(axes, panel, flights)
     grid[0].set_title(title)
     grid[-1].set_xlabel("Time [s]")
-    figure.align_ylabels(grid)
+    if legend:
+        figure.legend(handles=legend, loc="lower center", ncols=min(len(legend), COLUMNS))
     return grid
 
 
-def _vehicles(flights: Flights) -> list[Line2D]:
-    """Legend entries of the vehicles, where there are several."""
-    if not flights.several:
-        return []
-    return [
-        Line2D([], [], **line_of(index), label=name_of(record))
-        for index, record in enumerate(flights.records)
-    ]
+def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
+    for limit in panel.limits:
+        axes.axhline(limit, **_LIMIT)
+    for index, record in enumerate(flights.records):
+        axes.plot(record.time, panel.values(record), **line_of(index))
+        if panel.wanted is not None:
+            axes.plot(record.time, panel.wanted(record), **_WANTED)
+    axes.set_ylabel(panel.label)
+    axes.yaxis.set_label_coords(-0.075, 0.5)
+    axes.margins(x=0.01, y=0.12)

@@ -1,0 +1,312 @@
+import math
+import subprocess
+import sys
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from sim_flights import AEROSONDE, AIRCRAFT, ALTITUDE, GROUND, airborne, fly, start, steady
+
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.units import DEG
+from vfguide.sim.condition import FlightCondition, Model, Start, Turbulence, Weather
+from vfguide.sim.fdm import ModelError
+from vfguide.sim.plant import Plant
+from vfguide.sim.signals import Controls
+
+CALM_RATES = (0.0, 0.0, 0.0)
+EAST_WIND = Weather((0.0, -8.0, 0.0))
+"""It comes from the east."""
+
+
+def gusty(seed: int = 1, level: Turbulence = Turbulence.MODERATE) -> Weather:
+    return Weather((3.0, 4.0, 0.0), level, seed)
+
+
+def air_velocity(truth) -> np.ndarray:
+    """Velocity through the air in NED, from attitude and air data."""
+    a, b, v = truth.alpha, truth.beta, truth.airspeed
+    v_b = v * np.array([math.cos(a) * math.cos(b), math.sin(b), math.sin(a) * math.cos(b)])
+    return np.array(from_euler(truth.roll, truth.pitch, truth.yaw)) @ v_b
+
+
+def copy_of_the_model(directory, change):
+    text = AEROSONDE.file.read_text()
+    changed = change(text)
+    assert changed != text
+    (directory / "broken").mkdir()
+    (directory / "broken" / "broken.xml").write_text(changed)
+    return Model(directory, "broken")
+
+
+def test_a_flight_starts_where_it_was_asked_to():
+    truth = airborne(yaw=200.0 * DEG).truth()
+    assert truth.time == 0.0
+    assert truth.latitude == pytest.approx(47.4 * DEG, abs=1e-12)
+    assert truth.longitude == pytest.approx(8.5 * DEG, abs=1e-12)
+    assert truth.altitude == pytest.approx(ALTITUDE, abs=1e-6)
+    assert truth.yaw == pytest.approx(200.0 * DEG, abs=1e-12)
+    assert truth.pitch == pytest.approx(steady().pitch, abs=1e-9)
+    assert truth.airspeed == pytest.approx(25.0, abs=1e-9)
+    assert truth.alpha == pytest.approx(steady().alpha, abs=1e-9)
+    assert truth.density == pytest.approx(1.151, abs=0.002)
+    assert truth.force_b == pytest.approx((0.53, 0.0, -9.79), abs=0.03)
+
+
+@pytest.mark.parametrize("yaw_deg", [0.0, 90.0, 237.0])
+@pytest.mark.parametrize("wind_n", [(0.0, 0.0, 0.0), (-7.0, 3.0, 0.0), (5.0, 6.0, -1.0)])
+def test_a_flight_starts_in_equilibrium_with_the_air(yaw_deg, wind_n):
+    plant = airborne(yaw=yaw_deg * DEG, weather=Weather(wind_n))
+    assert plant.accelerations() == pytest.approx(6 * (0.0,), abs=0.005)
+    assert plant.truth().airspeed == pytest.approx(25.0, abs=1e-9)
+    for _ in range(100):
+        plant.advance(steady().controls)
+    assert plant.inner()[:3] == pytest.approx(CALM_RATES, abs=1e-3)
+    assert plant.truth().airspeed == pytest.approx(25.0, abs=0.01)
+
+
+@pytest.mark.parametrize("airspeed", [18.0, 25.0, 32.0])
+def test_hands_off_the_rate_loop_keeps_attitude_and_height(airspeed):
+    # 20 s at zero rates with the thrust of the trim: the phugoid is not damped by rates, but
+    # nothing excites it either.
+    plant = airborne(airspeed)
+    from sim_flights import thrust_in
+
+    truths = fly(plant, CALM_RATES, 20.0, thrust_in(steady(airspeed)))
+    last = truths[-1]
+    assert plant.time == pytest.approx(20.0)
+    assert last.roll == pytest.approx(steady(airspeed).bank, abs=0.1 * DEG)
+    assert last.pitch == pytest.approx(steady(airspeed).pitch, abs=0.1 * DEG)
+    assert last.altitude == pytest.approx(ALTITUDE, abs=0.5)
+    assert last.airspeed == pytest.approx(airspeed, abs=0.1)
+
+
+def test_velocity_over_ground_is_that_through_the_air_plus_the_wind():
+    for truth in fly(airborne(yaw=0.7, weather=gusty()), (0.3, 0.1, 0.1), 3.0):
+        assert truth.v_n == pytest.approx(air_velocity(truth) + truth.wind_n, abs=1e-6)
+
+
+def test_wind_from_the_east_drifts_a_northbound_aeroplane_to_the_west():
+    truths = fly(airborne(weather=EAST_WIND), CALM_RATES, 10.0)
+    assert truths[-1].wind_n == pytest.approx((0.0, -8.0, 0.0), abs=1e-6)
+    assert math.atan2(truths[-1].v_n[1], truths[-1].v_n[0]) == pytest.approx(
+        math.atan2(-8.0, 25.0), abs=0.5 * DEG
+    )
+    metres_west = (truths[0].longitude - truths[-1].longitude) * 6.38e6 * math.cos(47.4 * DEG)
+    assert metres_west == pytest.approx(80.0, abs=1.0)
+
+
+def test_position_is_the_integral_of_the_velocity():
+    truths = fly(airborne(yaw=1.0), (0.0, 0.05, 0.05), 10.0)
+    north, east, down = 0.005 * np.sum([t.v_n for t in truths[1:]], axis=0)
+    a, e2 = 6378137.0, 0.00669437999014
+    s2 = math.sin(47.4 * DEG) ** 2
+    meridian = a * (1.0 - e2) / (1.0 - e2 * s2) ** 1.5 + ALTITUDE
+    normal = a / math.sqrt(1.0 - e2 * s2) + ALTITUDE
+    first, last = truths[0], truths[-1]
+    assert (last.latitude - first.latitude) * meridian == pytest.approx(north, abs=0.1)
+    way_east = (last.longitude - first.longitude) * normal * math.cos(47.4 * DEG)
+    assert way_east == pytest.approx(east, abs=0.1)
+    assert first.altitude - last.altitude == pytest.approx(down, abs=0.1)
+
+
+def test_height_above_ground_is_altitude_above_the_level_ground():
+    for truth in fly(airborne(), (0.0, 0.0, 0.0), 20.0)[::400]:
+        assert truth.height_above_ground == pytest.approx(truth.altitude - GROUND, abs=1e-3)
+
+
+def test_the_ground_stops_a_dive():
+    plant = airborne()
+    dive = FlightCondition(25.0, climb=-40.0 * DEG, controls=Controls(elevator=0.0))
+    plant = Plant(AEROSONDE, start(dive), ground_altitude=ALTITUDE - 20.0)
+    heights = []
+    for _ in range(2000):
+        plant.advance((0.0, 0.0, 0.0, 0.0))
+        heights.append(plant.truth().height_above_ground)
+    assert min(heights) > -2.0
+    assert abs(heights[-1]) < 0.5
+
+
+@pytest.mark.parametrize(
+    ("controls", "moved", "sign"),
+    [
+        pytest.param(Controls(aileron=0.2), 0, 1.0, id="aileron rolls right"),
+        pytest.param(Controls(elevator=0.2), 1, -1.0, id="elevator lowers the nose"),
+        pytest.param(Controls(rudder=0.2), 2, -1.0, id="rudder yaws left"),
+    ],
+)
+def test_what_a_positive_command_does(controls, moved, sign):
+    plant, trimmed = airborne(), steady().controls
+    for _ in range(20):
+        plant.advance(tuple(a + b for a, b in zip(controls, trimmed, strict=True)))
+    assert sign * plant.inner()[moved] > 1.0 * DEG
+
+
+def test_body_rates_are_the_change_of_attitude():
+    # p turns right wing down, q nose up, r nose right.
+    for rates in ((0.2, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1)):
+        first, last = (fly(airborne(), rates, 1.0)[k] for k in (100, 120))
+        turned = np.array([last.roll, last.pitch, last.yaw]) - [first.roll, first.pitch, first.yaw]
+        turned = (turned + math.pi) % (2.0 * math.pi) - math.pi
+        axis = rates.index(max(rates))
+        assert turned[axis] == pytest.approx(0.1 * last.omega_b[axis], rel=0.1)
+        assert last.omega_b[axis] == pytest.approx(max(rates), rel=0.15)
+
+
+def test_inner_is_part_of_the_truth():
+    plant = airborne(weather=gusty())
+    fly(plant, CALM_RATES, 1.0)
+    t = plant.truth()
+    assert plant.inner() == (*t.omega_b, t.alpha, t.beta, t.airspeed, t.density)
+
+
+def gusts(level: Turbulence, seconds: float = 60.0) -> np.ndarray:
+    truths = fly(airborne(weather=gusty(level=level)), CALM_RATES, seconds)
+    return np.array([t.wind_n for t in truths]) - (3.0, 4.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("level", "wind_at_20_ft"), [(Turbulence.LIGHT, 7.72), (Turbulence.SEVERE, 23.15)]
+)
+def test_gusts_are_as_strong_as_the_specification_says(level, wind_at_20_ft):
+    # MIL-F-8785C below 1000 ft, at h = 492 ft: sigma_w = 0.1 W20,
+    # sigma_u = sigma_v = sigma_w / (0.177 + 0.000823 h)^0.4. One minute holds few of the long
+    # waves, hence the tolerance.
+    sigma_w = 0.1 * wind_at_20_ft
+    sigma_u = sigma_w / (0.177 + 0.000823 * 492.0) ** 0.4
+    found = gusts(level).std(axis=0)
+    assert found == pytest.approx([sigma_u, sigma_u, sigma_w], rel=0.35)
+
+
+def test_calm_air_has_no_gusts():
+    assert not gusts(Turbulence.NONE, 1.0).any()
+
+
+def test_equal_flights_are_bit_identical_whatever_else_is_flying():
+    alone = fly(airborne(weather=gusty(7)), (0.2, 0.02, 0.0), 4.0)
+    others = [airborne(weather=gusty(seed)) for seed in (7, 8)]
+    for other in others:
+        fly(other, (0.1, 0.0, 0.0), 1.0)
+    plant, memory, among_others = airborne(weather=gusty(7)), (0.0, 0.0, 0.0), []
+    from sim_flights import airframe
+    from vfguide.sim.inner_loop import inner_loop
+
+    for _ in range(800):
+        among_others.append(plant.truth())
+        setpoint = (0.2, 0.02, 0.0, 0.295)
+        controls, memory = inner_loop(airframe().tables, plant.inner(), setpoint, memory, 0.005)
+        plant.advance(controls)
+        others[1].advance(controls)
+    assert [*among_others, plant.truth()] == alone
+
+
+def test_seeds_make_the_gusts():
+    one, two, same = (fly(airborne(weather=gusty(seed)), CALM_RATES, 1.0) for seed in (1, 2, 1))
+    assert one != two
+    assert one == same
+    large = fly(airborne(weather=gusty(2**63 + 5)), CALM_RATES, 1.0)
+    assert large not in (one, two)
+
+
+def test_two_steps_of_5_ms_are_about_one_of_10_ms():
+    def roll_after_half_a_second(dt: float) -> float:
+        plant = Plant(AEROSONDE, start(), dt=dt)
+        for _ in range(round(0.5 / dt)):
+            plant.advance((0.2, -0.31, 0.0, 0.78))
+        assert plant.time == pytest.approx(0.5)
+        return plant.truth().roll
+
+    # Servo lags keep their time.
+    assert roll_after_half_a_second(0.01) == pytest.approx(
+        roll_after_half_a_second(0.0025), rel=0.05
+    )
+
+
+def test_nothing_reaches_the_terminal(capfd, tmp_path):
+    plant = Plant(AEROSONDE, start(), ground_altitude=ALTITUDE - 5.0)
+    for _ in range(1000):
+        plant.advance((0.0, 1.0, 0.0, 0.0))
+    with pytest.raises(ModelError):
+        Plant(copy_of_the_model(tmp_path, lambda text: text[:6000]), start())
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        pytest.param(lambda t: t[:6000], r"line 1\d\d .*no element found", id="truncated"),
+        pytest.param(lambda t: "", "no element found", id="empty"),
+        pytest.param(lambda t: "hello", "syntax error", id="not XML"),
+        pytest.param(
+            lambda t: t.replace("<metrics>", "<metrix>").replace("</metrics>", "</metrix>"),
+            "No metrics element",
+            id="no metrics",
+        ),
+        pytest.param(lambda t: t.replace("5.61 <", "5,6l <"), "numeric", id="no number"),
+        pytest.param(
+            lambda t: t.replace("<abs>", "<nabs>").replace("</abs>", "</nabs>"),
+            "Bad operation <nabs>",
+            id="unknown function",
+        ),
+        pytest.param(
+            lambda t: t.replace("fcs/aileron-pos-rad <", "fcs/aileron-rad <"),
+            "fcs/aileron-rad does not exist",
+            id="unknown property",
+        ),
+        pytest.param(
+            lambda t: t.replace(" fcs/throttle-cmd-norm ", " fcs/lever "),
+            "no property fcs/throttle-cmd-norm",
+            id="no throttle",
+        ),
+        pytest.param(
+            lambda t: t.replace(">11.0 <", ">0 <").replace("> 11.0 <", "> 0 <"),
+            "not finite",
+            id="no mass",
+        ),
+    ],
+)
+def test_a_broken_model_is_named_with_its_fault(tmp_path, change, complaint):
+    model = copy_of_the_model(tmp_path, change)
+    with pytest.raises(ModelError, match=complaint) as caught:
+        Plant(model, start())
+    assert str(caught.value).startswith(str(model.file))
+    assert "\n" not in str(caught.value)
+
+
+def test_a_missing_model_is_named(tmp_path):
+    with pytest.raises(ModelError, match="nowhere: no such directory"):
+        Plant(Model(tmp_path, "nowhere"), start())
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(ModelError, match=r"empty\.xml: no such file"):
+        Plant(Model(tmp_path, "empty"), start())
+
+
+def test_an_unreadable_model_is_named(tmp_path):
+    (tmp_path / "folder" / "folder.xml").mkdir(parents=True)
+    with pytest.raises(ModelError, match=r"folder\.xml"):
+        Plant(Model(tmp_path, "folder"), start())
+
+
+def test_a_broken_model_does_not_end_the_process(tmp_path):
+    # JSBSim's destructor calls std::terminate on such a model.
+    copy_of_the_model(tmp_path, lambda t: t.replace("fcs/aileron-pos-rad <", "fcs/nothing <"))
+    code = (
+        "from pathlib import Path\n"
+        "from vfguide.sim.condition import Model\n"
+        "from vfguide.sim.fdm import ModelError, load\n"
+        f"try: load(Model(Path({str(tmp_path)!r}), 'broken'), 0.005)\n"
+        "except ModelError: print('refused')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=AIRCRAFT.parent
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "refused\n", "")
+
+
+def test_engine_files_beside_the_model_are_found():
+    import jsbsim
+
+    stock = Model(AIRCRAFT.__class__(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
+    condition = FlightCondition(55.0, alpha=0.01, controls=Controls(throttle=0.7))
+    plant = Plant(stock, Start(0.8, 0.1, 1000.0, 0.0, condition))
+    assert plant.thrust() > 500.0

@@ -1,0 +1,27 @@
+"""`vfguide check`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def check(
+    file: Annotated[Path, typer.Argument(help="A scenario or aircraft file, or a shipped name.")],
+) -> None:
+    """Validate a scenario or aircraft file.
+
+    Example: vfguide check first-flight
+    """
+    from vfguide.cli.console import out
+    from vfguide.scenario.data import find_scenario
+    from vfguide.scenario.load import check_file
+
+    path = file if file.exists() else find_scenario(str(file))
+    check_file(path)
+    out.print(f"{path}: fine")
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(check)

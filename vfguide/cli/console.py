@@ -1,0 +1,13 @@
+"""What commands print: text as it is, brackets included."""
+
+from rich.console import Console
+
+out = Console(highlight=False, markup=False, soft_wrap=True)
+"""Standard output."""
+err = Console(stderr=True, highlight=False, markup=False, soft_wrap=True)
+"""Standard error: progress and complaints."""
+
+
+def complain(message: str) -> None:
+    """One message on standard error."""
+    err.print(f"vfguide: {message}", style="red")

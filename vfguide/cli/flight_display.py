@@ -1,0 +1,82 @@
+"""The progress bar of a flight, and its result on the terminal."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from vfguide.cli.console import err, out
+from vfguide.scenario.member import Member
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.result import Result
+
+REFRESH = 1.0
+"""The bar is moved after this much simulated time [s]."""
+
+
+class FlightDisplay:
+    """Shows simulated time, goals reached and speed; nothing where there is no terminal."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._progress = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TextColumn("{task.completed:.0f} of at most {task.total:.0f} s  {task.fields[state]}"),
+            TimeElapsedColumn(),
+            console=err,
+            transient=True,
+            disable=not err.is_terminal,
+        )
+        self._task = self._progress.add_task(
+            scenario.name, total=scenario.duration_s, state="preparing"
+        )
+        self._next = 0.0
+
+    def __call__(self, sim_s: float, members: Sequence[Member]) -> None:
+        """Take the news of one update."""
+        if sim_s < self._next:
+            return
+        self._next = sim_s + REFRESH
+        reached = sum(member.legs.leg for member in members)
+        goals = sum(len(member.vehicle.goals) for member in members)
+        state = f"{reached} of {goals} goals"
+        self._progress.update(self._task, completed=sim_s, state=state)
+
+    def __enter__(self) -> Self:
+        self._progress.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._progress.stop()
+
+
+def print_result(result: Result, folder: Path) -> None:
+    """The figures of every goal, the verdict and where to look."""
+    table = Table("vehicle", "goal", "reached", "time s", "miss m", "course deg", "climb deg")
+    for vehicle in result.vehicles:
+        for number, goal in enumerate(vehicle.goals, start=1):
+            figures = (goal.miss_m, goal.course_error_deg, goal.climb_error_deg)
+            table.add_row(
+                str(vehicle.id),
+                str(number),
+                "yes" if goal.reached else "no",
+                "-" if goal.time_s is None else f"{goal.time_s:.1f}",
+                *("-" if figure is None else f"{figure:.2f}" for figure in figures),
+            )
+    out.print(table)
+    factor = f", {result.realtime_factor:.0f} x real time" if result.realtime_factor else ""
+    out.print(f"{result.sim_s:.1f} s flown in {result.wall_s:.2f} s{factor}")
+    for reason in result.reasons:
+        out.print(f"  {reason}", style="red")
+    good = result.verdict == "good"
+    out.print(f"verdict: {result.verdict}", style="bold green" if good else "bold red")
+    report = folder / "report.html"
+    out.print(f"results: {report if report.exists() else folder}")

@@ -1,0 +1,55 @@
+"""The command `vfguide`: what users type.
+
+The modules of the commands import the program only when a command runs: `--help` answers at once.
+"""
+
+import sys
+from typing import Annotated
+
+import typer
+
+from vfguide import __version__
+from vfguide.cli import check, run
+from vfguide.cli.console import complain
+from vfguide.cli.exit_status import BAD_INPUT, INTERRUPTED
+
+app = typer.Typer(
+    name="vfguide",
+    help="Vector-field guidance of fixed-wing aircraft: goal poses to MAVLink body-rate setpoints.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+run.add_to(app)
+check.add_to(app)
+
+
+def show_version(wanted: bool) -> None:
+    """Print the version and leave."""
+    if wanted:
+        typer.echo(f"vfguide {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show version.")
+    ] = False,
+) -> None:
+    """Options of every command."""
+
+
+def main() -> None:
+    """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
+    from vfguide.scenario.errors import InputError
+
+    try:
+        app()
+    except InputError as error:
+        complain(str(error))
+        sys.exit(BAD_INPUT)
+    except KeyboardInterrupt:
+        complain("interrupted")
+        sys.exit(INTERRUPTED)

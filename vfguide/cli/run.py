@@ -1,0 +1,65 @@
+"""`vfguide run`."""
+
+import shlex
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vfguide.cli.exit_status import BAD, GOOD, INTERRUPTED
+
+if TYPE_CHECKING:
+    from vfguide.scenario.result import Result
+
+
+def run(
+    scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
+    out: Annotated[
+        Path | None, typer.Option(help="Folder of the results. [default: runs/NAME-UTC]")
+    ] = None,
+    seed: Annotated[int | None, typer.Option(help="Seed of everything random.")] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Change a key, as in wind.speed_mps=5."),
+    ] = None,
+    realtime: Annotated[bool, typer.Option("--realtime", help="No faster than the clock.")] = False,
+    report: Annotated[bool, typer.Option(help="Draw the figures and the report.")] = True,
+    view: Annotated[bool, typer.Option("--view", help="Open the report in a browser.")] = False,
+) -> None:
+    """Fly a scenario to its end and judge it.
+
+    Example: vfguide run first-flight --set wind.speed_mps=6 --out results
+    """
+    from vfguide.cli.flight_display import FlightDisplay, print_result
+    from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.run import run_scenario
+
+    changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
+    loaded = load_scenario(scenario, changes)
+    folder = out or default_folder(loaded.scenario.name)
+    command = shlex.join(["vfguide", *sys.argv[1:]])
+    with FlightDisplay(loaded.scenario) as display:
+        done = run_scenario(loaded, folder, display, command, realtime=realtime, report=report)
+    print_result(done.result, folder)
+    if view and report:
+        typer.launch(str(folder / "report.html"))
+    if done.interrupted:
+        raise typer.Exit(INTERRUPTED)
+    raise typer.Exit(status_of(done.result))
+
+
+def default_folder(name: str) -> Path:
+    """Where results go that nobody asked to have elsewhere."""
+    return Path("runs") / f"{name}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
+
+
+def status_of(result: "Result") -> int:
+    """The exit status that tells the verdict."""
+    return GOOD if result.verdict == "good" else BAD
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(run)

@@ -1,0 +1,65 @@
+"""A run: a scenario flown, judged and reported, all in one folder."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from vfguide.link.tlog import TlogError
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.lockstep import Progress, fly_scenario
+from vfguide.scenario.report import write_report
+from vfguide.scenario.result import Result, judge, write_result
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run that is over."""
+
+    result: Result
+    interrupted: bool
+
+
+def run_scenario(
+    loaded: LoadedScenario,
+    folder: Path,
+    progress: Progress,
+    command: str,
+    *,
+    realtime: bool = False,
+    report: bool = True,
+) -> Run:
+    """Fly a scenario and write everything that contract and user expect to `folder`.
+
+    Raises:
+        InputError: the folder is not empty, cannot be written or is full, or an aircraft's
+            model cannot be flown.
+    """
+    loaded.require_models()
+    prepare_folder(folder)
+    try:
+        loaded.write_resolved(folder / "scenario.toml")
+        flight = fly_scenario(loaded, folder, progress, realtime)
+        early = ("interrupted",) if flight.interrupted else flight.ended_early
+        result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
+        write_result(result, folder / "result.json")
+        if report:
+            write_report(folder, loaded, flight.records, result, command)
+    except (OSError, TlogError) as error:
+        raise InputError(f"{folder}: cannot be written: {error}") from error
+    return Run(result, flight.interrupted)
+
+
+def prepare_folder(folder: Path) -> None:
+    """Make the folder of the results; an empty one will do.
+
+    Raises:
+        InputError: there is something in it, or it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        full = any(folder.iterdir())
+    except OSError as error:
+        reason = error.strerror or error
+        raise InputError(f"--out {folder}: cannot be made: {reason}") from error
+    if full:
+        raise InputError(f"--out {folder}: not empty, allowed is a new or an empty folder")
