@@ -159,7 +159,7 @@ def test_nothing_touches_the_edge_of_a_figure(run: Run) -> None:
 
 @pytest.mark.parametrize("draw", [draw_plan, draw_side])
 def test_flat_views_have_one_scale_and_hold_the_path(run: Run, draw: object) -> None:
-    figure = Figure(layout="constrained")
+    figure = Figure()
     assert callable(draw)
     draw(figure, run.flights)
     figure.draw_without_rendering()

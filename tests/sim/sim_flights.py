@@ -3,6 +3,8 @@
 from functools import cache
 from pathlib import Path
 
+import jsbsim
+
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.bench import Bench
@@ -15,6 +17,8 @@ from vfguide.sim.truth import Truth
 
 AIRCRAFT = Path(__file__).parents[2] / "aircraft"
 AEROSONDE = Model(AIRCRAFT, "aerosonde")
+CESSNA = Model(Path(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
+"""A stock model, with engine and propeller of JSBSim's own, in a folder of engines."""
 GROUND = 488.0
 ALTITUDE = 638.0
 STEPS_PER_S = round(1.0 / STEP)
@@ -38,9 +42,7 @@ def start(condition: FlightCondition | None = None, yaw: float = 0.0) -> Start:
     return Start(47.4 * DEG, 8.5 * DEG, ALTITUDE, yaw, condition or steady())
 
 
-def airborne(
-    airspeed: float = 25.0, yaw: float = 0.0, weather: Weather | None = None
-) -> Plant:
+def airborne(airspeed: float = 25.0, yaw: float = 0.0, weather: Weather | None = None) -> Plant:
     return Plant(AEROSONDE, start(steady(airspeed), yaw), weather, GROUND)
 
 
@@ -50,7 +52,11 @@ def thrust_in(condition: FlightCondition) -> float:
 
 
 def fly(
-    plant: Plant, omega_b: Vec3, seconds: float, thrust: float = 0.295, memory: Vec3 = (0.0, 0.0, 0.0)
+    plant: Plant,
+    omega_b: Vec3,
+    seconds: float,
+    thrust: float = 0.295,
+    memory: Vec3 = (0.0, 0.0, 0.0),
 ) -> list[Truth]:
     """The truth before each step, and after the last."""
     tables, truths = airframe().tables, [plant.truth()]

@@ -1,16 +1,27 @@
 import math
 import subprocess
 import sys
-from itertools import pairwise
 
 import numpy as np
 import pytest
-from sim_flights import AEROSONDE, AIRCRAFT, ALTITUDE, GROUND, airborne, fly, start, steady
+from sim_flights import (
+    AEROSONDE,
+    AIRCRAFT,
+    ALTITUDE,
+    GROUND,
+    airborne,
+    airframe,
+    fly,
+    start,
+    steady,
+    thrust_in,
+)
 
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import DEG, FT
 from vfguide.sim.condition import FlightCondition, Model, Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
+from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.plant import Plant
 from vfguide.sim.signals import Controls
 
@@ -50,7 +61,9 @@ def test_a_flight_starts_where_it_was_asked_to():
     assert truth.airspeed == pytest.approx(25.0, abs=1e-9)
     assert truth.alpha == pytest.approx(steady().alpha, abs=1e-9)
     assert truth.density == pytest.approx(1.151, abs=0.002)
-    assert truth.force_b == pytest.approx((0.53, 0.0, -9.79), abs=0.03)
+    # Level and without sideslip, the specific force is that against the weight.
+    against_weight = (9.8 * math.sin(truth.pitch), 0.0, -9.8 * math.cos(truth.pitch))
+    assert truth.force_b == pytest.approx(against_weight, abs=0.02)
 
 
 @pytest.mark.parametrize("yaw_deg", [0.0, 90.0, 237.0])
@@ -61,7 +74,8 @@ def test_a_flight_starts_in_equilibrium_with_the_air(yaw_deg, wind_n):
     assert plant.truth().airspeed == pytest.approx(25.0, abs=1e-9)
     for _ in range(100):
         plant.advance(steady().controls)
-    assert plant.inner()[:3] == pytest.approx(CALM_RATES, abs=1e-3)
+    # What is left is Coriolis: the ground turns with the earth, and the wind with the ground.
+    assert plant.inner()[:3] == pytest.approx(CALM_RATES, abs=3e-3)
     assert plant.truth().airspeed == pytest.approx(25.0, abs=0.01)
 
 
@@ -70,15 +84,12 @@ def test_hands_off_the_rate_loop_keeps_attitude_and_height(airspeed):
     # 20 s at zero rates with the thrust of the trim: the phugoid is not damped by rates, but
     # nothing excites it either.
     plant = airborne(airspeed)
-    from sim_flights import thrust_in
-
-    truths = fly(plant, CALM_RATES, 20.0, thrust_in(steady(airspeed)))
-    last = truths[-1]
+    last = fly(plant, CALM_RATES, 20.0, thrust_in(steady(airspeed)))[-1]
     assert plant.time == pytest.approx(20.0)
-    assert last.roll == pytest.approx(steady(airspeed).bank, abs=0.1 * DEG)
-    assert last.pitch == pytest.approx(steady(airspeed).pitch, abs=0.1 * DEG)
-    assert last.altitude == pytest.approx(ALTITUDE, abs=0.5)
-    assert last.airspeed == pytest.approx(airspeed, abs=0.1)
+    assert last.roll == pytest.approx(steady(airspeed).bank, abs=0.7 * DEG)
+    assert last.pitch == pytest.approx(steady(airspeed).pitch, abs=0.2 * DEG)
+    assert last.altitude == pytest.approx(ALTITUDE, abs=2.0)
+    assert last.airspeed == pytest.approx(airspeed, abs=0.2)
 
 
 def test_velocity_over_ground_is_that_through_the_air_plus_the_wind():
@@ -160,26 +171,39 @@ def test_inner_is_part_of_the_truth():
     assert plant.inner() == (*t.omega_b, t.alpha, t.beta, t.airspeed, t.density)
 
 
-def gusts(level: Turbulence, seconds: float = 60.0) -> np.ndarray:
-    truths = fly(airborne(weather=gusty(level=level)), CALM_RATES, seconds)
-    return np.array([t.wind_n for t in truths]) - (3.0, 4.0, 0.0)
+def rms_of_gusts(level: Turbulence, altitude: float) -> np.ndarray:
+    """North, east, down, 150 m above ground, from six flights of 40 s [m/s]."""
+    place = Start(47.4 * DEG, 8.5 * DEG, altitude, 0.0, steady())
+    squares = []
+    for seed in range(6):
+        plant = Plant(AEROSONDE, place, Weather((3.0, 4.0, 0.0), level, seed), altitude - 150.0)
+        truths = fly(plant, CALM_RATES, 40.0)[:: STEPS_PER_S // 10]
+        squares += [(np.array(t.wind_n) - (3.0, 4.0, 0.0)) ** 2 for t in truths]
+    return np.sqrt(np.mean(squares, axis=0))
 
 
 @pytest.mark.parametrize(
     ("level", "wind_at_20_ft"), [(Turbulence.LIGHT, 7.72), (Turbulence.SEVERE, 23.15)]
 )
-def test_gusts_are_as_strong_as_the_specification_says(level, wind_at_20_ft):
+def test_gusts_near_the_sea_are_as_strong_as_the_specification_says(level, wind_at_20_ft):
     # MIL-F-8785C below 1000 ft, at h = 492 ft: sigma_w = 0.1 W20,
-    # sigma_u = sigma_v = sigma_w / (0.177 + 0.000823 h)^0.4. One minute holds few of the long
-    # waves, hence the tolerance.
+    # sigma_u = sigma_v = sigma_w / (0.177 + 0.000823 h)^0.4.
     sigma_w = 0.1 * wind_at_20_ft
     sigma_u = sigma_w / (0.177 + 0.000823 * 492.0) ** 0.4
-    found = gusts(level).std(axis=0)
-    assert found == pytest.approx([sigma_u, sigma_u, sigma_w], rel=0.35)
+    found = rms_of_gusts(level, 150.0)
+    assert found == pytest.approx([sigma_u, sigma_u, sigma_w], rel=0.25)
+
+
+@pytest.mark.parametrize(
+    ("level", "sigma_fps"), [(Turbulence.LIGHT, 7.0), (Turbulence.SEVERE, 18.0)]
+)
+def test_gusts_over_high_ground_are_those_of_the_height_above_the_sea(level, sigma_fps):
+    # Above 2000 ft the specification goes by probability, 10^-3 and 10^-5: its figure 7.
+    assert rms_of_gusts(level, 638.0) == pytest.approx(3 * [FT * sigma_fps], rel=0.25)
 
 
 def test_calm_air_has_no_gusts():
-    assert not gusts(Turbulence.NONE, 1.0).any()
+    assert rms_of_gusts(Turbulence.NONE, 638.0).max() < 1e-12
 
 
 def test_equal_flights_are_bit_identical_whatever_else_is_flying():
@@ -188,9 +212,6 @@ def test_equal_flights_are_bit_identical_whatever_else_is_flying():
     for other in others:
         fly(other, (0.1, 0.0, 0.0), 1.0)
     plant, memory, among_others = airborne(weather=gusty(7)), (0.0, 0.0, 0.0), []
-    from sim_flights import airframe
-    from vfguide.sim.inner_loop import inner_loop
-
     for _ in range(800):
         among_others.append(plant.truth())
         setpoint = (0.2, 0.02, 0.0, 0.295)
@@ -234,7 +255,7 @@ def test_nothing_reaches_the_terminal(capfd, tmp_path):
 @pytest.mark.parametrize(
     ("change", "complaint"),
     [
-        pytest.param(lambda t: t[:6000], r"line 1\d\d .*no element found", id="truncated"),
+        pytest.param(lambda t: t[:6000], r"xml: line \d+ XML parse error", id="truncated"),
         pytest.param(lambda t: "", "no element found", id="empty"),
         pytest.param(lambda t: "hello", "syntax error", id="not XML"),
         pytest.param(
@@ -258,11 +279,7 @@ def test_nothing_reaches_the_terminal(capfd, tmp_path):
             "no property fcs/throttle-cmd-norm",
             id="no throttle",
         ),
-        pytest.param(
-            lambda t: t.replace(">11.0 <", ">0 <").replace("> 11.0 <", "> 0 <"),
-            "not finite",
-            id="no mass",
-        ),
+        pytest.param(lambda t: t.replace(" 43.10293 ", " 0 "), "not finite", id="no number at all"),
     ],
 )
 def test_a_broken_model_is_named_with_its_fault(tmp_path, change, complaint):
@@ -298,15 +315,16 @@ def test_a_broken_model_does_not_end_the_process(tmp_path):
         "except ModelError: print('refused')\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, cwd=AIRCRAFT.parent
+        [sys.executable, "-c", code],
+        capture_output=True,
+        check=False,
+        text=True,
+        cwd=AIRCRAFT.parent,
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, "refused\n", "")
 
 
 def test_engine_files_beside_the_model_are_found():
-    import jsbsim
-
-    stock = Model(AIRCRAFT.__class__(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
     condition = FlightCondition(55.0, alpha=0.01, controls=Controls(throttle=0.7))
-    plant = Plant(stock, Start(0.8, 0.1, 1000.0, 0.0, condition))
+    plant = Plant(CESSNA, Start(0.8, 0.1, 1000.0, 0.0, condition))
     assert plant.thrust() > 500.0

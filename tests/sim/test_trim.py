@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from sim_flights import AEROSONDE, bench, steady
+from sim_flights import AEROSONDE, bench
 
 from vfguide.geometry.units import DEG, G0
 from vfguide.sim.bench import Bench

@@ -67,6 +67,7 @@ class Companion:
 
     def receive(self, now: int, message: Message) -> list[Message]:
         """Takes one message of the autopilot at the time `now` [us]; returns what to send."""
+        self._watch_link(now)
         self.known = observe(self.known, message)
         out: list[Message] = []
         match message:
@@ -85,14 +86,18 @@ class Companion:
 
     def poll(self, now: int) -> list[Message]:
         """What is due at the time `now` [us] without anything received."""
-        if self.phase is not Phase.SEARCHING and now - self._heard > LOST:
-            self._happen(Event.LINK_LOST)
+        self._watch_link(now)
         return self._housekeeping(now)
 
     def stop(self) -> None:
         """The operator ends the companion: it hands over first if it flies."""
         self._happen(Event.STOP_ASKED)
         self._asked = -INSIST
+
+    def _watch_link(self, now: int) -> None:
+        """Note that the autopilot is not heard any more."""
+        if self.phase is not Phase.SEARCHING and now - self._heard > LOST:
+            self._happen(Event.LINK_LOST)
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""

@@ -33,6 +33,7 @@ _MARKS = [
 def draw_space(figure: Figure, flights: Flights) -> None:
     """The paths in space, with their shadows on the floor of the box; axes to one scale."""
     figure.set_size_inches(8.6, 5.9)
+    figure.set_layout_engine("constrained")
     axes: Any = figure.add_subplot(projection="3d", computed_zorder=False)
     box = _box(flights)
     floor = box[2, 0]
@@ -57,6 +58,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
 def draw_plan(figure: Figure, flights: Flights) -> None:
     """The paths from above, north up, east to the right, axes to one scale, and the wind."""
     figure.set_size_inches(8.0, 7.4)
+    figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
     box = _box(flights)
     for index, record in enumerate(flights.records):
@@ -76,6 +78,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
 def draw_side(figure: Figure, flights: Flights) -> None:
     """The paths from the right of the last goal's course, axes to one scale."""
     figure.set_size_inches(8.6, 4.4)
+    figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
     course = flights.records[0].vehicle.goals[-1].heading_deg
     along = np.array(goal_axis(course, 0.0))

@@ -109,7 +109,6 @@ def _draw(
     legend = [*(vehicle_lines(flights) if flights.several else ()), *marks]
     bottom = 0.55 + 0.24 * math.ceil(len(legend) / COLUMNS)
     height = 0.4 + 1.75 * len(panels) + bottom
-    figure.set_layout_engine("none")
     figure.set_size_inches(8.6, height)
     figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
     grid: Sequence[Axes] = figure.subplots(len(panels), 1, sharex=True)

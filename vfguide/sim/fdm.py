@@ -41,14 +41,15 @@ def load(model: Model, dt: float) -> Fdm:
             return fdm
     except JsbsimError as error:
         _never_free(fdm)
-        raise ModelError(f"{model.file}: {one_line(journal.text or str(error))}") from error
+        raise model_error(model, journal.text or str(error)) from error
     _never_free(fdm)
-    raise ModelError(f"{model.file}: {one_line(journal.text) or 'JSBSim cannot load it'}")
+    raise model_error(model, journal.text or "JSBSim cannot load it")
 
 
-def one_line(text: str) -> str:
-    """`text` with each run of white space made one space."""
-    return " ".join(text.split())
+def model_error(model: Model, complaint: str) -> ModelError:
+    """The error that names the file of `model` and, on the same line, what JSBSim says of it."""
+    what = " ".join(complaint.split()).removeprefix(f"In file {model.file.resolve()}: ")
+    return ModelError(f"{model.file}: {what}")
 
 
 class _Journal(jsbsim.FGLogger):
@@ -65,7 +66,7 @@ class _Journal(jsbsim.FGLogger):
         self.fatal = self.fatal or level == jsbsim.LogLevel.FATAL
 
     def file_location(self, filename: str, line: int) -> None:
-        self.message(f"line {line} of {filename}: ")
+        self.message(f"In file {filename}: line {line} ")
 
     def message(self, message: str) -> None:
         if self._is_error:

@@ -7,7 +7,7 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
 from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
-from vfguide.sim.fdm import JsbsimError, ModelError, PropertyNode, load, one_line
+from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error
 from vfguide.sim.signals import ControlTuple, Inner
 from vfguide.sim.truth import Truth
 
@@ -58,7 +58,7 @@ class Plant:
         self.place(start, weather.wind_n)
         self._stir(weather)
         if not all(map(math.isfinite, self.accelerations())):
-            raise ModelError(f"{model.file}: accelerations are not finite at the start")
+            raise model_error(model, "accelerations are not finite at the start")
 
     @property
     def time(self) -> float:
@@ -75,7 +75,7 @@ class Plant:
         try:
             self._run()
         except JsbsimError as error:
-            raise ModelError(f"{self._model.file}: in flight: {one_line(str(error))}") from error
+            raise model_error(self._model, f"in flight: {error}") from error
         self._steps += 1
 
     def inner(self) -> Inner:
@@ -253,7 +253,7 @@ class Plant:
     def _node(self, name: str) -> PropertyNode:
         node = self._fdm.get_property_manager().get_node(name)
         if node is None:
-            raise ModelError(f"{self._model.file}: has no property {name}")
+            raise model_error(self._model, f"has no property {name}")
         return node
 
     def _vector_getter(self, names: list[str], unit: float) -> Callable[[], Vec3]:

@@ -1,0 +1,119 @@
+"""`vfguide replay`."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vfguide.cli.exit_status import BAD, GOOD
+
+if TYPE_CHECKING:
+    from vfguide.link.tlog import TlogReader
+    from vfguide.replay.compare import Comparison
+
+
+def replay(
+    log: Annotated[Path, typer.Argument(help="Log of a companion, vehicle-ID.tlog.")],
+    scenario: Annotated[
+        str | None, typer.Option(help="What was flown. [default: scenario.toml beside the log]")
+    ] = None,
+    vehicle: Annotated[
+        int | None, typer.Option(help="Which vehicle. [default: the only one in the log]")
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Change a key, as in guidance.k_w=3."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Folder for what the companion receives and sends now.")
+    ] = None,
+) -> None:
+    """Feed recorded inputs through the same companion, compare its setpoints.
+
+    Exit status 0: identical to the bit. 1: different, the first difference is named.
+
+    Example: vfguide replay results/vehicle-1.tlog
+    """
+    from contextlib import ExitStack
+
+    from vfguide.cli.console import out as console
+    from vfguide.link.tlog import TlogWriter
+    from vfguide.replay.compare import Replay
+    from vfguide.scenario.crew import plan_of, vehicle_of
+    from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.run import prepare_folder
+
+    reader = open_log(log)
+    loaded = load_scenario(scenario or str(log.parent / "scenario.toml"), set_ or [])
+    sysid = vehicle if vehicle is not None else only_vehicle(log, reader)
+    plan = plan_of(loaded, vehicle_of(loaded.scenario, sysid))
+    with ExitStack() as stack:
+        record = ignore
+        if out is not None:
+            prepare_folder(out)
+            record = stack.enter_context(TlogWriter(out / f"vehicle-{sysid}.tlog")).write
+        found = Replay(sysid, plan, record).compare(reader)
+    require_setpoints(log, sysid, found)
+    console.print(f"vehicle {sysid}: {found.recorded} setpoints recorded, {found.replayed} now")
+    if found.difference is None:
+        console.print("identical")
+        raise typer.Exit(GOOD)
+    first = found.difference
+    console.print(f"different, first at setpoint {first.index} ({first.time} us): {first.what}")
+    raise typer.Exit(BAD)
+
+
+def ignore(_: int, __: bytes) -> None:
+    """Record nothing."""
+
+
+def open_log(path: Path) -> "TlogReader":
+    """The log.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    from vfguide.link.tlog import TlogError, TlogReader
+    from vfguide.scenario.errors import InputError
+
+    if path.suffix != ".tlog":
+        raise InputError(f"{path}: not a .tlog; other kinds of logs are not supported yet")
+    try:
+        return TlogReader.open(path)
+    except TlogError as error:
+        raise InputError(str(error)) from error
+
+
+def only_vehicle(path: Path, reader: "TlogReader") -> int:
+    """The vehicle whose companion speaks in the log.
+
+    Raises:
+        InputError: it is not one.
+    """
+    from vfguide.replay.compare import companions_in
+    from vfguide.scenario.errors import InputError
+
+    companions = companions_in(reader)
+    if not companions:
+        raise InputError(f"{path}: no companion speaks in it, so there is nothing to compare")
+    if len(companions) > 1:
+        known = ", ".join(map(str, companions))
+        raise InputError(f"{path}: several companions speak in it, choose --vehicle from {known}")
+    return companions[0]
+
+
+def require_setpoints(path: Path, sysid: int, found: "Comparison") -> None:
+    """Make sure that there was something to compare.
+
+    Raises:
+        InputError: the log has no setpoint of this vehicle.
+    """
+    from vfguide.scenario.errors import InputError
+
+    if not found.recorded:
+        raise InputError(f"{path}: no setpoint of vehicle {sysid} in it")
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(replay)

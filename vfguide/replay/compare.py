@@ -1,0 +1,102 @@
+"""Recorded inputs through the same companion, its setpoints compared with the recorded ones."""
+
+from collections.abc import Iterable, Iterator
+from itertools import zip_longest
+from typing import NamedTuple
+
+from vfguide.companion.companion import Companion
+from vfguide.companion.plan import Plan
+from vfguide.companion.session import Record, Session
+from vfguide.link.codec import Frame, Parser, decode
+from vfguide.link.enums import MavComponent
+from vfguide.link.messages import SetAttitudeTarget
+
+Timed = tuple[int, Frame]
+"""A frame and its time [us since 1970]."""
+
+
+class Difference(NamedTuple):
+    """The first setpoint that is not the recorded one."""
+
+    index: int
+    """Of the setpoint, from 0."""
+    time: int
+    """[us since 1970]."""
+    what: str
+    """The field and its two values, or which of the two is missing."""
+
+
+class Comparison(NamedTuple):
+    """What a replay found."""
+
+    recorded: int
+    """Setpoints in the log."""
+    replayed: int
+    """Setpoints that the companion made of the same inputs."""
+    difference: Difference | None
+
+
+class Replay:
+    """One companion fed with a log."""
+
+    def __init__(self, sysid: int, plan: Plan, record: Record) -> None:
+        """A replay for one vehicle.
+
+        Args:
+            sysid: MAVLink system of the vehicle.
+            plan: what its companion was asked to do.
+            record: takes what the companion receives and sends now.
+        """
+        self._sysid = sysid
+        self._session = Session(Companion(sysid, plan, engage=False), record)
+
+    def compare(self, log: Iterable[Timed]) -> Comparison:
+        """Feed the whole log; setpoints are compared one by one, in their order."""
+        recorded: list[Timed] = []
+        replayed: list[Timed] = []
+        for time, frame in log:
+            if self._is_setpoint(frame):
+                recorded.append((time, frame))
+            elif frame.compid == MavComponent.AUTOPILOT1:
+                replayed += self._answers(time, frame)
+        return Comparison(len(recorded), len(replayed), first_difference(recorded, replayed))
+
+    def _answers(self, time: int, frame: Frame) -> Iterator[Timed]:
+        """The setpoints that a received frame leads to."""
+        for raw in self._session.receive(time, frame.raw):
+            for answer in Parser().feed(raw):
+                if self._is_setpoint(answer):
+                    yield time, answer
+
+    def _is_setpoint(self, frame: Frame) -> bool:
+        companion = frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
+        return companion and frame.msgid == SetAttitudeTarget.MSGID
+
+
+def first_difference(recorded: list[Timed], replayed: list[Timed]) -> Difference | None:
+    """The first setpoint whose bytes differ, the time of sending included."""
+    for index, (old, new) in enumerate(zip_longest(recorded, replayed)):
+        if old is None:
+            return Difference(index, new[0], "the log has no such setpoint, the replay has")
+        if new is None:
+            return Difference(index, old[0], "the replay has no such setpoint, the log has")
+        if old[1].payload != new[1].payload:
+            return Difference(index, old[0], field_difference(old[1], new[1]))
+        if old[0] != new[0]:
+            return Difference(index, old[0], f"time of sending: recorded {old[0]}, now {new[0]} us")
+    return None
+
+
+def field_difference(old: Frame, new: Frame) -> str:
+    """The first field in which two setpoints differ."""
+    before, after = decode(old), decode(new)
+    if isinstance(before, SetAttitudeTarget) and isinstance(after, SetAttitudeTarget):
+        for name, was, now in zip(before._fields, before, after, strict=True):
+            if was != now:
+                return f"{name}: recorded {was!r}, now {now!r}"
+    return f"payload: recorded {old.payload.hex()}, now {new.payload.hex()}"
+
+
+def companions_in(log: Iterable[Timed]) -> list[int]:
+    """Systems whose companion speaks in a log, ascending."""
+    return sorted({frame.sysid for _, frame in log if frame.compid == MavComponent.PATHPLANNER})
