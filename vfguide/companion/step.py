@@ -7,11 +7,11 @@ import math
 from typing import NamedTuple
 
 from vfguide.companion.plan import Goal, Plan
-from vfguide.flight.guidance import Memory, Target, Wish, fresh_memory, guide, next_leg
+from vfguide.flight.guidance import Memory, Target, Wish, fresh_memory, next_leg
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
-from vfguide.safety.limits import limit_setpoint
+from vfguide.safety.limits import guide_within_limits
 
 GATE = 200.0
 """A goal is passed only closer than this [m]; farther away it is not yet approached."""
@@ -38,9 +38,10 @@ def step(
     """The setpoint for this state, within the limits of the aircraft."""
     memory = note_pass(state, plan, memory)
     target = target_of(plan, memory.goal)
-    wanted, flight, wish = guide(state, target, plan.aircraft, plan.gains, memory.flight)
-    after = RouteMemory(memory.goal, state, flight)
-    return limit_setpoint(wanted, plan.aircraft), after, wish
+    setpoint, flight, wish = guide_within_limits(
+        state, target, plan.aircraft, plan.gains, memory.flight
+    )
+    return setpoint, RouteMemory(memory.goal, state, flight), wish
 
 
 def target_of(plan: Plan, index: int) -> Target:

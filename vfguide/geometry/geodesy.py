@@ -96,3 +96,14 @@ def R_level(plane: TangentPlane, lat: float, lon: float) -> Mat3:
     is; 1 km from the origin the two differ by about 0.01 degree.
     """
     return matmul(transpose(plane.R_en), R_en(lat, lon))
+
+
+@compiled
+def place_in_plane(
+    plane: TangentPlane, lat: float, lon: float, alt: float, v_l: Vec3
+) -> tuple[Vec3, Vec3]:
+    """Position p_n [m] and velocity v_n [m/s] in the plane, of a vehicle at (lat, lon, alt).
+
+    `v_l` is its velocity north-east-down where it is.
+    """
+    return geodetic_to_ned(plane, lat, lon, alt), matvec(R_level(plane, lat, lon), v_l)

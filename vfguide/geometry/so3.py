@@ -113,3 +113,9 @@ def to_euler(R_nb: Mat3) -> Vec3:
     pitch = math.atan2(-R_nb[2][0], c * R_nb[0][0] + s * R_nb[1][0])
     roll = math.atan2(s * R_nb[0][2] - c * R_nb[1][2], c * R_nb[1][1] - s * R_nb[0][1])
     return (roll, pitch, yaw)
+
+
+@compiled
+def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
+    """`to_quaternion` of `from_euler`, in one call from Python."""
+    return to_quaternion(from_euler(roll, pitch, yaw))

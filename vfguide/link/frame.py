@@ -132,8 +132,12 @@ class Parser:
         self._unknown_end = 0  # in _rest: up to here an unknown frame claims the bytes
         self._last_seq: dict[tuple[int, int], int] = {}
 
-    def feed(self, data: bytes) -> list[Frame]:
-        """Takes the next bytes of the stream; returns the frames that they complete."""
+    def feed(self, data: bytes, whole: bool = False) -> list[Frame]:
+        """Takes the next bytes of the stream; returns the frames that they complete.
+
+        `whole`: nothing of what ends here goes on in the next piece, as with a datagram; what is
+        incomplete is junk.
+        """
         buffer = self._rest + data
         frames: list[Frame] = []
         position = 0
@@ -142,7 +146,7 @@ class Parser:
             self._skip(position, start)
             position = start
             found = frame_at(buffer, start)
-            if found is Flaw.INCOMPLETE:
+            if found is Flaw.INCOMPLETE and not whole:
                 break
             if isinstance(found, Frame):
                 frames.append(found)

@@ -1,11 +1,21 @@
-"""The last function before a setpoint leaves: no value outside the aircraft's limits."""
+"""The flight law as it may be used: no value outside the aircraft's limits leaves here."""
 
 import math
 
-from vfguide.flight.performance import Performance
-from vfguide.flight.state import RateSetpoint
+from vfguide.flight.guidance import Memory, Target, Wish, guide
+from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+
+
+@compiled
+def guide_within_limits(
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
+) -> tuple[RateSetpoint, Memory, Wish]:
+    """One step of the flight law, its setpoint limited."""
+    wanted, memory, wish = guide(state, target, aircraft, gains, memory)
+    return limit_setpoint(wanted, aircraft), memory, wish
 
 
 @compiled

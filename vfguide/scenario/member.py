@@ -7,9 +7,8 @@ import numpy as np
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
-from vfguide.geometry.geodesy import R_level, geodetic_to_ned
+from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import matvec
 from vfguide.link.codec import Encoder
 from vfguide.scenario.crew import frame_of, plan_of, simulate
 from vfguide.scenario.load import LoadedScenario
@@ -84,9 +83,9 @@ class Member:
         self._write_truth(
             self.sim.now, self._truth_encoder.encode(truth_message(self.sim.now, truth))
         )
-        p_n = geodetic_to_ned(self._frame, truth.latitude, truth.longitude, truth.altitude)
-        R_nl = R_level(self._frame, truth.latitude, truth.longitude)
-        v_n = matvec(R_nl, truth.v_n)
+        p_n, v_n = place_in_plane(
+            self._frame, truth.latitude, truth.longitude, truth.altitude, truth.v_n
+        )
         self.legs.feed(Sample(truth.time, p_n, v_n))
         self._rows.append(
             (

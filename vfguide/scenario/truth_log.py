@@ -1,7 +1,7 @@
 """The truth in the log: HIL_STATE_QUATERNION, which no companion sees."""
 
 from vfguide.geometry.atmosphere import calibrated_airspeed
-from vfguide.geometry.so3 import from_euler, to_quaternion
+from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.sim.truth import Truth
@@ -15,7 +15,7 @@ def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
     """The truth at the date `now` [us since 1970]; the altitude is above the ellipsoid."""
     return HilStateQuaternion(
         now,
-        to_quaternion(from_euler(truth.roll, truth.pitch, truth.yaw)),
+        quaternion_from_euler(truth.roll, truth.pitch, truth.yaw),
         *truth.omega_b,
         round(truth.latitude / DEG_E7),
         round(truth.longitude / DEG_E7),

@@ -23,6 +23,12 @@ from vfguide.sim.signals import ControlTuple, Inner
 from vfguide.sim.telemetry import MAKERS, Report
 from vfguide.sim.truth import Truth
 
+ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+THROTTLE_IGNORE = int(AttitudeTypeMask.THROTTLE_IGNORE)
+ROLL_RATE_IGNORE = int(AttitudeTypeMask.BODY_ROLL_RATE_IGNORE)
+PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
+YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
+"""Bits of the type mask as plain integers: flags of an enumeration cost a microsecond each."""
 K_ATTITUDE = 2.5
 """Attitude gain for setpoints of attitude [1/s], PX4's FW_R_TC of 0.4 s."""
 
@@ -152,16 +158,15 @@ class Autopilot:
         if sp is None:
             return
         mask = sp.type_mask
-        if mask & AttitudeTypeMask.ATTITUDE_IGNORE:
+        if mask & ATTITUDE_IGNORE:
             omega_b = (
-                0.0 if mask & AttitudeTypeMask.BODY_ROLL_RATE_IGNORE else sp.body_roll_rate,
-                0.0 if mask & AttitudeTypeMask.BODY_PITCH_RATE_IGNORE else sp.body_pitch_rate,
-                0.0 if mask & AttitudeTypeMask.BODY_YAW_RATE_IGNORE else sp.body_yaw_rate,
+                0.0 if mask & ROLL_RATE_IGNORE else sp.body_roll_rate,
+                0.0 if mask & PITCH_RATE_IGNORE else sp.body_pitch_rate,
+                0.0 if mask & YAW_RATE_IGNORE else sp.body_yaw_rate,
             )
         else:
             omega_b = self._rates_for_attitude(sp)
-        thrust = 0.0 if mask & AttitudeTypeMask.THROTTLE_IGNORE else sp.thrust
-        self._wanted = (*omega_b, thrust)
+        self._wanted = (*omega_b, 0.0 if mask & THROTTLE_IGNORE else sp.thrust)
 
     def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
         """Roll and pitch of the quaternion, the yaw of a coordinated turn."""
@@ -174,4 +179,4 @@ class Autopilot:
             turn * math.cos(roll) * math.cos(pitch),
         )
         R_na = from_euler(roll, pitch, yaw)
-        return rate_law(self.estimate.R_nb, R_na, coordinated, K_ATTITUDE)
+        return rate_law(from_euler(*self.estimate.euler), R_na, coordinated, K_ATTITUDE)

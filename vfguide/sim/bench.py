@@ -25,11 +25,8 @@ class Bench:
         self._altitude = altitude
         start = self._start(FlightCondition(_FIRST_AIRSPEED))
         self._plant = Plant(model, start, ground_altitude=altitude - _CLEAR_OF_GROUND)
-
-    @property
-    def density(self) -> float:
+        self.density = self._plant.truth().density
         """Air density [kg/m^3]."""
-        return self._plant.truth().density
 
     @property
     def mass(self) -> float:

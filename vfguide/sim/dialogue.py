@@ -59,9 +59,9 @@ Outcome = tuple[MavResult, list[Message]]
 
 
 def receive(autopilot: Autopilot, port: Port, data: bytes) -> list[bytes]:
-    """Takes bytes that arrived on a port; returns the frames that answer them at once."""
+    """Takes a datagram that arrived on a port; returns the frames that answer it at once."""
     out: list[Message] = []
-    for frame in port.parser.feed(data):
+    for frame in port.parser.feed(data, whole=True):
         message = decode(frame)
         if message is not None and is_addressed(message, autopilot.sysid):
             port.hear(frame, message)

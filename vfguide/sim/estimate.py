@@ -4,8 +4,7 @@ from typing import NamedTuple
 
 from vfguide.geometry.atmosphere import calibrated_airspeed, isa_density
 from vfguide.geometry.projection import project
-from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.vector import Mat3, Vec3, add, scale, sub
+from vfguide.geometry.vector import Vec3
 from vfguide.sim.truth import Truth
 
 WIND_SMOOTHING = 5.0
@@ -27,7 +26,6 @@ class Estimate(NamedTuple):
     """Velocity over ground, NED [m/s]."""
     euler: Vec3
     """Roll, pitch, yaw [rad]."""
-    R_nb: Mat3
     omega_b: Vec3
     """Body rates [rad/s]."""
     calibrated_airspeed: float
@@ -64,20 +62,24 @@ class Estimator:
         origin = self.origin
         blend = min((truth.time - self._time) / WIND_SMOOTHING, 1.0)
         self._time = truth.time
-        self._wind_n = add(self._wind_n, scale(blend, sub(truth.wind_n, self._wind_n)))
-        north, east = project(origin.latitude, origin.longitude, truth.latitude, truth.longitude)
-        density = isa_density(truth.altitude)
+        n, e, d = self._wind_n
+        north, east, down = truth.wind_n
+        self._wind_n = (
+            n + blend * (north - n),
+            e + blend * (east - e),
+            d + blend * (down - d),
+        )
+        x, y = project(origin.latitude, origin.longitude, truth.latitude, truth.longitude)
         return Estimate(
             truth.time,
             truth.latitude,
             truth.longitude,
             truth.altitude,
-            (north, east, origin.altitude - truth.altitude),
+            (x, y, origin.altitude - truth.altitude),
             truth.v_n,
             (truth.roll, truth.pitch, truth.yaw),
-            from_euler(truth.roll, truth.pitch, truth.yaw),
             truth.omega_b,
-            calibrated_airspeed(truth.airspeed, density),
+            calibrated_airspeed(truth.airspeed, isa_density(truth.altitude)),
             truth.airspeed,
             self._wind_n,
         )

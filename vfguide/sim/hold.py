@@ -2,11 +2,12 @@
 
 import math
 
-from vfguide.flight.guidance import Memory, Target, fresh_memory, guide
+from vfguide.flight.guidance import Memory, Target, fresh_memory
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
-from vfguide.safety.limits import limit_setpoint
+from vfguide.geometry.so3 import from_euler
+from vfguide.safety.limits import guide_within_limits
 from vfguide.sim.estimate import Estimate, Origin
 
 RADIUS = 100.0
@@ -51,11 +52,11 @@ class Hold:
             estimate.time,
             p_n,
             estimate.v_n,
-            estimate.R_nb,
+            from_euler(*estimate.euler),
             estimate.true_airspeed,
             estimate.wind_n,
         )
-        wanted, self._memory, _ = guide(
+        wanted, self._memory, _ = guide_within_limits(
             state, self._target, self._aircraft, self._gains, self._memory
         )
-        return limit_setpoint(wanted, self._aircraft)
+        return wanted

@@ -20,7 +20,7 @@ from vfguide.sim.trim import trim
 Vector = NDArray[np.float64]
 
 _STEPS = np.array([1.0 * DEG, 1.0 * DEG, 5.0 * DEG, 5.0 * DEG, 5.0 * DEG, 0.1, 0.1, 0.1])
-"""Half-widths of the differences: alpha, beta, p, q, r, aileron, elevator, rudder."""
+"""To each side, for the differences: alpha, beta, p, q, r, aileron, elevator, rudder."""
 _CONDITION_MAX = 1e4
 """Condition number of the control effectiveness beyond which an axis is without control."""
 
@@ -102,14 +102,21 @@ def _with_variables(condition: FlightCondition, variables: Vector) -> FlightCond
 
 
 def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Vector:
-    """Derivatives of (p', q', r') by the eight variables, from central differences; (3, 8)."""
+    """Derivatives of (p', q', r') by the eight variables, from differences of both sides; (3, 8).
+
+    A surface near its stop is moved up to there only.
+    """
 
     def omega_dot(variables: Vector) -> Vector:
         return bench.accelerations(_with_variables(cruise, variables))[3:]
 
-    shifts = np.diag(_STEPS)
-    differences = [omega_dot(middle + shift) - omega_dot(middle - shift) for shift in shifts]
-    return np.column_stack(differences) / (2.0 * _STEPS)
+    def slope(column: int) -> Vector:
+        low, high = middle.copy(), middle.copy()
+        low[column] = max(middle[column] - _STEPS[column], -1.0)
+        high[column] = min(middle[column] + _STEPS[column], 1.0)
+        return (omega_dot(high) - omega_dot(low)) / (high[column] - low[column])
+
+    return np.column_stack([slope(column) for column in range(middle.size)])
 
 
 def _gyroscopic(inertia_b: Mat3) -> Vector:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from vfguide.geometry.so3 import to_quaternion
+from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM, MS, PERCENT
 from vfguide.link.enums import (
     AttitudeTypeMask,
@@ -95,7 +95,7 @@ def attitude(report: Report) -> Attitude:
 
 def attitude_quaternion(report: Report) -> AttitudeQuaternion:
     """ATTITUDE_QUATERNION."""
-    w, x, y, z = to_quaternion(report.estimate.R_nb)
+    w, x, y, z = quaternion_from_euler(*report.estimate.euler)
     return AttitudeQuaternion(report.time_boot_ms, w, x, y, z, *report.estimate.omega_b)
 
 

@@ -68,14 +68,22 @@ class Vehicle:
 
     def advance(self, steps: int) -> None:
         """Fly on: the rate loop at every step of the plant, then the autopilot's slower part."""
+        self.fly(steps)
+        self.renew()
+
+    def fly(self, steps: int) -> None:
+        """Fly on with the rate loop alone.
+
+        Raises:
+            ModelError: the model fails in flight.
+        """
         plant, control = self.plant, self.autopilot.control
         for _ in range(steps):
             plant.advance(control(plant.inner(), STEP))
-        self.truth = plant.truth()
-        self.renew()
 
     def renew(self) -> None:
         """The autopilot looks at the vehicle."""
+        self.truth = self.plant.truth()
         self.autopilot.update(self.now, self.truth)
 
     def connect(self, rates: dict[int, float]) -> Port:
