@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from vfguide import __version__
-from vfguide.cli import check, replay, run
+from vfguide.cli import check, replay, run, sim
 from vfguide.cli.console import complain
 from vfguide.cli.exit_status import BAD_INPUT, INTERRUPTED
 
@@ -22,6 +22,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 run.add_to(app)
+sim.add_to(app)
 check.add_to(app)
 replay.add_to(app)
 

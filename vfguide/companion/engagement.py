@@ -14,6 +14,8 @@ class Phase(Enum):
     """No autopilot is heard, or one that already follows somebody's setpoints: silent."""
     OFFERING = auto()
     """Setpoints go out, the autopilot flies in a mode of its own."""
+    ASKING = auto()
+    """The same, and the autopilot was asked to follow them."""
     FLYING = auto()
     """The autopilot follows the setpoints."""
     INTERRUPTED = auto()
@@ -24,52 +26,55 @@ class Phase(Enum):
     """Somebody else took over: silent."""
     ENDED = auto()
     """Control was handed over, or never taken: silent."""
+    UNCONFIRMED = auto()
+    """Stopped without knowing what the autopilot flies: silent."""
 
 
 class Event(Enum):
     """What can happen."""
 
     OFFBOARD_SEEN = auto()
-    """A heartbeat tells that the autopilot follows setpoints."""
+    """The autopilot tells that it follows setpoints."""
     OTHER_MODE_SEEN = auto()
-    """A heartbeat tells of any other mode."""
+    """It tells of any other mode."""
     LINK_LOST = auto()
     """No heartbeat for three seconds."""
+    OFFBOARD_ASKED = auto()
+    """The companion asks the autopilot to follow."""
+    ASKING_GIVEN_UP = auto()
+    """It will not ask again: the decision is the operator's."""
     STOP_ASKED = auto()
     """The operator of the companion ends it."""
 
 
-SENDING = frozenset({Phase.OFFERING, Phase.FLYING, Phase.RETURNING})
+SENDING = frozenset({Phase.OFFERING, Phase.ASKING, Phase.FLYING, Phase.RETURNING})
 """Phases in which setpoints go out."""
+OVER = frozenset({Phase.ENDED, Phase.UNCONFIRMED})
+"""Phases after which nothing comes."""
 
-NEXT: dict[tuple[Phase, Event], Phase] = {
-    (Phase.SEARCHING, Event.OFFBOARD_SEEN): Phase.SEARCHING,
+_CHANGES: dict[tuple[Phase, Event], Phase] = {
     (Phase.SEARCHING, Event.OTHER_MODE_SEEN): Phase.OFFERING,
-    (Phase.SEARCHING, Event.LINK_LOST): Phase.SEARCHING,
     (Phase.SEARCHING, Event.STOP_ASKED): Phase.ENDED,
     (Phase.OFFERING, Event.OFFBOARD_SEEN): Phase.FLYING,
-    (Phase.OFFERING, Event.OTHER_MODE_SEEN): Phase.OFFERING,
     (Phase.OFFERING, Event.LINK_LOST): Phase.SEARCHING,
+    (Phase.OFFERING, Event.OFFBOARD_ASKED): Phase.ASKING,
     (Phase.OFFERING, Event.STOP_ASKED): Phase.ENDED,
-    (Phase.FLYING, Event.OFFBOARD_SEEN): Phase.FLYING,
+    (Phase.ASKING, Event.OFFBOARD_SEEN): Phase.FLYING,
+    (Phase.ASKING, Event.LINK_LOST): Phase.SEARCHING,
+    (Phase.ASKING, Event.ASKING_GIVEN_UP): Phase.OFFERING,
+    (Phase.ASKING, Event.STOP_ASKED): Phase.RETURNING,
     (Phase.FLYING, Event.OTHER_MODE_SEEN): Phase.RELEASED,
     (Phase.FLYING, Event.LINK_LOST): Phase.INTERRUPTED,
     (Phase.FLYING, Event.STOP_ASKED): Phase.RETURNING,
     (Phase.INTERRUPTED, Event.OFFBOARD_SEEN): Phase.FLYING,
     (Phase.INTERRUPTED, Event.OTHER_MODE_SEEN): Phase.RELEASED,
-    (Phase.INTERRUPTED, Event.LINK_LOST): Phase.INTERRUPTED,
-    (Phase.INTERRUPTED, Event.STOP_ASKED): Phase.ENDED,
-    (Phase.RETURNING, Event.OFFBOARD_SEEN): Phase.RETURNING,
+    (Phase.INTERRUPTED, Event.STOP_ASKED): Phase.UNCONFIRMED,
     (Phase.RETURNING, Event.OTHER_MODE_SEEN): Phase.ENDED,
-    (Phase.RETURNING, Event.LINK_LOST): Phase.ENDED,
-    (Phase.RETURNING, Event.STOP_ASKED): Phase.RETURNING,
-    (Phase.RELEASED, Event.OFFBOARD_SEEN): Phase.RELEASED,
-    (Phase.RELEASED, Event.OTHER_MODE_SEEN): Phase.RELEASED,
-    (Phase.RELEASED, Event.LINK_LOST): Phase.RELEASED,
+    (Phase.RETURNING, Event.LINK_LOST): Phase.UNCONFIRMED,
     (Phase.RELEASED, Event.STOP_ASKED): Phase.ENDED,
-    (Phase.ENDED, Event.OFFBOARD_SEEN): Phase.ENDED,
-    (Phase.ENDED, Event.OTHER_MODE_SEEN): Phase.ENDED,
-    (Phase.ENDED, Event.LINK_LOST): Phase.ENDED,
-    (Phase.ENDED, Event.STOP_ASKED): Phase.ENDED,
 }
-"""Every pair of phase and event."""
+
+NEXT: dict[tuple[Phase, Event], Phase] = {
+    (phase, event): _CHANGES.get((phase, event), phase) for phase in Phase for event in Event
+}
+"""Every pair of phase and event; what is not listed as a change changes nothing."""

@@ -15,6 +15,12 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
 
+ROLL_IN = 0.5
+"""Time that the aircraft takes to roll into a turn [s]."""
+LINEAR = 0.03
+"""Where the attraction to a circle is linear, in radii."""
+
+
 class Planar(NamedTuple):
     """Position [m] and ground velocity [m/s] in the horizontal plane of the goal frame."""
 
@@ -66,38 +72,34 @@ def arc_to_goal(x: float, y: float) -> float:
 def circle_course(at: Planar, side: float, radius: float) -> Course:
     """Tangent onto the goal circle of `side` (+1: a right-hand turn), then round it.
 
-    Within 15 % of the radius the angle off the circle falls linearly, so that its rate
-    stays finite where the exact tangent's does not.
+    The turn rate is that of the circle; it sets in on the last `ROLL_IN` of the tangent,
+    since the roll takes that long.
     """
     dx, dy = -at.x, side * radius - at.y
     distance = max(math.hypot(dx, dy), 1e-3)
-    distance_rate = -(dx * at.vx + dy * at.vy) / distance
-    bearing = math.atan2(dy, dx)
-    bearing_rate = (dy * at.vx - dx * at.vy) / (distance * distance)
-    offset, slope = inward_angle(distance, radius)
-    chi = wrap(bearing - side * (0.5 * math.pi - offset))
-    chi_rate = bearing_rate + side * slope * distance_rate
+    tangent = math.sqrt(max(distance * distance - radius * radius, 0.0))
+    speed = max(math.hypot(at.vx, at.vy), 1e-3)
+    onset = max(0.0, 1.0 - tangent / (speed * ROLL_IN))
+    chi = wrap(math.atan2(dy, dx) - side * (0.5 * math.pi - inward_angle(distance, radius)))
     arc = (-side * chi) % (2.0 * math.pi)
     if arc > 2.0 * math.pi - 0.15:
         arc -= 2.0 * math.pi
-    tangent = math.sqrt(max(distance * distance - radius * radius, 0.0))
-    return Course(chi, chi_rate, tangent + radius * max(arc, 0.0))
+    return Course(chi, side * onset * speed / radius, tangent + radius * max(arc, 0.0))
 
 
 @compiled
-def inward_angle(distance: float, radius: float) -> tuple[float, float]:
-    """Angle of the wanted course inward from the circle's direction [rad] and its slope [rad/m]."""
-    near = 1.15 * radius
+def inward_angle(distance: float, radius: float) -> float:
+    """Angle of the wanted course inward from the circle's own direction [rad].
+
+    Outside it is that of the tangent, next to the circle linear: the tangent's has no bound
+    on its slope there.
+    """
+    near = (1.0 + LINEAR) * radius
     if distance >= near:
-        ratio = radius / distance
-        return math.acos(ratio), ratio / (distance * math.sqrt(1.0 - ratio * ratio))
+        return math.acos(radius / distance)
     if distance >= radius:
-        slope = math.acos(1.0 / 1.15) / (near - radius)
-        return slope * (distance - radius), slope
-    slope = 2.0 / radius
-    if distance < 0.5 * radius:
-        return -1.0, 0.0
-    return slope * (distance - radius), slope
+        return math.acos(radius / near) * (distance - radius) / (near - radius)
+    return max(-1.0, 2.0 * (distance - radius) / radius)
 
 
 @compiled

@@ -132,7 +132,7 @@ class Parser:
         self._unknown_end = 0  # in _rest: up to here an unknown frame claims the bytes
         self._last_seq: dict[tuple[int, int], int] = {}
 
-    def feed(self, data: bytes, whole: bool = False) -> list[Frame]:
+    def feed(self, data: bytes, *, whole: bool = False) -> list[Frame]:
         """Takes the next bytes of the stream; returns the frames that they complete.
 
         `whole`: nothing of what ends here goes on in the next piece, as with a datagram; what is

@@ -5,11 +5,12 @@ import math
 import numpy as np
 
 from vfguide.companion.plan import Goal, Plan
-from vfguide.geometry.geodesy import TangentPlane, ned_to_geodetic, tangent_plane
+from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG, US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.resolve import plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.sim.bench import Bench
@@ -25,12 +26,6 @@ GUSTS = 1
 SIDES = {"right": 1.0, "left": -1.0}
 LOITER_RADIUS = 100.0
 """Of the circle after the last goal [m]; more where wind and bank ask for it."""
-
-
-def frame_of(scenario: Scenario) -> TangentPlane:
-    """The tangent plane of the scenario frame."""
-    origin = scenario.origin
-    return tangent_plane(origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
 
 
 def start_us(scenario: Scenario) -> int:
@@ -55,7 +50,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
     """What the companion of a vehicle is asked to do."""
     guidance = loaded.scenario.guidance
     return Plan(
-        frame_of(loaded.scenario),
+        plane_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
         SIDES[guidance.loiter],
         LOITER_RADIUS,
@@ -93,7 +88,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
     scenario = loaded.scenario
     files = loaded.files[vehicle.aircraft]
     model = Model(files.root, vehicle.aircraft)
-    latitude, longitude, altitude = ned_to_geodetic(frame_of(scenario), vehicle.position_m)
+    latitude, longitude, altitude = ned_to_geodetic(plane_of(scenario.origin), vehicle.position_m)
     condition = trim(Bench(model, altitude), vehicle.airspeed_mps)
     return Setup(
         vehicle.id,

@@ -4,11 +4,12 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from vfguide.link.tlog import TlogWriter
 from vfguide.scenario.crew import start_us
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.member import Member
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.resolved import Vehicle
@@ -59,12 +60,14 @@ class Logs:
         return write
 
 
-def warm_up(loaded: LoadedScenario) -> None:
-    """Fly a moment of the first vehicle for nothing: compiles or loads all compiled code."""
+@cache
+def warm_up() -> None:
+    """Fly a moment for nothing: compiles or loads all compiled code, once in a process."""
 
     def ignore(_: int, __: bytes) -> None:
         pass
 
+    loaded = load_scenario("first-flight")
     member = Member(loaded, loaded.scenario.vehicles[0], ignore, ignore)
     for _ in range(WARM_UP_UPDATES):
         member.fly(1)
@@ -82,7 +85,7 @@ def fly_scenario(
         TlogError: a log cannot be written.
     """
     scenario = loaded.scenario
-    warm_up(loaded)
+    warm_up()
     with ExitStack() as stack:
         logs = Logs(folder, stack)
         members = [

@@ -10,11 +10,13 @@ from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import G0
 from vfguide.link.codec import Encoder
-from vfguide.scenario.crew import frame_of, plan_of, simulate
+from vfguide.scenario.crew import plan_of, simulate
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.resolve import plane_of
 from vfguide.scenario.resolved import Vehicle
+from vfguide.scenario.result import TOUCH
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.sim.port import ONBOARD
 
@@ -47,7 +49,7 @@ class Member:
         self.sim = simulate(loaded, vehicle)
         self.companion = Companion(vehicle.id, plan_of(loaded, vehicle), engage=True)
         self.legs = Legs(vehicle.goals)
-        self._frame = frame_of(loaded.scenario)
+        self._frame = plane_of(loaded.scenario.origin)
         self._port = self.sim.connect(ONBOARD)
         self._session = Session(self.companion, write_own)
         self._write_truth = write_truth
@@ -60,7 +62,7 @@ class Member:
     @property
     def grounded(self) -> bool:
         """Whether the flight has ended on the ground."""
-        return self.sim.truth.height_above_ground <= 0.0
+        return self.sim.truth.height_above_ground <= TOUCH
 
     def fly(self, steps: int) -> None:
         """Fly on for some steps of the plant, then let autopilot and companion speak."""

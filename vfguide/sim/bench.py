@@ -16,6 +16,9 @@ _FIRST_AIRSPEED = 50.0
 class Bench:
     """`model` at `altitude` [m] above the ellipsoid, which sets the density of the air.
 
+    JSBSim keeps rounding errors of one condition into the next: the same questions in the same
+    order have identical answers, in another order they may differ in the last digit.
+
     Raises:
         ModelError: the model is missing, unreadable or broken.
     """

@@ -91,7 +91,11 @@ class Start:
 
 
 class Turbulence(Enum):
-    """MIL-F-8785C: wind at 20 ft [m/s], and JSBSim's index of the probability of exceedance."""
+    """MIL-F-8785C: wind at 20 ft [m/s], and JSBSim's index of the probability of exceedance.
+
+    The wind counts below 1000 ft, the index above 2000 ft, both in between. JSBSim takes these
+    heights above the sea, not above ground: over high ground its gusts are stronger.
+    """
 
     NONE = (0.0, 0)
     LIGHT = (15.0 * KT, 3)

@@ -40,9 +40,9 @@ def load(model: Model, dt: float) -> Fdm:
         if loaded and fdm.run_ic() and not journal.fatal:
             return fdm
     except JsbsimError as error:
-        _never_free(fdm)
+        never_free(fdm)
         raise model_error(model, journal.text or str(error)) from error
-    _never_free(fdm)
+    never_free(fdm)
     raise model_error(model, journal.text or "JSBSim cannot load it")
 
 
@@ -90,7 +90,7 @@ def _require_file(model: Model) -> None:
         raise ModelError(f"{model.file}: no such file; a JSBSim model is NAME/NAME.xml")
 
 
-def _never_free(fdm: Fdm) -> None:
+def never_free(fdm: Fdm) -> None:
     """Keep `fdm` to the end of the process and beyond.
 
     The destructor of JSBSim 1.3.3 evaluates the model's functions once more; the error that

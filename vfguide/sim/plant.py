@@ -7,7 +7,7 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
 from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
-from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error
+from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
 from vfguide.sim.signals import ControlTuple, Inner
 from vfguide.sim.truth import Truth
 
@@ -75,6 +75,7 @@ class Plant:
         try:
             self._run()
         except JsbsimError as error:
+            never_free(self._fdm)
             raise model_error(self._model, f"in flight: {error}") from error
         self._steps += 1
 

@@ -28,7 +28,7 @@ RateTable = NDArray[np.float64]
 """Shape (3, COLUMNS)."""
 
 LOWEST_AIRSPEED = 10.0
-"""Below it the loop no longer raises its gains as the air gets thinner [m/s]."""
+"""Below it the loop takes this, so that its gains stay finite [m/s]."""
 PROPORTIONAL: Vec3 = (12.0, 9.0, 6.0)
 """Bandwidths about the three axes [1/s]; the servos leave room for about 20."""
 INTEGRAL: Vec3 = (20.0, 30.0, 8.0)

@@ -97,5 +97,6 @@ class Vehicle:
         return self.autopilot.streams(port)
 
     def receive(self, port: Port, data: bytes) -> list[bytes]:
-        """Takes bytes that arrived on a channel; returns the frames that answer them."""
+        """Takes a datagram that arrived on a channel; returns the frames that answer it."""
+        self.autopilot.now = self.now
         return receive(self.autopilot, port, data)

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Random starts to one goal pose, flown over MAVLink and judged by the truth.
+
+    python tools/measure_poses.py --runs 100 --wind 5
+
+Start k of seed S is drawn from (S, k) alone: any row can be flown alone with --only K.
+"""
+
+import argparse
+import math
+import tempfile
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.result import judge
+
+GOAL = (0.0, 0.0, -150.0)
+HEADING_DEG = 30.0
+STALL_MPS = 17.5
+"""Slowest level flight of the Aerosonde, taken as its 1-g stall."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One flight."""
+
+    number: int
+    changes: tuple[str, ...]
+    reached: bool
+    passes: int
+    time_s: float
+    miss_m: float
+    course_deg: float
+    climb_deg: float
+    bank_deg: float
+    load: tuple[float, float]
+    airspeed: tuple[float, float]
+    below_m: float
+    """Depth below the lower of start and goal."""
+    rate_hz: float
+
+
+def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
+    """The changes to the scenario that make one random start."""
+    rng = np.random.default_rng([seed, number])
+    distance = rng.uniform(args.nearest, args.farthest)
+    bearing, heading, wind_from = rng.uniform(0.0, 360.0, 3)
+    height = rng.uniform(-args.height, args.height)
+    north = distance * math.cos(math.radians(bearing))
+    east = distance * math.sin(math.radians(bearing))
+    return (
+        f"vehicle.0.position_m=[{north:.3f}, {east:.3f}, {GOAL[2] + height:.3f}]",
+        f"vehicle.0.heading_deg={heading:.3f}",
+        f"wind.from_deg={wind_from:.3f}",
+        f"wind.speed_mps={args.wind}",
+        f'wind.turbulence="{args.turbulence}"',
+        f"vehicle.0.goal.0.position_m={list(GOAL)}",
+        f"vehicle.0.goal.0.heading_deg={HEADING_DEG}",
+        f"seed={number + 1}",
+        "duration_s=300",
+        *args.set,
+    )
+
+
+def fly(number: int, args: argparse.Namespace) -> Outcome:
+    """Fly one start."""
+    changes = draw(args.seed, number, args)
+    loaded = load_scenario("first-flight", changes)
+    with tempfile.TemporaryDirectory() as folder:
+        flight = fly_scenario(loaded, Path(folder), lambda *_: None)
+    result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
+    vehicle, record = result.vehicles[0], flight.records[0]
+    goal = vehicle.goals[0]
+    lowest = max(record.p_n[0, 2], GOAL[2])
+    nan = math.nan
+    return Outcome(
+        number,
+        changes,
+        goal.reached,
+        len(record.legs().passes[0]),
+        goal.time_s if goal.time_s is not None else nan,
+        goal.miss_m if goal.miss_m is not None else nan,
+        goal.course_error_deg if goal.course_error_deg is not None else nan,
+        goal.climb_error_deg if goal.climb_error_deg is not None else nan,
+        vehicle.max_bank_deg or nan,
+        (vehicle.load_factor[0] or nan, vehicle.load_factor[1] or nan),
+        (vehicle.airspeed_mps[0] or nan, vehicle.airspeed_mps[1] or nan),
+        float(record.p_n[:, 2].max() - lowest),
+        vehicle.setpoint_rate_hz or nan,
+    )
+
+
+def spread(values: list[float]) -> str:
+    """Median, 95 % and most of some values."""
+    known = np.array([value for value in values if math.isfinite(value)])
+    if not known.size:
+        return "none"
+    return f"median {np.median(known):.3f}  95 % {np.quantile(known, 0.95):.3f}  most {known.max():.3f}"
+
+
+def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
+    """Print the table."""
+    reached = sum(outcome.reached for outcome in outcomes)
+    print(f"seed {args.seed}, {len(outcomes)} starts, {args.nearest:g} to {args.farthest:g} m away, ")
+    print(f"height +-{args.height:g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
+    print(f"reached     {reached} of {len(outcomes)}")
+    print(f"miss [m]    {spread([o.miss_m for o in outcomes])}")
+    print(f"course [deg] {spread([o.course_deg for o in outcomes])}")
+    print(f"climb [deg] {spread([o.climb_deg for o in outcomes])}")
+    print(f"time [s]    {spread([o.time_s for o in outcomes])}")
+    print(f"bank [deg]  most {max(o.bank_deg for o in outcomes):.1f}")
+    least, most = min(o.load[0] for o in outcomes), max(o.load[1] for o in outcomes)
+    print(f"load factor {least:.2f} to {most:.2f}")
+    least, most = min(o.airspeed[0] for o in outcomes), max(o.airspeed[1] for o in outcomes)
+    print(f"airspeed    {least:.1f} to {most:.1f} m/s, least {least / STALL_MPS:.2f} x stall")
+    print(f"below the lower of start and goal: most {max(o.below_m for o in outcomes):.1f} m")
+    print(f"setpoints   {min(o.rate_hz for o in outcomes):.2f} Hz at least")
+    print(f"more than one pass: {sum(o.passes > 1 for o in outcomes)}")
+    worst = sorted(outcomes, key=lambda o: (o.reached, -o.miss_m))[: args.worst]
+    for o in worst:
+        print(
+            f"  start {o.number}: reached {o.reached} passes {o.passes} time {o.time_s:.1f} "
+            f"miss {o.miss_m:.3f} course {o.course_deg:.2f} climb {o.climb_deg:.2f} "
+            f"bank {o.bank_deg:.0f} n {o.load[0]:.2f}..{o.load[1]:.2f} below {o.below_m:.1f}"
+        )
+
+
+def main() -> None:
+    """Fly them all."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", type=int, help="fly this start alone")
+    parser.add_argument("--wind", type=float, default=0.0, help="[m/s]")
+    parser.add_argument("--turbulence", default="none")
+    parser.add_argument("--nearest", type=float, default=100.0, help="[m]")
+    parser.add_argument("--farthest", type=float, default=1000.0, help="[m]")
+    parser.add_argument("--height", type=float, default=30.0, help="[m]")
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--worst", type=int, default=5)
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
+    args = parser.parse_args()
+    if args.only is not None:
+        numbers = [args.only]
+        print("vfguide run first-flight " + " ".join(f"--set '{c}'" for c in draw(args.seed, args.only, args)))
+    else:
+        numbers = list(range(args.runs))
+    with ProcessPoolExecutor(args.workers) as pool:
+        show(list(pool.map(partial(fly, args=args), numbers, chunksize=4)), args)
+
+
+if __name__ == "__main__":
+    main()

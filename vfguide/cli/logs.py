@@ -1,0 +1,24 @@
+"""Logs that a command writes beside its work."""
+
+from pathlib import Path
+
+from vfguide.link.tlog import TlogError, TlogWriter
+from vfguide.scenario.errors import InputError
+
+
+def new_log(path: Path) -> TlogWriter:
+    """A new log; its folder is made if need be.
+
+    Raises:
+        InputError: there is one already, or it cannot be made.
+    """
+    if path.exists():
+        raise InputError(f"--log {path}: already there, allowed is a new file")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return TlogWriter(path)
+    except OSError as error:
+        reason = error.strerror or error
+        raise InputError(f"--log {path.parent}: cannot be made: {reason}") from error
+    except TlogError as error:
+        raise InputError(f"--log {error}") from error

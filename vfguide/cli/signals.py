@@ -1,0 +1,36 @@
+"""SIGINT and SIGTERM as a number that loops look at, for commands that run until ended."""
+
+import signal
+from types import FrameType, TracebackType
+from typing import Any, Self
+
+ENDING = (signal.SIGINT, signal.SIGTERM)
+
+
+class Signals:
+    """Counts the wishes to end while it is entered."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._before: dict[signal.Signals, Any] = {}
+
+    def wanted(self) -> bool:
+        """Whether the user wants an end."""
+        return self.count > 0
+
+    def __enter__(self) -> Self:
+        for number in ENDING:
+            self._before[number] = signal.signal(number, self._note)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _note(self, _: int, __: FrameType | None) -> None:
+        self.count += 1

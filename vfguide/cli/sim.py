@@ -1,0 +1,114 @@
+"""`vfguide sim`."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vfguide.cli.exit_status import BAD, GOOD
+
+if TYPE_CHECKING:
+    from vfguide.scenario.load import LoadedScenario
+    from vfguide.sim.realtime import Station
+    from vfguide.sim.vehicle import Vehicle
+
+FASTEST = 1000.0
+SLOWEST = 0.01
+
+
+def sim(
+    scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
+    speed: Annotated[
+        float, typer.Option(help="Seconds of simulation in a second.", min=SLOWEST, max=FASTEST)
+    ] = 1.0,
+    log: Annotated[
+        Path | None, typer.Option(help="Folder for truth.tlog, which no companion sees.")
+    ] = None,
+) -> None:
+    """Simulate the autopilots of a scenario alone, over UDP, in real time, until Ctrl-C.
+
+    All are airborne, armed and in hold. Example: vfguide sim first-flight
+    """
+    from vfguide.cli.console import complain, out
+    from vfguide.cli.signals import Signals
+    from vfguide.scenario.crew import simulate
+    from vfguide.scenario.load import load_scenario
+    from vfguide.sim.realtime import RealtimeFlight, warm_up
+    from vfguide.sim.vehicle import steps_between_updates
+
+    loaded = load_scenario(scenario)
+    loaded.require_models()
+    with Signals() as signals, ExitStack() as stack:
+        observe = truth_writer(log, stack)
+        stations = open_stations(loaded, stack)
+        warm_up(simulate(loaded, loaded.scenario.vehicles[0]))
+        for station in stations:
+            out.print(describe(station))
+        out.print(f"flying at {speed:g} x real time; Ctrl-C ends it")
+        steps = steps_between_updates(loaded.scenario.guidance.rate_hz)
+        flight = RealtimeFlight(stations, speed, steps, observe, complain)
+        flight.run(signals.wanted)
+        out.print(f"ended after {flight.sim_s:.1f} s, at most {flight.pace.worst * 1e3:.0f} ms late")
+    raise typer.Exit(GOOD if flight.flying else BAD)
+
+
+def open_stations(loaded: "LoadedScenario", stack: ExitStack) -> "list[Station]":
+    """Every vehicle at its start, its sockets open until `stack` closes.
+
+    Raises:
+        InputError: a port is in use, or a model cannot be flown.
+    """
+    from vfguide.scenario.crew import simulate
+    from vfguide.scenario.errors import InputError
+    from vfguide.sim.port import GROUND, ONBOARD
+    from vfguide.sim.realtime import Station
+    from vfguide.sim.udp import Channel, PortTakenError, ground_numbers, offboard_numbers
+
+    stations: list[Station] = []
+    for vehicle in loaded.scenario.vehicles:
+        flown = simulate(loaded, vehicle)
+        try:
+            offboard = stack.enter_context(Channel(flown, ONBOARD, offboard_numbers(vehicle.id)))
+            ground = stack.enter_context(Channel(flown, GROUND, ground_numbers(vehicle.id)))
+        except PortTakenError as error:
+            raise InputError(f"vehicle {vehicle.id}: {error}") from error
+        stations.append(Station(flown, (offboard, ground)))
+    return stations
+
+
+def describe(station: "Station") -> str:
+    """Where a vehicle listens."""
+    offboard, ground = (channel.numbers for channel in station.channels)
+    return (
+        f"vehicle {station.vehicle.sysid}: companion {offboard.own} -> {offboard.peer}, "
+        f"ground station {ground.own} -> {ground.peer} (UDP, 127.0.0.1)"
+    )
+
+
+def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[Vehicle], None]":
+    """What notes the truth of a vehicle in `folder`/truth.tlog; nothing without a folder.
+
+    Raises:
+        InputError: the log cannot be written, or is there already.
+    """
+    from vfguide.cli.logs import new_log
+    from vfguide.link.codec import Encoder
+    from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
+
+    if folder is None:
+        return lambda _: None
+    log = stack.enter_context(new_log(folder / "truth.tlog"))
+    encoders: dict[int, Encoder] = {}
+
+    def write(vehicle: "Vehicle") -> None:
+        encoder = encoders.setdefault(vehicle.sysid, Encoder(vehicle.sysid, TRUTH_COMPONENT))
+        log.write(vehicle.now, encoder.encode(truth_message(vehicle.now, vehicle.truth)))
+
+    return write
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(sim)

@@ -1,0 +1,115 @@
+"""The UDP side of a simulated vehicle: one socket a channel, numbered as PX4 numbers them."""
+
+import socket
+from contextlib import suppress
+from typing import NamedTuple, Self
+
+from vfguide.sim.port import Port
+from vfguide.sim.vehicle import Vehicle
+
+HOST = "127.0.0.1"
+LARGEST = 65_535
+"""Bytes in a datagram."""
+MOST_AT_ONCE = 64
+"""Datagrams taken before the vehicle flies on: a flood must not hold it up."""
+BEYOND_TEN = 1000
+"""From the eleventh vehicle on, the companions' ports lie this much higher: 14550 is taken."""
+
+Address = tuple[str, int]
+
+
+class Numbers(NamedTuple):
+    """The two ends of a channel."""
+
+    own: int
+    """Port the vehicle sends from."""
+    peer: int
+    """Port it sends to until somebody else speaks to it."""
+
+
+def offboard_numbers(sysid: int) -> Numbers:
+    """Ports of the channel to the companion."""
+    k = sysid - 1
+    return Numbers(14580 + k, 14540 + k + (BEYOND_TEN if k >= 10 else 0))
+
+
+def ground_numbers(sysid: int) -> Numbers:
+    """Ports of the channel to the ground station; it hears all vehicles on one."""
+    return Numbers(18570 + sysid - 1, 14550)
+
+
+class PortTakenError(Exception):
+    """A socket cannot be had; the message names the port and says why."""
+
+
+class Channel:
+    """One channel of a vehicle over a socket of its own.
+
+    It sends to whoever spoke last on it, as PX4 does: to the sender of the last datagram with a
+    true frame in it.
+    """
+
+    def __init__(self, vehicle: Vehicle, rates: dict[int, float], numbers: Numbers) -> None:
+        """A channel with these streams [Hz].
+
+        Raises:
+            PortTakenError: the port is in use.
+        """
+        self.vehicle = vehicle
+        self.numbers = numbers
+        self.peer: Address = (HOST, numbers.peer)
+        self.socket = bound_socket(numbers.own)
+        self._port: Port = vehicle.connect(rates)
+
+    def receive(self) -> None:
+        """Take what has arrived, and answer it at once."""
+        for _ in range(MOST_AT_ONCE):
+            try:
+                data, sender = self.socket.recvfrom(LARGEST)
+            except BlockingIOError:
+                return
+            except ConnectionError:
+                continue  # nobody listened to something we sent before
+            before = self._port.parser.counters.frames
+            answers = self.vehicle.receive(self._port, data)
+            if self._port.parser.counters.frames > before:
+                self.peer = sender
+            self._send(answers)
+
+    def transmit(self) -> None:
+        """Send what is due."""
+        self._send(self.vehicle.transmit(self._port))
+
+    def close(self) -> None:
+        """Give the port back."""
+        self.socket.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _send(self, frames: list[bytes]) -> None:
+        for frame in frames:
+            with suppress(OSError):  # as on a radio: what cannot be sent is lost
+                self.socket.sendto(frame, self.peer)
+
+
+def bound_socket(number: int) -> socket.socket:
+    """A socket that never blocks, bound to a port of this machine alone.
+
+    Raises:
+        PortTakenError: the port is in use.
+    """
+    made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    made.setblocking(False)
+    try:
+        made.bind((HOST, number))
+    except OSError as error:
+        made.close()
+        raise PortTakenError(
+            f"UDP port {HOST}:{number} cannot be had: {error.strerror}; "
+            "is another simulation running?"
+        ) from error
+    return made
