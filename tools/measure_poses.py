@@ -22,7 +22,7 @@ from vfguide.scenario.result import judge
 
 GOAL = (0.0, 0.0, -150.0)
 HEADING_DEG = 30.0
-STALL_MPS = 17.5
+STALL_MPS = 17.6
 """Slowest level flight of the Aerosonde, taken as its 1-g stall."""
 
 

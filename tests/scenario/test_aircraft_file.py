@@ -24,7 +24,7 @@ def test_alpha_is_that_of_the_trimmed_model(airspeed: float, alpha_deg: float) -
 
 def test_the_flight_law_gets_si_and_radians() -> None:
     its = load_aircraft(SHIPPED).performance()
-    assert (its.airspeed_min, its.airspeed_cruise, its.airspeed_max) == (17.5, 25.0, 32.5)
+    assert (its.airspeed_min, its.airspeed_cruise, its.airspeed_max) == (18.0, 25.0, 32.0)
     assert (its.load_min, its.load_max) == (0.3, 1.7)
     assert its.bank_max == pytest.approx(math.radians(50.0))
     assert (its.climb_max, its.descent_max) == pytest.approx((math.radians(10.0),) * 2)
@@ -47,11 +47,11 @@ def test_a_level_turn_at_the_bank_limit_keeps_the_load_limit() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("min_mps = 17.5", "", "airspeed.min_mps: missing, but required"),
+        ("min_mps = 18.0", "", "airspeed.min_mps: missing, but required"),
         (
-            "min_mps = 17.5",
+            "min_mps = 18.0",
             "min_mps = 26.0",
-            "airspeed.cruise_mps = 25.0: not between min_mps 26.0 and max_mps 32.5",
+            "airspeed.cruise_mps = 25.0: not between min_mps 26.0 and max_mps 32.0",
         ),
         (
             'name = "aerosonde"',

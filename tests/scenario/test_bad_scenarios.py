@@ -188,15 +188,15 @@ def instead_of_goal(lines: str) -> str:
         ),
         (
             in_vehicle("airspeed_mps = 12.0"),
-            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde, allowed 17.5 to 32.5",
+            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde, allowed 18 to 32",
         ),
         (
             in_vehicle("airspeed_mps = 33.0"),
-            "vehicle[0].airspeed_mps = 33.0: above the maximum of aerosonde, allowed 17.5 to 32.5",
+            "vehicle[0].airspeed_mps = 33.0: above the maximum of aerosonde, allowed 18 to 32",
         ),
         (
             at_top("[guidance]\nairspeed_mps = 40.0"),
-            "guidance.airspeed_mps = 40.0: above the maximum of aerosonde, allowed 17.5 to 32.5",
+            "guidance.airspeed_mps = 40.0: above the maximum of aerosonde, allowed 18 to 32",
         ),
         (
             at_top("[guidance]\nbank_max_deg = 55.0"),

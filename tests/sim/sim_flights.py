@@ -31,7 +31,7 @@ def bench(altitude: float = ALTITUDE) -> Bench:
 
 @cache
 def steady(airspeed: float = 25.0, climb: float = 0.0) -> FlightCondition:
-    return trim(bench(), airspeed, climb)
+    return trim(Bench(AEROSONDE, ALTITUDE), airspeed, climb)
 
 
 def airframe() -> Airframe:
@@ -52,16 +52,13 @@ def thrust_in(condition: FlightCondition) -> float:
 
 
 def fly(
-    plant: Plant,
-    omega_b: Vec3,
-    seconds: float,
-    thrust: float = 0.295,
-    memory: Vec3 = (0.0, 0.0, 0.0),
+    plant: Plant, omega_b: Vec3, seconds: float, thrust: float = 0.3, every: int = 1
 ) -> list[Truth]:
-    """The truth before each step, and after the last."""
-    tables, truths = airframe().tables, [plant.truth()]
-    for _ in range(round(seconds * STEPS_PER_S)):
+    """The truth before the first step and after each `every`-th, at constant setpoints."""
+    tables, memory, truths = airframe().tables, (0.0, 0.0, 0.0), [plant.truth()]
+    for step in range(1, round(seconds * STEPS_PER_S) + 1):
         controls, memory = inner_loop(tables, plant.inner(), (*omega_b, thrust), memory, STEP)
         plant.advance(controls)
-        truths.append(plant.truth())
+        if step % every == 0:
+            truths.append(plant.truth())
     return truths

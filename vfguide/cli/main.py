@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from vfguide import __version__
-from vfguide.cli import check, replay, run, sim
+from vfguide.cli import check, fly, replay, run, sim
 from vfguide.cli.console import complain
 from vfguide.cli.exit_status import BAD_INPUT, INTERRUPTED
 
@@ -23,6 +23,7 @@ app = typer.Typer(
 )
 run.add_to(app)
 sim.add_to(app)
+fly.add_to(app)
 check.add_to(app)
 replay.add_to(app)
 

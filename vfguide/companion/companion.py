@@ -5,9 +5,16 @@ from what it received alone, so that a recording gives the same setpoints again.
 """
 
 from vfguide.companion.engagement import NEXT, SENDING, Event, Phase
-from vfguide.companion.knowledge import Knowledge, elapsed, flight_state, observe
+from vfguide.companion.knowledge import STALE, Knowledge, elapsed, flight_state, lacking, observe
+from vfguide.companion.notes import (
+    SILENT_UNTIL_CHANGE,
+    mode_name,
+    pass_note,
+    phase_note,
+    route_note,
+)
 from vfguide.companion.plan import Plan
-from vfguide.companion.requests import Requests, request_origin, requested_streams, set_mode
+from vfguide.companion.requests import ModeRequest, Requests, request_origin, requested_streams
 from vfguide.companion.step import RouteMemory, fresh_route, step
 from vfguide.flight.guidance import Wish
 from vfguide.flight.state import RateSetpoint
@@ -15,7 +22,6 @@ from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AttitudeQuaternion,
     CommandAck,
-    CommandLong,
     CurrentMode,
     Heartbeat,
     Message,
@@ -29,10 +35,10 @@ LOST = 3 * SECOND
 """Without a heartbeat for this long the link is lost."""
 OFFER = SECOND // 5
 """Setpoints go out for this long before the mode is asked for."""
-INSIST = SECOND
-"""A mode that was asked for and is not flown is asked for again after this."""
 ORIGIN_RETRY = SECOND
 """The origin of the local frame is asked for again after this."""
+OUGHT_TO_SEND = SECOND
+"""Without a setpoint for this long the operator is told why."""
 
 
 class Companion:
@@ -58,12 +64,16 @@ class Companion:
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._requests = Requests()
+        self._mode_request = ModeRequest(sysid, Px4Mode.OFFBOARD)
+        self._mode: int | None = None
+        self._followed = False
         self._heard = 0
         self._beat: int | None = None
         self._offered: int | None = None
-        self._asked = -INSIST
         self._origin_asked = 0
         self._stepped: int | None = None
+        self._sent_at = 0
+        self._complaint: str | None = None
 
     def receive(self, now: int, message: Message) -> list[Message]:
         """Takes one message of the autopilot at the time `now` [us]; returns what to send."""
@@ -74,12 +84,12 @@ class Companion:
             case Heartbeat():
                 self._heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
-                self._see_mode(message.custom_mode)
+                self._see_mode(now, message.custom_mode)
             case AttitudeQuaternion():
                 out += self._guide(now, message)
             case CommandAck():
-                if complaint := self._requests.answer(message):
-                    self.notes.append(complaint)
+                self._note(self._requests.answer(message))
+                self._note(self._mode_request.answer(message))
             case _:
                 pass
         return out + self._housekeeping(now)
@@ -89,15 +99,15 @@ class Companion:
         self._watch_link(now)
         return self._housekeeping(now)
 
-    def stop(self) -> None:
-        """The operator ends the companion: it hands over first if it flies."""
-        self._happen(Event.STOP_ASKED)
-        self._asked = -INSIST
+    def stop(self, now: int) -> list[Message]:
+        """The operator ends the companion at `now` [us]: it hands over first if it flies."""
+        self._happen(now, Event.STOP_ASKED)
+        return self._housekeeping(now)
 
     def _watch_link(self, now: int) -> None:
         """Note that the autopilot is not heard any more."""
         if self.phase is not Phase.SEARCHING and now - self._heard > LOST:
-            self._happen(Event.LINK_LOST)
+            self._happen(now, Event.LINK_LOST)
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""
@@ -112,48 +122,69 @@ class Companion:
             self._requests.ask([request_origin(self.sysid)])
         if request := self._requests.due(now):
             out.append(request)
-        if mode := self._mode_wanted(now):
-            self._asked = now
-            out.append(mode)
-        return out
+        self._complain(now)
+        return out + self._mode_wanted(now)
 
-    def _mode_wanted(self, now: int) -> CommandLong | None:
+    def _mode_wanted(self, now: int) -> list[Message]:
         """The mode change to ask for now, if any."""
-        if now - self._asked < INSIST:
-            return None
-        if self.phase is Phase.RETURNING:
-            return set_mode(self.sysid, Px4Mode.HOLD)
         offered = self._offered is not None and now - self._offered >= OFFER
         if self.phase is Phase.OFFERING and self.engage and offered:
-            return set_mode(self.sysid, Px4Mode.OFFBOARD)
-        return None
+            self._happen(now, Event.OFFBOARD_ASKED)
+        if self.phase is Phase.ASKING and self._mode_request.in_vain(now):
+            self._leave_choice(now, "the autopilot accepted OFFBOARD and does not fly it")
+        if self.phase not in (Phase.ASKING, Phase.RETURNING):
+            return []
+        request = self._mode_request.due(now)
+        return [request] if request else []
 
     def _heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
         new = self.phase is Phase.SEARCHING
         self._heard = now
-        self._see_mode(heartbeat.custom_mode)
+        self._see_mode(now, heartbeat.custom_mode)
         if new and self.phase is Phase.OFFERING:
             self.known = Knowledge()
             self._origin_asked = now - ORIGIN_RETRY
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, self.plan.rate))
 
-    def _see_mode(self, custom_mode: int) -> None:
+    def _see_mode(self, now: int, custom_mode: int) -> None:
         """Follow the autopilot's mode."""
+        before, self._mode = self._mode, custom_mode
         follows = custom_mode == Px4Mode.OFFBOARD
-        self._happen(Event.OFFBOARD_SEEN if follows else Event.OTHER_MODE_SEEN)
-
-    def _happen(self, event: Event) -> None:
-        """Go on in the table; say so."""
-        after = NEXT[self.phase, event]
-        if after is self.phase:
-            return
-        self.notes.append(f"{self.phase.name.lower()} -> {after.name.lower()}")
-        self.phase = after
-        self._offered = None
-        if after is Phase.FLYING:
+        if follows and not self._followed:
             self.route = self.route._replace(before=None, flight=fresh_route().flight)
+        self._followed = follows
+        changed = before is not None and before != custom_mode
+        if changed and not follows and self.phase in (Phase.OFFERING, Phase.ASKING):
+            self._leave_choice(now, f"the mode was changed to {mode_name(custom_mode)}")
+        self._happen(now, Event.OFFBOARD_SEEN if follows else Event.OTHER_MODE_SEEN)
+        if follows and self.phase is Phase.SEARCHING and before != custom_mode:
+            self._note(SILENT_UNTIL_CHANGE)
+
+    def _leave_choice(self, now: int, reason: str) -> None:
+        """Somebody else decides on the mode: do not ask for OFFBOARD any more."""
+        if self.engage:
+            self.engage = False
+            self._note(f"{reason}: it is not asked again")
+        self._happen(now, Event.ASKING_GIVEN_UP)
+
+    def _happen(self, now: int, event: Event) -> None:
+        """Go on in the table; say so."""
+        before, after = self.phase, NEXT[self.phase, event]
+        if after is before:
+            return
+        self.phase = after
+        mode = mode_name(self._mode or 0)
+        route = route_note(self.route.goal, self.plan)
+        self._note(phase_note(before, after, mode, self.engage, route))
+        self._offered = None
+        self._sent_at = now
+        if after is Phase.ASKING or after is Phase.RETURNING:
+            wanted = Px4Mode.OFFBOARD if after is Phase.ASKING else Px4Mode.HOLD
+            self._mode_request = ModeRequest(self.sysid, wanted)
+        if event is Event.LINK_LOST:
+            self._mode, self._followed = None, False
 
     def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
         """The setpoint for the state at a new attitude."""
@@ -163,18 +194,21 @@ class Companion:
         if state is None:
             return []
         setpoint, route, self.wish = step(state, self.plan, self.route)
-        if self.phase is Phase.OFFERING:
-            route = self.route
-        self.route = route
+        if self._followed:
+            self._note(pass_note(self.route, route, state, self.plan))
+            self.route = route
         self.setpoints += 1
+        self._sent_at = now
         self._offered = now if self._offered is None else self._offered
         return [self._setpoint(attitude.time_boot_ms, setpoint)]
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next guidance step is due at the autopilot's time."""
         before = self._stepped
-        if before is not None and elapsed(before, time_boot_ms) < 0.9 / self.plan.rate:
-            return False
+        if before is not None:
+            since = elapsed(before, time_boot_ms)
+            if -STALE < since < 0.9 / self.plan.rate:  # farther back: it has started anew
+                return False
         self._stepped = time_boot_ms
         return True
 
@@ -201,3 +235,18 @@ class Companion:
             Phase.INTERRUPTED: MavState.CRITICAL,
         }.get(self.phase, MavState.STANDBY)
         return Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)
+
+    def _complain(self, now: int) -> None:
+        """Tell why no setpoints go out, once for each reason, and when they do again."""
+        silent = self.phase in SENDING and now - self._sent_at > OUGHT_TO_SEND
+        why = lacking(self.known) or "no new attitude" if silent else None
+        if why == self._complaint:
+            return
+        self._complaint = why
+        if self.phase in SENDING:
+            self._note(f"no setpoints: {why}" if why else "setpoints go out again")
+
+    def _note(self, text: str | None) -> None:
+        """Tell the operator."""
+        if text:
+            self.notes.append(text)

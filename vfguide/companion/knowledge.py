@@ -78,6 +78,27 @@ def flight_state(known: Knowledge, frame: TangentPlane) -> FlightState | None:
     )
 
 
+def lacking(known: Knowledge) -> str | None:
+    """Why there is no flight state, in words; None: nothing is missing."""
+    attitude, position = known.attitude, known.position
+    heard = {
+        "attitude (ATTITUDE_QUATERNION)": attitude,
+        "position (LOCAL_POSITION_NED)": position,
+        "airspeed (VFR_HUD)": known.hud,
+        "origin of the local frame (GPS_GLOBAL_ORIGIN)": known.origin,
+    }
+    missing = [name for name, message in heard.items() if message is None]
+    if missing:
+        return f"not heard yet: {', '.join(missing)}"
+    if attitude is None or position is None:
+        return None
+    if abs(elapsed(position.time_boot_ms, attitude.time_boot_ms)) > STALE:
+        return "the position is too old (LOCAL_POSITION_NED)"
+    if elapsed(known.hud_time, attitude.time_boot_ms) > STALE:
+        return "the airspeed is too old (VFR_HUD)"
+    return None
+
+
 def elapsed(before_ms: int, after_ms: int) -> float:
     """Time from one time_boot_ms to another [s], across the rollover."""
     half = ROLLOVER // 2

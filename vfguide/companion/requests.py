@@ -19,6 +19,10 @@ RETRY = 500_000
 """A command without an answer is sent again after this [us]."""
 TRIES = 5
 """A command is given up after this many."""
+INSIST = 1_000_000
+"""A mode that was asked for and not accepted is asked for again after this [us]."""
+SEEN_WITHIN = 3_000_000
+"""A mode that was accepted shows in the heartbeat within this [us]."""
 
 
 class Stream(NamedTuple):
@@ -96,8 +100,53 @@ class Requests:
         self._drop()
         if ack.result == MavResult.ACCEPTED:
             return None
-        return f"the autopilot refuses command {asked.command} ({asked.param1:g}): {ack.result}"
+        answer = result_name(ack.result)
+        return f"the autopilot refuses command {asked.command} ({asked.param1:g}): {answer}"
 
     def _drop(self) -> None:
         self._queue.popleft()
         self._tries = 0
+
+
+class ModeRequest:
+    """The wish for one mode, asked for again until it is accepted.
+
+    After that the autopilot is not asked any more: if it flies something else then, somebody
+    else wants that. PX4 acknowledges twice, the last answer is the real one.
+    """
+
+    def __init__(self, target: int, mode: Px4Mode) -> None:
+        self._command = set_mode(target, mode)
+        self._mode = mode
+        self._asked_at: int | None = None
+        self._result: int | None = None
+        self._complained: int | None = None
+
+    def due(self, now: int) -> CommandLong | None:
+        """The command to send now [us], if it is time for it."""
+        early = self._asked_at is not None and now - self._asked_at < INSIST
+        if early or self._result == MavResult.ACCEPTED:
+            return None
+        self._asked_at = now
+        return self._command
+
+    def in_vain(self, now: int) -> bool:
+        """Whether the mode was accepted and should have been seen by `now` [us]."""
+        accepted = self._result == MavResult.ACCEPTED
+        return accepted and self._asked_at is not None and now - self._asked_at > SEEN_WITHIN
+
+    def answer(self, ack: CommandAck) -> str | None:
+        """Note an answer; returns a complaint when the autopilot refuses for a new reason."""
+        if ack.command != MavCmd.DO_SET_MODE or self._asked_at is None:
+            return None
+        self._result = ack.result
+        if ack.result in (MavResult.ACCEPTED, MavResult.IN_PROGRESS, self._complained):
+            return None
+        self._complained = ack.result
+        return f"the autopilot refuses {self._mode.name}: {result_name(ack.result)}; asking again"
+
+
+def result_name(result: int) -> str:
+    """What an autopilot answered, in words."""
+    known = result in set(MavResult)
+    return MavResult(result).name.lower().replace("_", " ") if known else f"result {result}"

@@ -22,16 +22,23 @@ class Session:
 
     def receive(self, now: int, data: bytes) -> list[bytes]:
         """Takes bytes that arrived at `now` [us since 1970]; returns the frames to send."""
-        out: list[bytes] = []
-        for frame in self.parser.feed(data):
-            if message := self.heed(frame):
-                self._record(now, frame.raw)
-                out += self._send(now, self.companion.receive(now, message))
-        return out
+        return [answer for frame in self.parser.feed(data) for answer in self.take(now, frame)]
+
+    def take(self, now: int, frame: Frame) -> list[bytes]:
+        """Takes a frame that arrived at `now` [us since 1970]; returns the frames to send."""
+        message = self.heed(frame)
+        if message is None:
+            return []
+        self._record(now, frame.raw)
+        return self._send(now, self.companion.receive(now, message))
 
     def poll(self, now: int) -> list[bytes]:
         """The frames that are due at `now` [us since 1970] without anything received."""
         return self._send(now, self.companion.poll(now))
+
+    def stop(self, now: int) -> list[bytes]:
+        """The operator ends the companion; returns the frames to send."""
+        return self._send(now, self.companion.stop(now))
 
     def heed(self, frame: Frame) -> Message | None:
         """The message of a frame, if it is the vehicle's autopilot that speaks."""

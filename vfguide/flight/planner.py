@@ -6,6 +6,7 @@ from typing import NamedTuple
 from vfguide.flight.approach import (
     Course,
     Planar,
+    arc_to_goal,
     circle_course,
     field_course,
     loiter_course,
@@ -22,6 +23,10 @@ PENETRATION = 3.0
 """How far inside a goal circle the field is still flown [m]."""
 COMMITTED = 2.0
 """The same once the field is being flown close before the goal [m]."""
+AGREEMENT = 0.1
+"""From a goal circle the field is taken up where the course is within this of it [rad]."""
+DETOUR = 1.03
+"""At the beginning of a leg the field may be longer than the goal circle by this factor."""
 SWITCH_GAIN = 0.7
 """The other goal circle is taken when it is shorter by this many radii."""
 
@@ -106,9 +111,9 @@ def circle_here(leg: Leg, at: Planar) -> Leg:
 def fly_direct(leg: Leg, at: Planar, course: float, gains: Gains) -> Leg:
     """The field where it is flyable, else a goal circle."""
     entry = Planar(at.x + gains.final * leg.radius, at.y, at.vx, at.vy)
-    if field_is_flyable(leg.phase == FIELD, entry, course, leg.radius):
-        return Leg(FIELD, leg.side, leg.x, leg.y, leg.radius)
     side = choose_side(leg, entry, course)
+    if field_is_flyable(leg, entry, course, circle_length(entry, course, side, leg.radius)):
+        return Leg(FIELD, leg.side, leg.x, leg.y, leg.radius)
     return Leg(CIRCLE, side, leg.x, leg.y, leg.radius)
 
 
@@ -133,11 +138,21 @@ def circle_length(at: Planar, course: float, side: float, radius: float) -> floa
 
 
 @compiled
-def field_is_flyable(flying: bool, at: Planar, course: float, radius: float) -> bool:
-    """Whether the field leads to the goal without a turn tighter than `radius`."""
+def field_is_flyable(leg: Leg, at: Planar, course: float, circle: float) -> bool:
+    """Whether the field leads to the goal without a turn tighter than the leg's radius.
+
+    It is taken up from a goal circle where both agree, and at the beginning of a leg where
+    its path is not much longer than the one over the circle, `circle` [m].
+    """
     side = 1.0 if at.y >= 0.0 else -1.0
-    inside = radius - math.hypot(at.x, at.y - side * radius)
-    if flying and math.hypot(at.x, at.y) < radius and abs(course) < 1.2:
+    inside = leg.radius - math.hypot(at.x, at.y - side * leg.radius)
+    if leg.phase == FIELD and math.hypot(at.x, at.y) < leg.radius and abs(course) < 1.2:
         return inside <= PENETRATION + COMMITTED or at.x > 0.0
+    if at.x >= -abs(at.y) or inside > PENETRATION:
+        return False
     error = abs(wrap(course - 2.0 * math.atan2(at.y, at.x)))
-    return at.x < -abs(at.y) and inside <= PENETRATION and error < 2.0
+    if leg.phase == FIELD:
+        return error < 2.0
+    if leg.phase == CIRCLE:
+        return error < AGREEMENT
+    return arc_to_goal(at.x, at.y) + leg.radius * error <= DETOUR * circle

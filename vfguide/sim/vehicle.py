@@ -54,7 +54,7 @@ class Vehicle:
         self.sysid = setup.sysid
         self.plant = Plant(setup.model, setup.start, setup.weather, setup.ground_altitude)
         self.truth: Truth = self.plant.truth()
-        airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.start.altitude)
+        airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.ground_altitude)
         self.autopilot = Autopilot(
             setup.sysid, airframe, setup.aircraft, setup.airspeed, self.truth
         )

@@ -1,0 +1,116 @@
+"""`vfguide fly`."""
+
+from contextlib import ExitStack, closing
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vfguide.cli.exit_status import BAD, GOOD
+
+if TYPE_CHECKING:
+    from vfguide.daemon.transport import Transport
+    from vfguide.scenario.load import LoadedScenario
+
+
+def fly(
+    scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
+    vehicle: Annotated[int, typer.Option(help="Which vehicle of it: its MAVLink system id.")],
+    connect: Annotated[
+        str, typer.Option(help="Where its autopilot is: udpin:HOST:PORT or udpout:HOST:PORT.")
+    ],
+    engage: Annotated[
+        bool, typer.Option("--engage", help="Ask for OFFBOARD; else the operator has to choose it.")
+    ] = False,
+    log: Annotated[
+        Path | None,
+        typer.Option(help="Folder of the log, or a .tlog file. [default: runs/fly-NAME-ID-UTC]"),
+    ] = None,
+) -> None:
+    """Guide one vehicle, until Ctrl-C: it hands over to the autopilot's hold first.
+
+    Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
+    """
+    from vfguide.cli.console import complain
+    from vfguide.cli.logs import new_log
+    from vfguide.cli.signals import Signals
+    from vfguide.companion.companion import Companion
+    from vfguide.companion.session import Session
+    from vfguide.daemon.clock import Clock
+    from vfguide.daemon.daemon import Daemon, Outcome
+    from vfguide.daemon.flight_log import FlightLog
+    from vfguide.daemon.warm_up import warm_up
+    from vfguide.scenario.crew import plan_of, vehicle_of
+    from vfguide.scenario.load import load_scenario
+
+    loaded = load_scenario(scenario)
+    plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
+    with Signals() as signals, ExitStack() as stack:
+        transport = stack.enter_context(closing(open_transport(connect, vehicle)))
+        path = log_path(log, loaded.scenario.name, vehicle)
+        flight_log = stack.enter_context(closing(FlightLog(new_log(path))))
+        if path != log:
+            write_scenario(loaded, path.parent / "scenario.toml")
+        warm_up(plan)
+        session = Session(Companion(vehicle, plan, engage=engage), flight_log.write)
+        say(f"vehicle {vehicle}: {connect}, log {path}; Ctrl-C hands over and ends")
+        outcome = Daemon(session, transport, flight_log, Clock(), say).run(lambda: signals.count)
+    if outcome is Outcome.UNCONFIRMED:
+        complain("the autopilot did not confirm its hold: look what it flies")
+    if outcome is Outcome.CUT_SHORT:
+        complain("ended at once: the autopilot has not confirmed its hold")
+    raise typer.Exit(GOOD if outcome is Outcome.HANDED_OVER else BAD)
+
+
+def say(line: str) -> None:
+    """One line for the operator, with the time of day."""
+    from vfguide.cli.console import out
+
+    out.print(f"{datetime.now(UTC):%H:%M:%S} {line}")
+
+
+def open_transport(text: str, sysid: int) -> "Transport":
+    """The link that a URL names.
+
+    Raises:
+        InputError: it names none, or one that cannot be opened.
+    """
+    from vfguide.daemon.connect import connect
+    from vfguide.daemon.transport import ConnectError
+    from vfguide.link.url import UrlError, parse_url
+    from vfguide.scenario.errors import InputError
+
+    try:
+        return connect(parse_url(text), sysid)
+    except (UrlError, ConnectError) as error:
+        raise InputError(f"--connect {error}") from error
+
+
+def log_path(wish: Path | None, name: str, sysid: int) -> Path:
+    """Where the log goes."""
+    if wish is not None and wish.suffix == ".tlog":
+        return wish
+    folder = wish or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
+    return folder / f"vehicle-{sysid}.tlog"
+
+
+def write_scenario(loaded: "LoadedScenario", path: Path) -> None:
+    """Write what is flown beside the log, where a replay looks for it.
+
+    Raises:
+        InputError: it cannot be written, or there is another scenario already.
+    """
+    from vfguide.scenario.errors import InputError
+
+    if path.exists() and path.read_text() != loaded.scenario.to_toml():
+        raise InputError(f"--log {path.parent}: a log of another scenario, allowed is a new folder")
+    try:
+        loaded.write_resolved(path)
+    except OSError as error:
+        raise InputError(f"--log {path.parent}: cannot be written: {error.strerror}") from error
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(fly)

@@ -1,0 +1,107 @@
+"""The companion on a real link: the one loop that has a clock and a socket."""
+
+import selectors
+from collections.abc import Callable
+from enum import Enum, auto
+
+from vfguide.companion.engagement import OVER, Phase
+from vfguide.companion.session import Session
+from vfguide.daemon.clock import Clock
+from vfguide.daemon.flight_log import FlightLog
+from vfguide.daemon.transport import Transport
+
+POLL = 0.05
+"""The companion is asked what is due at least this often [s]."""
+PATIENCE = 5_000_000
+"""The autopilot has this long to confirm its hold [us]."""
+
+
+class Outcome(Enum):
+    """How a flight of the daemon ended."""
+
+    HANDED_OVER = auto()
+    """The autopilot flies in a mode of its own, as it says itself."""
+    UNCONFIRMED = auto()
+    """Nobody knows what it flies: the link is lost, or it does not answer."""
+    CUT_SHORT = auto()
+    """The operator did not want to wait for that."""
+
+
+class Daemon:
+    """One companion, its link and its log, until it is stopped."""
+
+    def __init__(
+        self,
+        session: Session,
+        transport: Transport,
+        log: FlightLog,
+        clock: Clock,
+        say: Callable[[str], None],
+    ) -> None:
+        """A daemon that has not begun.
+
+        Args:
+            session: the companion behind bytes; it records to `log`.
+            transport: its link.
+            log: of what it receives and sends.
+            clock: the date.
+            say: tells the operator one line.
+        """
+        self._session = session
+        self._companion = session.companion
+        self._transport = transport
+        self._log = log
+        self._clock = clock
+        self._say = say
+        self._stopped_at: int | None = None
+
+    def run(self, stops: Callable[[], int]) -> Outcome:
+        """Fly until `stops`, the number of times the operator asked for an end, is not 0.
+
+        The first wish hands over, the second ends at once.
+        """
+        with selectors.SelectSelector() as selector:
+            selector.register(self._transport.socket, selectors.EVENT_READ)
+            while (outcome := self._outcome(stops())) is None:
+                selector.select(POLL)
+                self._take_all()
+                if self._companion.phase not in OVER:
+                    self._send(self._session.poll(self._clock.now()))
+                self._tell()
+                self._log.flush(self._clock.now())
+        self._tell()
+        return outcome
+
+    def _outcome(self, stops: int) -> Outcome | None:
+        """How it ended, if it did; begins the end when it is wished for."""
+        now = self._clock.now()
+        if stops and self._stopped_at is None:
+            self._stopped_at = now
+            self._send(self._session.stop(now))
+        if self._companion.phase is Phase.ENDED:
+            return Outcome.HANDED_OVER
+        if self._companion.phase is Phase.UNCONFIRMED:
+            return Outcome.UNCONFIRMED
+        if stops > 1:
+            return Outcome.CUT_SHORT
+        waited = 0 if self._stopped_at is None else now - self._stopped_at
+        return Outcome.UNCONFIRMED if waited > PATIENCE else None
+
+    def _take_all(self) -> None:
+        """Take what has arrived; answers go out at once."""
+        now = self._clock.now()
+        for frame in self._transport.receive(now):
+            if self._companion.phase in OVER:
+                return
+            self._send(self._session.take(now, frame))
+
+    def _send(self, frames: list[bytes]) -> None:
+        for frame in frames:
+            self._transport.send(frame)
+
+    def _tell(self) -> None:
+        """Tell the operator what is new."""
+        for news in (self._companion.notes, self._transport.warnings, self._log.warnings):
+            for line in news:
+                self._say(line)
+            news.clear()

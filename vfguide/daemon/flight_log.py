@@ -1,0 +1,46 @@
+"""The log of a flight that must go on even if the log cannot."""
+
+from vfguide.link.tlog import TlogError, TlogWriter
+
+FLUSH = 1_000_000
+"""The log goes to the file at least this often [us]: what a power cut may cost."""
+
+
+class FlightLog:
+    """Writes a log until the disk fails, and says so."""
+
+    def __init__(self, writer: TlogWriter) -> None:
+        self.warnings: list[str] = []
+        """What the operator should read; the caller takes it away."""
+        self._writer: TlogWriter | None = writer
+        self._flushed = 0
+
+    def write(self, time_us: int, raw: bytes) -> None:
+        """Add one frame with its time [us since 1970]; it may stay in memory for a while."""
+        if self._writer is not None:
+            try:
+                self._writer.write(time_us, raw)
+            except TlogError as error:
+                self._give_up(error)
+
+    def flush(self, now: int) -> None:
+        """Put into the file what has waited for long enough at `now` [us]."""
+        if self._writer is None or now - self._flushed < FLUSH:
+            return
+        self._flushed = now
+        try:
+            self._writer.flush()
+        except TlogError as error:
+            self._give_up(error)
+
+    def close(self) -> None:
+        """Put everything into the file and close it."""
+        try:
+            if self._writer is not None:
+                self._writer.close()
+        except TlogError as error:
+            self._give_up(error)
+
+    def _give_up(self, error: TlogError) -> None:
+        self._writer = None
+        self.warnings.append(f"no log any more, the flight goes on: {error}")

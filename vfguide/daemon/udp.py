@@ -1,0 +1,145 @@
+"""The link over UDP: a datagram holds whole frames, and anybody on the network can send one."""
+
+import socket
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any
+
+from vfguide.daemon.transport import ConnectError
+from vfguide.link.codec import Frame, Parser
+from vfguide.link.enums import MavComponent
+from vfguide.link.url import NetworkUrl
+
+LARGEST = 65_535
+"""Bytes in a datagram."""
+MOST_AT_ONCE = 256
+"""Datagrams taken at once: a flood must not keep the companion from its other duties."""
+PEER_SILENT = 3_000_000
+"""A peer that was not heard for this long may be followed by another one [us]."""
+MOST_STRANGERS = 5
+"""The operator is told of so many senders that are not the peer."""
+
+Address = tuple[Any, ...]
+
+
+class UdpLink:
+    """A socket and the one peer that counts; datagrams of all others are left alone."""
+
+    def __init__(self, opened: socket.socket, sysid: int, peer: Address | None) -> None:
+        """A link to the autopilot of system `sysid`.
+
+        Args:
+            opened: bound or connected, and never blocking.
+            sysid: of the vehicle.
+            peer: where its autopilot is; None: where it is heard from first, and from elsewhere
+                only after a silence.
+        """
+        self.socket = opened
+        self.warnings: list[str] = []
+        self._sysid = sysid
+        self._peer = peer
+        self._learns = peer is None
+        self._heard = 0
+        self._strangers: set[Address] = set()
+        self._parser = Parser()
+
+    def receive(self, now: int) -> list[Frame]:
+        """The frames of the peer that have arrived by `now` [us], in their order."""
+        frames: list[Frame] = []
+        for data, sender in datagrams(self.socket):
+            found = self._parser.feed(data, whole=True)
+            if self._learns and self._is_autopilot(found):
+                self._learn(now, sender)
+            if sender == self._peer:
+                frames += found
+        return frames
+
+    def send(self, raw: bytes) -> None:
+        """Send one frame to the peer; before it is known, nowhere."""
+        if self._peer is not None:
+            with suppress(OSError):  # as on a radio: what cannot be sent is lost
+                self.socket.sendto(raw, self._peer)
+
+    def close(self) -> None:
+        """Give the port back."""
+        self.socket.close()
+
+    def _is_autopilot(self, frames: list[Frame]) -> bool:
+        autopilot = (self._sysid, MavComponent.AUTOPILOT1)
+        return any((frame.sysid, frame.compid) == autopilot for frame in frames)
+
+    def _learn(self, now: int, sender: Address) -> None:
+        """Note where the autopilot is heard from."""
+        if self._peer is None or now - self._heard > PEER_SILENT:
+            self._peer = sender
+        if sender == self._peer:
+            self._heard = now
+        elif sender not in self._strangers and len(self._strangers) < MOST_STRANGERS:
+            self._strangers.add(sender)
+            self.warnings.append(
+                f"{name_of(sender)} speaks as vehicle {self._sysid} too: ignored, "
+                f"its autopilot is at {name_of(self._peer)}"
+            )
+
+
+def listen(url: NetworkUrl, sysid: int) -> UdpLink:
+    """A link that waits at `url` to be spoken to.
+
+    Raises:
+        ConnectError: the port is in use, or the host is not this machine.
+    """
+    opened, address = open_socket(url)
+    try:
+        opened.bind(address)
+    except OSError as error:
+        opened.close()
+        raise ConnectError(f"{url}: cannot listen there: {error.strerror}") from error
+    return UdpLink(opened, sysid, None)
+
+
+def call(url: NetworkUrl, sysid: int) -> UdpLink:
+    """A link that speaks first, to `url`, and hears nobody else.
+
+    Raises:
+        ConnectError: there is no way to that host.
+    """
+    opened, address = open_socket(url)
+    try:
+        opened.connect(address)
+    except OSError as error:
+        opened.close()
+        raise ConnectError(f"{url}: cannot send there: {error.strerror}") from error
+    return UdpLink(opened, sysid, opened.getpeername())
+
+
+def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
+    """A socket that never blocks, and the address of `url`.
+
+    Raises:
+        ConnectError: nobody knows the host.
+    """
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            url.host, url.port, type=socket.SOCK_DGRAM
+        )[0]
+    except OSError as error:
+        raise ConnectError(f"{url}: unknown host: {error.strerror}") from error
+    opened = socket.socket(family, kind, protocol)
+    opened.setblocking(False)
+    return opened, address
+
+
+def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
+    """What waits in a socket, with its senders."""
+    for _ in range(MOST_AT_ONCE):
+        try:
+            yield opened.recvfrom(LARGEST)
+        except ConnectionError:
+            continue  # nobody listened to something that was sent before
+        except OSError:
+            return  # nothing more, or the network is down: it may come back
+
+
+def name_of(address: Address | None) -> str:
+    """Host and port."""
+    return f"{address[0]}:{address[1]}" if address else "nowhere"

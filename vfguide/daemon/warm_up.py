@@ -1,0 +1,38 @@
+"""A flight of nothing, so that all compiled code is there before a real one."""
+
+from vfguide.companion.companion import Companion
+from vfguide.companion.plan import Plan
+from vfguide.geometry.geodesy import ned_to_geodetic
+from vfguide.geometry.units import DEG_E7, MM
+from vfguide.link.enums import MavAutopilot, MavState, MavType
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    GpsGlobalOrigin,
+    Heartbeat,
+    LocalPositionNed,
+    VfrHud,
+    WindCov,
+)
+from vfguide.link.px4 import Px4Mode
+
+APART = 1000
+"""Between two states of the flight [ms]."""
+
+
+def warm_up(plan: Plan) -> None:
+    """Fly a scratch companion past the first goal."""
+    companion = Companion(1, plan, engage=False)
+    goal = plan.goals[0]
+    latitude, longitude, altitude = ned_to_geodetic(plan.frame, goal.p_n)
+    origin = (round(latitude / DEG_E7), round(longitude / DEG_E7), round(altitude / MM))
+    for mode in (Px4Mode.HOLD, Px4Mode.OFFBOARD):
+        beat = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.ACTIVE)
+        companion.receive(0, beat)
+    speed = plan.gains.airspeed
+    companion.receive(0, GpsGlobalOrigin(*origin))
+    companion.receive(0, WindCov(0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    for step, north in enumerate((-1.0, 1.0, 2.0)):
+        time = step * APART
+        companion.receive(0, LocalPositionNed(time, north, 0.0, 0.0, speed, 0.0, 0.0))
+        companion.receive(0, VfrHud(speed, speed, 0, 0, altitude, 0.0))
+        companion.receive(0, AttitudeQuaternion(time, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
