@@ -73,7 +73,7 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
     changes = draw(args.seed, number, args)
     loaded = load_scenario("first-flight", changes)
     with tempfile.TemporaryDirectory() as folder:
-        flight = fly_scenario(loaded, Path(folder), lambda *_: None)
+        flight = fly_scenario(loaded, Path(folder))
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
     vehicle, record = result.vehicles[0], flight.records[0]
     goal = vehicle.goals[0]

@@ -33,6 +33,7 @@ def run(
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
     from vfguide.cli.flight_display import FlightDisplay, print_result
+    from vfguide.cli.signals import Signals
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.run import run_scenario
 
@@ -40,8 +41,10 @@ def run(
     loaded = load_scenario(scenario, changes)
     folder = out or default_folder(loaded.scenario.name)
     command = shlex.join(["vfguide", *sys.argv[1:]])
-    with FlightDisplay(loaded.scenario) as display:
-        done = run_scenario(loaded, folder, display, command, realtime=realtime, report=report)
+    with Signals() as signals, FlightDisplay(loaded.scenario) as display:
+        done = run_scenario(
+            loaded, folder, display, signals.wanted, command, realtime=realtime, report=report
+        )
     print_result(done.result, folder)
     if view and report:
         typer.launch(str(folder / "report.html"))

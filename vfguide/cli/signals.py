@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM as a number that loops look at, for commands that run until ended."""
+"""SIGINT and SIGTERM as a number that loops look at, for commands that end in good order."""
 
 import signal
 from types import FrameType, TracebackType

@@ -11,6 +11,7 @@ from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.scenario.load import LoadedScenario
+    from vfguide.sim.pace import Pace
     from vfguide.sim.realtime import Station
     from vfguide.sim.vehicle import Vehicle
 
@@ -33,7 +34,9 @@ def sim(
     """
     from vfguide.cli.console import complain, out
     from vfguide.cli.signals import Signals
+    from vfguide.link.tlog import TlogError
     from vfguide.scenario.crew import simulate
+    from vfguide.scenario.errors import InputError
     from vfguide.scenario.load import load_scenario
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
@@ -49,8 +52,11 @@ def sim(
         out.print(f"flying at {speed:g} x real time; Ctrl-C ends it")
         steps = steps_between_updates(loaded.scenario.guidance.rate_hz)
         flight = RealtimeFlight(stations, speed, steps, observe, complain)
-        flight.run(signals.wanted)
-        out.print(f"ended after {flight.sim_s:.1f} s, at most {flight.pace.worst * 1e3:.0f} ms late")
+        try:
+            flight.run(signals.wanted)
+        except TlogError as error:
+            raise InputError(str(error)) from error
+        out.print(f"ended after {flight.sim_s:.1f} s, {lateness(flight.pace)}")
     raise typer.Exit(GOOD if flight.flying else BAD)
 
 
@@ -85,6 +91,12 @@ def describe(station: "Station") -> str:
         f"vehicle {station.vehicle.sysid}: companion {offboard.own} -> {offboard.peer}, "
         f"ground station {ground.own} -> {ground.peer} (UDP, 127.0.0.1)"
     )
+
+
+def lateness(pace: "Pace") -> str:
+    """How well the machine kept up."""
+    lost = f", {pace.lost:.1f} s given up" if pace.lost else ""
+    return f"at most {pace.worst * 1e3:.0f} ms late{lost}"
 
 
 def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[Vehicle], None]":

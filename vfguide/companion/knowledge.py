@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from vfguide.companion.place import Local, place_state
+from vfguide.companion.plausible import is_plausible
 from vfguide.flight.state import FlightState
-from vfguide.geometry.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.geodesy import TangentPlane
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.link.messages import (
@@ -35,7 +35,11 @@ class Knowledge(NamedTuple):
 
 
 def observe(known: Knowledge, message: Message) -> Knowledge:
-    """What is known after `message`."""
+    """What is known after `message`; nothing new after one that cannot be true."""
+    return _note(known, message) if is_plausible(message) else known
+
+
+def _note(known: Knowledge, message: Message) -> Knowledge:
     match message:
         case AttitudeQuaternion():
             return known._replace(attitude=message)
@@ -73,7 +77,8 @@ def flight_state(known: Knowledge, frame: TangentPlane) -> FlightState | None:
         (position.vx, position.vy, position.vz),
         ahead,
         (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
-        true_airspeed(hud.airspeed, isa_density(hud.alt)),
+        hud.airspeed,
+        hud.alt,
         (0.0, 0.0, 0.0) if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
     )
 

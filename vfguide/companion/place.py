@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from vfguide.flight.state import FlightState
+from vfguide.geometry.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, TangentPlane, geodetic_to_ned
 from vfguide.geometry.projection import reproject
@@ -29,7 +30,8 @@ def place_state(
     v_l: Vec3,
     ahead: float,
     q_lb: tuple[float, float, float, float],
-    airspeed: float,
+    calibrated: float,
+    altitude: float,
     wind_l: Vec3,
 ) -> FlightState:
     """The state in the plane `frame`.
@@ -42,7 +44,8 @@ def place_state(
         v_l: velocity, north-east-down at the vehicle [m/s].
         ahead: the attitude is this much newer than the position [s].
         q_lb: attitude w, x, y, z, body to north-east-down at the vehicle.
-        airspeed: true [m/s].
+        calibrated: airspeed [m/s].
+        altitude: above mean sea level [m], for the density of the air.
         wind_l: wind toward, north-east-down at the vehicle [m/s].
     """
     p = add(p_l, scale(ahead, v_l))
@@ -53,6 +56,6 @@ def place_state(
         geodetic_to_ned(frame, lat, lon, local.alt - p[2]),
         matvec(R_nl, v_l),
         matmul(R_nl, from_quaternion(q_lb)),
-        airspeed,
+        true_airspeed(calibrated, isa_density(altitude)),
         matvec(R_nl, wind_l),
     )

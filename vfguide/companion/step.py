@@ -10,6 +10,7 @@ from vfguide.companion.plan import Goal, Plan
 from vfguide.flight.guidance import Memory, Target, Wish, fresh_memory, next_leg
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.safety.limits import guide_within_limits
 
@@ -69,12 +70,17 @@ def note_pass(state: FlightState, plan: Plan, memory: RouteMemory) -> RouteMemor
 
 def passing(before: FlightState, after: FlightState, p_n: Vec3) -> Vec3 | None:
     """Offset from `p_n` where the distance to it was least between two states, if it was [m]."""
-    closing = dot(sub(before.p_n, p_n), before.v_n)
-    opening = dot(sub(after.p_n, p_n), after.v_n)
-    if not (closing < 0.0 <= opening):
+    if not (approach(before.p_n, before.v_n, p_n) < 0.0 <= approach(after.p_n, after.v_n, p_n)):
         return None
+    opening = approach(after.p_n, after.v_n, p_n)
     late = opening / max(dot(after.v_n, after.v_n), 1e-6)
     return sub(sub(after.p_n, p_n), scale(late, after.v_n))
+
+
+@compiled
+def approach(p_n: Vec3, v_n: Vec3, goal_n: Vec3) -> float:
+    """Half the rate of the squared distance to `goal_n`: negative on approach [m^2/s]."""
+    return dot(sub(p_n, goal_n), v_n)
 
 
 def within_angles(state: FlightState, goal: Goal) -> bool:

@@ -2,7 +2,8 @@
 
 from vfguide.daemon.transport import ConnectError, Transport
 from vfguide.daemon.udp import call, listen
-from vfguide.link.url import NetworkUrl, Transport as Kind, Url
+from vfguide.link.url import NetworkUrl, Url
+from vfguide.link.url import Transport as Kind
 
 
 def connect(url: Url, sysid: int) -> Transport:

@@ -101,7 +101,8 @@ class Daemon:
 
     def _tell(self) -> None:
         """Tell the operator what is new."""
-        for news in (self._companion.notes, self._transport.warnings, self._log.warnings):
-            for line in news:
-                self._say(line)
-            news.clear()
+        warnings = self._transport.warnings + self._log.warnings
+        for line in self._companion.news() + warnings:
+            self._say(line)
+        self._transport.warnings.clear()
+        self._log.warnings.clear()

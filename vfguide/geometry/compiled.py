@@ -5,9 +5,11 @@ the files it calls into. Here the cache folder is named after the text of every 
 module, so that a change in one makes all the cached machine code stale at once.
 """
 
+import fcntl
 import hashlib
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
@@ -47,9 +49,25 @@ def over_points(signature: str, layout: str) -> Callable[[Callable[..., None]], 
         def guvectorize(**options: Any) -> Callable[[Callable[..., None]], Any]:
             return numba.guvectorize([signature], layout, nopython=True, **options)
 
-        return cast("Callable[..., Any]", _cached(guvectorize, kernel, {}))
+        with _one_process_at_a_time():
+            return cast("Callable[..., Any]", _cached(guvectorize, kernel, {}))
 
     return decorate
+
+
+@contextmanager
+def _one_process_at_a_time() -> Generator[None]:
+    """Hold the lock of the cache folder.
+
+    numba keeps a kernel and the loop around it in two files, and names the one in the other by
+    a number that each process counts for itself. Files of two processes that compile at the
+    same time do not fit together: the first call would end the program.
+    """
+    folder = Path(cache_folder())
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def _cached(decorator: Any, function: Any, options: dict[str, Any]) -> Any:

@@ -26,6 +26,18 @@ class TlogError(Exception):
         self.path = path
 
 
+def tlog_record(time_us: int, raw: bytes) -> bytes:
+    """One frame, as it is on the wire, behind its time [us since 1970].
+
+    Raises:
+        ValueError: the time is negative or beyond 64 bits.
+    """
+    try:
+        return _TIME.pack(time_us) + raw
+    except struct.error as error:
+        raise ValueError(f"{time_us} is no time in microseconds since 1970") from error
+
+
 class TlogWriter:
     """Writes a log; a context manager.
 
@@ -60,10 +72,14 @@ class TlogWriter:
             ValueError: the time is negative or beyond 64 bits.
             TlogError: the file cannot be written; the records in memory are lost.
         """
-        try:
-            record = _TIME.pack(time_us) + raw
-        except struct.error as error:
-            raise ValueError(f"{time_us} is no time in microseconds since 1970") from error
+        self.append(tlog_record(time_us, raw))
+
+    def append(self, record: bytes) -> None:
+        """Adds what `tlog_record` made.
+
+        Raises:
+            TlogError: the file cannot be written; the records in memory are lost.
+        """
         self._pending.append(record)
         self._pending_bytes += len(record)
         if self._pending_bytes >= self._buffer_bytes:

@@ -4,12 +4,16 @@ import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from statistics import median
 
+from vfguide.companion.plan import Plan
 from vfguide.companion.step import fresh_route, step
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler
 from vfguide.link.codec import Encoder, Parser, decode
+from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.scenario.crew import plan_of, simulate
 from vfguide.scenario.load import load_scenario
@@ -19,9 +23,14 @@ from vfguide.sim.plant import STEP
 SCENARIO = "first-flight"
 REPEATS = 7
 """Every figure is the median of this many, taken in turn, so that a slow spell hits them all."""
-PLANT_STEPS = 2000
 GUIDANCE_STEPS = 500
 MESSAGES = 1000
+STATE = FlightState(
+    1.0, (-300.0, 50.0, -120.0), (25.0, 2.0, 0.0), from_euler(0.1, 0.05, 0.0), 25.0, (1.0, 2.0, 0.0)
+)
+SETPOINT = SetAttitudeTarget(
+    1000, 1, 1, AttitudeTypeMask.ATTITUDE_IGNORE, (1.0, 0.0, 0.0, 0.0), 0.1, 0.02, 0.03, 0.4
+)
 
 
 @dataclass(frozen=True)
@@ -33,28 +42,65 @@ class Bench:
     message_turnaround_us: float
     """One setpoint encoded, found in the stream and decoded."""
     jsbsim_steps_per_s: float
-    """The plant alone, controls held."""
+    """Bare JSBSim at the time step of a run, controls held."""
     jsbsim_realtime_factor: float
-    """The same as simulated over real time."""
+    """The same, simulated over real time."""
     run_realtime_factor: float
-    """A whole run of one aircraft, all traffic as bytes, logs written."""
+    """A whole run of one aircraft: all traffic as bytes, logs written."""
     run_over_bare: float
-    """Time of a whole run over the time of its plant steps alone."""
+    """Time of a whole run over the time of bare JSBSim for the same steps."""
 
 
 def measure() -> Bench:
-    """Measure everything, repeats in turn."""
+    """Measure everything, the repeats in turn."""
     loaded = load_scenario(SCENARIO)
-    warm_up(loaded)
     vehicle = loaded.scenario.vehicles[0]
     plan = plan_of(loaded, vehicle)
-    guidance, message, plant, run = [], [], [], []
+    warm_up()
+    times: list[tuple[float, float, float, float]] = []
     for _ in range(REPEATS):
-        guidance.append(seconds(lambda: guide_often(plan)) / GUIDANCE_STEPS)
-        message.append(seconds(turn_messages) / MESSAGES)
-        bare = simulate(loaded, vehicle).plant
-        controls = vehicle_controls = (0.0, 0.0, 0.0, 0.7)
-        plant.append(seconds(lambda: [bare.advance(controls) for _ in range(PLANT_STEPS)]) / PLANT_STEPS)
         with tempfile.TemporaryDirectory() as folder:
-            flight = fly_scenario(loaded, Path(folder), lambda *_: None)
-        run.append(flight.wall_s / flight.sim_s)
+            flight = fly_scenario(loaded, Path(folder))
+        steps = round(flight.sim_s / STEP)
+        plant = simulate(loaded, vehicle).plant
+        times.append(
+            (
+                seconds(partial(guide_often, plan)) / GUIDANCE_STEPS,
+                seconds(turn_messages) / MESSAGES,
+                seconds(partial(plant.run_bare, steps)) / flight.sim_s,
+                flight.wall_s / flight.sim_s,
+            )
+        )
+    guidance, message, bare, run = (median(column) for column in zip(*times, strict=True))
+    ratio = median(time[3] / time[2] for time in times)
+    return Bench(
+        guidance_step_us=round(guidance * 1e6, 2),
+        message_turnaround_us=round(message * 1e6, 2),
+        jsbsim_steps_per_s=round(1.0 / (bare * STEP)),
+        jsbsim_realtime_factor=round(1.0 / bare, 1),
+        run_realtime_factor=round(1.0 / run, 1),
+        run_over_bare=round(ratio, 2),
+    )
+
+
+def seconds(work: Callable[[], None]) -> float:
+    """How long the work takes [s]."""
+    started = time.perf_counter()
+    work()
+    return time.perf_counter() - started
+
+
+def guide_often(plan: Plan) -> None:
+    """Guidance steps in flight, each with the memory of the one before."""
+    memory = fresh_route()
+    for k in range(GUIDANCE_STEPS):
+        _, memory, _ = step(STATE._replace(time=0.02 * k), plan, memory)
+
+
+def turn_messages() -> None:
+    """Setpoints to bytes and back."""
+    encoder, parser = Encoder(1, MavComponent.PATHPLANNER), Parser()
+    for _ in range(MESSAGES):
+        for frame in parser.feed(encoder.encode(SETPOINT)):
+            decode(frame)
+

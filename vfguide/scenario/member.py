@@ -75,8 +75,8 @@ class Member:
         now = self.sim.now
         down = self._waiting + self.sim.transmit(self._port)
         for _ in range(ROUNDS):
-            up = [frame for data in down for frame in self._session.receive(now, data)]
-            down = [frame for data in up for frame in self.sim.receive(self._port, data)]
+            up = self._session.receive(now, b"".join(down)) if down else []
+            down = self.sim.receive(self._port, b"".join(up)) if up else []
         self._waiting = down
 
     def note(self) -> None:

@@ -1,14 +1,19 @@
 """A run: a scenario flown, judged and reported, all in one folder."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from vfguide.link.tlog import TlogError
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
-from vfguide.scenario.lockstep import Progress, fly_scenario
+from vfguide.scenario.lockstep import Ending, Progress, fly_scenario
 from vfguide.scenario.report import write_report
 from vfguide.scenario.result import Result, judge, write_result
+
+
+EARLY = frozenset({Ending.TIME, Ending.STOPPED})
+"""Endings that are reasons by themselves."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,7 @@ def run_scenario(
     loaded: LoadedScenario,
     folder: Path,
     progress: Progress,
+    stopped: Callable[[], bool],
     command: str,
     *,
     realtime: bool = False,
@@ -38,15 +44,15 @@ def run_scenario(
     prepare_folder(folder)
     try:
         loaded.write_resolved(folder / "scenario.toml")
-        flight = fly_scenario(loaded, folder, progress, realtime)
-        early = ("interrupted",) if flight.interrupted else flight.ended_early
+        flight = fly_scenario(loaded, folder, progress, stopped, realtime=realtime)
+        early = (flight.ending.value,) if flight.ending in EARLY else ()
         result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
         write_result(result, folder / "result.json")
         if report:
             write_report(folder, loaded, flight.records, result, command)
     except (OSError, TlogError) as error:
         raise InputError(f"{folder}: cannot be written: {error}") from error
-    return Run(result, flight.interrupted)
+    return Run(result, flight.ending is Ending.STOPPED)
 
 
 def prepare_folder(folder: Path) -> None:

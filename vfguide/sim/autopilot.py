@@ -62,6 +62,7 @@ class Autopilot:
         self.setpoint: SetAttitudeTarget | None = None
         self._setpoint_at = -SECOND * 3600
         self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
+        self._is_flyable = True  # else PX4 puts all surfaces to trim and stops the motor
         self._integral: Vec3 = (0.0, 0.0, 0.0)
         self._throttle = 0.0
 
@@ -72,7 +73,7 @@ class Autopilot:
 
     def control(self, inner: Inner, dt: float) -> ControlTuple:
         """The rate loop and the thrust map: at every step of the plant."""
-        if not all(map(math.isfinite, self._wanted)):
+        if not self._is_flyable:
             self._throttle = 0.0
             return (*self._airframe.cruise.controls[:3], 0.0)
         controls, self._integral = inner_loop(
@@ -91,6 +92,7 @@ class Autopilot:
         else:
             wanted = self._hold.step(self.estimate)
             self._wanted = (*wanted.omega_b, wanted.thrust)
+            self._is_flyable = True
 
     def streams(self, port: Port) -> list[bytes]:
         """The frames that are due on a port now."""
@@ -167,6 +169,7 @@ class Autopilot:
         else:
             omega_b = self._rates_for_attitude(sp)
         self._wanted = (*omega_b, 0.0 if mask & THROTTLE_IGNORE else sp.thrust)
+        self._is_flyable = all(map(math.isfinite, self._wanted))
 
     def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
         """Roll and pitch of the quaternion, the yaw of a coordinated turn."""

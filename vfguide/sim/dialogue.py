@@ -71,6 +71,8 @@ def receive(autopilot: Autopilot, port: Port, data: bytes) -> list[bytes]:
 
 def is_addressed(message: Message, sysid: int) -> bool:
     """Whether a message is for this autopilot or for all."""
+    if isinstance(message, SetAttitudeTarget):
+        return message.target_system in (0, sysid) and message.target_component in (0, 1)
     system = getattr(message, "target_system", 0)
     component = getattr(message, "target_component", 0)
     return system in (0, sysid) and component in (MavComponent.ALL, MavComponent.AUTOPILOT1)

@@ -79,6 +79,12 @@ class Plant:
             raise model_error(self._model, f"in flight: {error}") from error
         self._steps += 1
 
+    def run_bare(self, steps: int) -> None:
+        """JSBSim and nothing else, for so many time steps, the controls as they are: a yardstick."""
+        for _ in range(steps):
+            self._run()
+        self._steps += steps
+
     def inner(self) -> Inner:
         """Body rates and air data, for the inner loop at every time step."""
         return (

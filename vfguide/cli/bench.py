@@ -1,0 +1,35 @@
+"""`vfguide bench`."""
+
+from typing import Annotated
+
+import typer
+
+
+def bench(
+    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Measure the parts and a whole run against bare JSBSim, in one process.
+
+    Example: vfguide bench --json
+    """
+    from dataclasses import asdict
+    from json import dumps
+
+    from rich.table import Table
+
+    from vfguide.cli.console import out
+    from vfguide.scenario.bench import measure
+
+    figures = asdict(measure())
+    if json:
+        typer.echo(dumps(figures, indent=2))
+        return
+    table = Table("figure", "value")
+    for name, value in figures.items():
+        table.add_row(name, f"{value:g}")
+    out.print(table)
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(bench)
