@@ -101,13 +101,16 @@ def spread(values: list[float]) -> str:
     known = np.array([value for value in values if math.isfinite(value)])
     if not known.size:
         return "none"
-    return f"median {np.median(known):.3f}  95 % {np.quantile(known, 0.95):.3f}  most {known.max():.3f}"
+    median, most_of_them = np.quantile(known, (0.5, 0.95))
+    return f"median {median:.3f}  95 % {most_of_them:.3f}  most {known.max():.3f}"
 
 
 def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     """Print the table."""
     reached = sum(outcome.reached for outcome in outcomes)
-    print(f"seed {args.seed}, {len(outcomes)} starts, {args.nearest:g} to {args.farthest:g} m away, ")
+    print(
+        f"seed {args.seed}, {len(outcomes)} starts, {args.nearest:g} to {args.farthest:g} m away, "
+    )
     print(f"height +-{args.height:g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
     print(f"reached     {reached} of {len(outcomes)}")
     print(f"miss [m]    {spread([o.miss_m for o in outcomes])}")
@@ -148,7 +151,10 @@ def main() -> None:
     args = parser.parse_args()
     if args.only is not None:
         numbers = [args.only]
-        print("vfguide run first-flight " + " ".join(f"--set '{c}'" for c in draw(args.seed, args.only, args)))
+        print(
+            "vfguide run first-flight "
+            + " ".join(f"--set '{c}'" for c in draw(args.seed, args.only, args))
+        )
     else:
         numbers = list(range(args.runs))
     with ProcessPoolExecutor(args.workers) as pool:

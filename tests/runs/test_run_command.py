@@ -1,7 +1,6 @@
 """`vfguide run` in good and bad hands."""
 
 import json
-import os
 import resource
 import signal
 import subprocess
@@ -11,6 +10,7 @@ import pytest
 from flights import VFGUIDE, scenario_file, vfguide
 
 from vfguide.link.tlog import TlogReader
+from vfguide.scenario.data import find_aircraft
 
 RESULT_KEYS = {
     *("name", "version", "seed", "verdict", "reasons", "sim_s", "wall_s", "realtime_factor"),
@@ -42,7 +42,9 @@ def test_a_run_leaves_everything(tmp_path):
 
 def test_a_run_that_ends_too_soon_is_bad(tmp_path):
     path = scenario_file(tmp_path)
-    done = vfguide("run", path, "--out", "out", "--no-report", "--set", "duration_s=5", cwd=tmp_path)
+    done = vfguide(
+        "run", path, "--out", "out", "--no-report", "--set", "duration_s=5", cwd=tmp_path
+    )
     assert done.returncode == 1
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     assert result["verdict"] == "bad"
@@ -61,7 +63,9 @@ def test_without_out_the_folder_is_named_after_the_scenario(tmp_path):
 def test_an_existing_empty_folder_is_fine(tmp_path):
     (tmp_path / "out").mkdir()
     path = scenario_file(tmp_path)
-    done = vfguide("run", path, "--out", "out", "--no-report", "--set", "duration_s=1", cwd=tmp_path)
+    done = vfguide(
+        "run", path, "--out", "out", "--no-report", "--set", "duration_s=1", cwd=tmp_path
+    )
     assert done.returncode == 1, done.stderr
 
 
@@ -70,9 +74,7 @@ def test_a_full_folder_is_refused_and_left_alone(tmp_path):
     (tmp_path / "out" / "mine").write_text("keep")
     done = vfguide("run", scenario_file(tmp_path), "--out", "out", cwd=tmp_path)
     assert done.returncode == 2
-    assert done.stderr == (
-        "vfguide: --out out: not empty, allowed is a new or an empty folder\n"
-    )
+    assert done.stderr == ("vfguide: --out out: not empty, allowed is a new or an empty folder\n")
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["mine"]
 
 
@@ -147,7 +149,7 @@ def test_bad_words_on_the_command_line(arguments, message, tmp_path):
     assert done.returncode == 2
     assert message in done.stderr
     assert "Traceback" not in done.stderr
-    assert os.listdir(tmp_path) == []
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_brackets_in_a_message_are_shown_as_typed(tmp_path):
@@ -161,7 +163,7 @@ def test_brackets_in_a_message_are_shown_as_typed(tmp_path):
 def test_a_model_that_jsbsim_cannot_read(tmp_path):
     folder = tmp_path / "aircraft" / "aerosonde"
     folder.mkdir(parents=True)
-    shipped = load_shipped()
+    shipped = find_aircraft("aerosonde")
     (folder / "aerosonde.toml").write_text(shipped.performance.read_text())
     (folder / "aerosonde.xml").write_text(shipped.model.read_text()[:3000])
     done = vfguide("run", scenario_file(tmp_path), "--out", "out", cwd=tmp_path)
@@ -169,8 +171,3 @@ def test_a_model_that_jsbsim_cannot_read(tmp_path):
     assert "aerosonde.xml" in done.stderr
     assert "Traceback" not in done.stderr
 
-
-def load_shipped():
-    from vfguide.scenario.data import find_aircraft
-
-    return find_aircraft("aerosonde")

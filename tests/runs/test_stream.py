@@ -1,6 +1,7 @@
 """What stands in the logs of a run, read by other people's software too."""
 
 import math
+from itertools import pairwise
 
 import pytest
 from flights import scenario_file
@@ -42,7 +43,7 @@ def test_setpoints_are_body_rates_at_50_hz_and_finite(logs):
         for value in (*m.q, m.body_roll_rate, m.body_pitch_rate, m.body_yaw_rate, m.thrust)
     )
     times = [time for time, *_ in sent]
-    assert {b - a for a, b in zip(times, times[1:], strict=False)} == {20_000}
+    assert {b - a for a, b in pairwise(times)} == {20_000}
     assert len(sent) >= 50 * (DURATION - 0.3)
 
 

@@ -59,7 +59,7 @@ def replay(
         console.print("identical")
         raise typer.Exit(GOOD)
     first = found.difference
-    console.print(f"different, first at setpoint {first.index} ({first.time} us): {first.what}")
+    console.print(f"different, first at setpoint {first.number} ({first.time} us): {first.what}")
     raise typer.Exit(BAD)
 
 

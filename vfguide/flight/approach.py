@@ -14,7 +14,6 @@ from vfguide.field.navigation import navigation_field, navigation_field_rate
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
-
 ROLL_IN = 0.5
 """Time that the aircraft takes to roll into a turn [s]."""
 LINEAR = 0.03

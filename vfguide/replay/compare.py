@@ -18,7 +18,7 @@ Timed = tuple[int, Frame]
 class Difference(NamedTuple):
     """The first setpoint that is not the recorded one."""
 
-    index: int
+    number: int
     """Of the setpoint, from 0."""
     time: int
     """[us since 1970]."""

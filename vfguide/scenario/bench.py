@@ -103,4 +103,3 @@ def turn_messages() -> None:
     for _ in range(MESSAGES):
         for frame in parser.feed(encoder.encode(SETPOINT)):
             decode(frame)
-

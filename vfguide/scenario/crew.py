@@ -11,8 +11,8 @@ from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import plane_of
-from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.resolved import Goal as ScenarioGoal
+from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError

@@ -11,7 +11,6 @@ from vfguide.scenario.lockstep import Ending, Progress, fly_scenario
 from vfguide.scenario.report import write_report
 from vfguide.scenario.result import Result, judge, write_result
 
-
 EARLY = frozenset({Ending.TIME, Ending.STOPPED})
 """Endings that are reasons by themselves."""
 

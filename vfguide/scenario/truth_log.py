@@ -13,17 +13,26 @@ MOST = 2**15 - 1
 
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
     """The truth at the date `now` [us since 1970]; the altitude is above the ellipsoid."""
+    p, q, r = truth.omega_b
+    north, east, down = (short(v / CM_S) for v in truth.v_n)
+    x, y, z = (short(a / MILLI_G) for a in truth.force_b)
     return HilStateQuaternion(
         now,
         quaternion_from_euler(truth.roll, truth.pitch, truth.yaw),
-        *truth.omega_b,
+        p,
+        q,
+        r,
         round(truth.latitude / DEG_E7),
         round(truth.longitude / DEG_E7),
         round(truth.altitude / MM),
-        *(short(v / CM_S) for v in truth.v_n),
+        north,
+        east,
+        down,
         round(calibrated_airspeed(truth.airspeed, truth.density) / CM_S),
         round(truth.airspeed / CM_S),
-        *(short(a / MILLI_G) for a in truth.force_b),
+        x,
+        y,
+        z,
     )
 
 

@@ -80,7 +80,7 @@ class Plant:
         self._steps += 1
 
     def run_bare(self, steps: int) -> None:
-        """JSBSim and nothing else, for so many time steps, the controls as they are: a yardstick."""
+        """JSBSim and nothing else for so many time steps, controls held: a yardstick."""
         for _ in range(steps):
             self._run()
         self._steps += steps

@@ -61,14 +61,15 @@ GROUND: dict[int, float] = {
 class Port:
     """One channel. Times in us."""
 
-    def __init__(self, sysid: int, rates: dict[int, float]) -> None:
+    def __init__(self, sysid: int, rates: dict[int, float], now: int) -> None:
+        """A channel of system `sysid` with these streams [Hz], all due at `now`."""
         self.parser = Parser()
         self.has_ground_station = False
         """PX4 sends STATUSTEXT only where a ground station was heard."""
         self._encoder = Encoder(sysid, MavComponent.AUTOPILOT1)
         self._default = {msgid: round(SECOND / rate) for msgid, rate in rates.items()}
         self._interval = dict(self._default)
-        self._due = dict.fromkeys(self._default, 0)
+        self._due = dict.fromkeys(self._default, now)
         self._queue: list[tuple[int, Message]] = []
 
     def encode(self, message: Message) -> bytes:
@@ -86,11 +87,14 @@ class Port:
         return ready
 
     def due(self, now: int) -> list[int]:
-        """The messages to send now, by their ids, in the order of the table."""
+        """The messages to send now, by their ids, in the order of the table.
+
+        What was missed is left out; the others keep their beat.
+        """
         ready = [msgid for msgid, due in self._due.items() if due <= now]
         for msgid in ready:
-            interval = self._interval[msgid]
-            self._due[msgid] = max(self._due[msgid], now - interval + 1) + interval
+            interval, due = self._interval[msgid], self._due[msgid]
+            self._due[msgid] = due + interval * (1 + (now - due) // interval)
         return ready
 
     def set_interval(self, now: int, msgid: int, interval: int) -> None:

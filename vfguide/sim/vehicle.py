@@ -88,7 +88,7 @@ class Vehicle:
 
     def connect(self, rates: dict[int, float]) -> Port:
         """A new MAVLink channel with these streams [Hz]."""
-        port = Port(self.sysid, rates)
+        port = Port(self.sysid, rates, self.now)
         self.autopilot.ports.append(port)
         return port
 
