@@ -11,6 +11,7 @@ from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.daemon.transport import Transport
+    from vfguide.link.tlog import TlogWriter
     from vfguide.scenario.load import LoadedScenario
 
 
@@ -33,7 +34,6 @@ def fly(
     Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
     """
     from vfguide.cli.console import complain
-    from vfguide.cli.logs import new_log
     from vfguide.cli.signals import Signals
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
@@ -49,12 +49,11 @@ def fly(
     with Signals() as signals, ExitStack() as stack:
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))
         path = log_path(log, loaded.scenario.name, vehicle)
-        flight_log = stack.enter_context(closing(FlightLog(new_log(path))))
-        if path != log:
-            write_scenario(loaded, path.parent / "scenario.toml")
+        flight_log = stack.enter_context(closing(FlightLog(open_log(path, path != log, loaded))))
         warm_up(plan)
         session = Session(Companion(vehicle, plan, engage=engage), flight_log.write)
-        say(f"vehicle {vehicle}: {connect}, log {path}; Ctrl-C hands over and ends")
+        say(f"waiting for the autopilot of vehicle {vehicle} at {connect}; log: {path}")
+        say("Ctrl-C hands over and ends")
         outcome = Daemon(session, transport, flight_log, Clock(), say).run(lambda: signals.count)
     if outcome is Outcome.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
@@ -95,20 +94,26 @@ def log_path(wish: Path | None, name: str, sysid: int) -> Path:
     return folder / f"vehicle-{sysid}.tlog"
 
 
-def write_scenario(loaded: "LoadedScenario", path: Path) -> None:
-    """Write what is flown beside the log, where a replay looks for it.
+def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWriter":
+    """A new log; in a folder of its own with what is flown beside it, where a replay looks for it.
 
     Raises:
-        InputError: it cannot be written, or there is another scenario already.
+        InputError: one of the two cannot be written, or something else is there already.
     """
+    from vfguide.cli.logs import new_log
     from vfguide.scenario.errors import InputError
 
-    if path.exists() and path.read_text() != loaded.scenario.to_toml():
-        raise InputError(f"--log {path.parent}: a log of another scenario, allowed is a new folder")
+    folder, scenario = path.parent, path.with_name("scenario.toml")
+    if not in_folder:
+        return new_log(path)
+    if scenario.exists() and scenario.read_text() != loaded.scenario.to_toml():
+        raise InputError(f"--log {folder}: a log of another scenario, allowed is a new folder")
+    log = new_log(path)
     try:
-        loaded.write_resolved(path)
+        loaded.write_resolved(scenario)
     except OSError as error:
-        raise InputError(f"--log {path.parent}: cannot be written: {error.strerror}") from error
+        raise InputError(f"--log {folder}: cannot be written: {error.strerror}") from error
+    return log
 
 
 def add_to(app: typer.Typer) -> None:

@@ -1,7 +1,6 @@
 """`vfguide run`."""
 
 import shlex
-import sys
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -40,10 +39,10 @@ def run(
     changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
     loaded = load_scenario(scenario, changes)
     folder = out or default_folder(loaded.scenario.name)
-    command = shlex.join(["vfguide", *sys.argv[1:]])
+    again = shlex.join(["vfguide", "run", scenario, *(f"--set={change}" for change in changes)])
     with Signals() as signals, FlightDisplay(loaded.scenario) as display:
         done = run_scenario(
-            loaded, folder, display, signals.wanted, command, realtime=realtime, report=report
+            loaded, folder, display, signals.wanted, again, realtime=realtime, report=report
         )
     print_result(done.result, folder)
     if view and report:

@@ -61,7 +61,7 @@ class Daemon:
         The first wish hands over, the second ends at once.
         """
         with selectors.SelectSelector() as selector:
-            selector.register(self._transport.socket, selectors.EVENT_READ)
+            selector.register(self._transport, selectors.EVENT_READ)
             while (outcome := self._outcome(stops())) is None:
                 selector.select(POLL)
                 self._take_all()

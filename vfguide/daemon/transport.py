@@ -1,6 +1,5 @@
 """How frames come from the autopilot and go to it."""
 
-import socket
 from typing import Protocol
 
 from vfguide.link.codec import Frame
@@ -13,10 +12,12 @@ class ConnectError(Exception):
 class Transport(Protocol):
     """One link to one autopilot. Nothing in it blocks, and nothing that a peer does raises."""
 
-    socket: socket.socket
-    """What to wait for."""
     warnings: list[str]
     """What the operator should read; the caller takes it away."""
+
+    def fileno(self) -> int:
+        """What to wait for, as `select` takes it."""
+        ...
 
     def receive(self, now: int) -> list[Frame]:
         """The frames that have arrived since the last call, in their order; `now` [us]."""

@@ -43,13 +43,17 @@ class UdpLink:
         self._strangers: set[Address] = set()
         self._parser = Parser()
 
+    def fileno(self) -> int:
+        """The socket's number, to wait for."""
+        return self.socket.fileno()
+
     def receive(self, now: int) -> list[Frame]:
         """The frames of the peer that have arrived by `now` [us], in their order."""
         frames: list[Frame] = []
         for data, sender in datagrams(self.socket):
             found = self._parser.feed(data, whole=True)
-            if self._learns and self._is_autopilot(found):
-                self._learn(now, sender)
+            for sysid in autopilots(found):
+                self._hear(now, sender, sysid)
             if sender == self._peer:
                 frames += found
         return frames
@@ -64,22 +68,29 @@ class UdpLink:
         """Give the port back."""
         self.socket.close()
 
-    def _is_autopilot(self, frames: list[Frame]) -> bool:
-        autopilot = (self._sysid, MavComponent.AUTOPILOT1)
-        return any((frame.sysid, frame.compid) == autopilot for frame in frames)
-
-    def _learn(self, now: int, sender: Address) -> None:
-        """Note where the autopilot is heard from."""
-        if self._peer is None or now - self._heard > PEER_SILENT:
+    def _hear(self, now: int, sender: Address, sysid: int) -> None:
+        """Note where an autopilot is heard; tell of those that are not ours."""
+        if sysid != self._sysid:
+            self._tell_of(sender, f"vehicle {sysid} is heard, waited for is {self._sysid}")
+            return
+        if self._learns and (self._peer is None or now - self._heard > PEER_SILENT):
             self._peer = sender
         if sender == self._peer:
             self._heard = now
-        elif sender not in self._strangers and len(self._strangers) < MOST_STRANGERS:
-            self._strangers.add(sender)
-            self.warnings.append(
-                f"{name_of(sender)} speaks as vehicle {self._sysid} too: ignored, "
-                f"its autopilot is at {name_of(self._peer)}"
-            )
+        else:
+            place = name_of(self._peer)
+            self._tell_of(sender, f"ignored as vehicle {sysid}, whose autopilot is at {place}")
+
+    def _tell_of(self, stranger: Address, text: str) -> None:
+        """Tell the operator once of each of the first strangers."""
+        if stranger not in self._strangers and len(self._strangers) < MOST_STRANGERS:
+            self._strangers.add(stranger)
+            self.warnings.append(f"{name_of(stranger)}: {text}")
+
+
+def autopilots(frames: list[Frame]) -> set[int]:
+    """Systems whose autopilot sent one of these frames."""
+    return {frame.sysid for frame in frames if frame.compid == MavComponent.AUTOPILOT1}
 
 
 def listen(url: NetworkUrl, sysid: int) -> UdpLink:

@@ -15,7 +15,7 @@ from vfguide.link.messages import (
 )
 from vfguide.link.px4 import Px4Mode
 
-APART = 1000
+APART = 100
 """Between two states of the flight [ms]."""
 
 

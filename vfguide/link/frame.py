@@ -141,10 +141,12 @@ class Parser:
         buffer = self._rest + data
         frames: list[Frame] = []
         position = 0
-        while position < len(buffer):
+        while True:
             start = next_magic(buffer, position)
             self._skip(position, start)
             position = start
+            if start == len(buffer):
+                break
             found = frame_at(buffer, start)
             if found is Flaw.INCOMPLETE and not whole:
                 break

@@ -1,0 +1,105 @@
+"""A companion with somebody who plays its autopilot."""
+
+from functools import cache
+
+from vfguide.companion.companion import Companion
+from vfguide.companion.plan import Plan
+from vfguide.geometry.units import DEG_E7, MM
+from vfguide.link.enums import MavAutopilot, MavCmd, MavResult, MavState, MavType
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    CommandAck,
+    CommandLong,
+    GpsGlobalOrigin,
+    Heartbeat,
+    LocalPositionNed,
+    SetAttitudeTarget,
+    VfrHud,
+)
+from vfguide.link.px4 import Px4Mode, main_and_sub
+from vfguide.scenario.crew import plan_of
+from vfguide.scenario.load import load_scenario
+
+SECOND = 1_000_000
+TICK = 20_000
+START = 1_767_225_600 * SECOND
+
+
+@cache
+def plan() -> Plan:
+    loaded = load_scenario("first-flight")
+    return plan_of(loaded, loaded.scenario.vehicles[0])
+
+
+def heartbeat(mode: int = Px4Mode.HOLD) -> Heartbeat:
+    return Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.ACTIVE)
+
+
+def state(time_boot_ms: int, north: float = 0.0) -> list:
+    """Level flight to the north, all that the companion needs of one instant."""
+    frame = plan().frame
+    origin = (round(frame.lat / DEG_E7), round(frame.lon / DEG_E7), round(frame.alt / MM))
+    return [
+        GpsGlobalOrigin(*origin),
+        LocalPositionNed(time_boot_ms, north, -300.0, -120.0, 25.0, 0.0, 0.0),
+        VfrHud(24.0, 25.0, 0, 30, frame.alt + 120.0, 0.0),
+        AttitudeQuaternion(time_boot_ms, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    ]
+
+
+class Conversation:
+    """Time goes on by itself; what the companion says is kept."""
+
+    def __init__(self, *, engage: bool = True, sysid: int = 1) -> None:
+        self.companion = Companion(sysid, plan(), engage=engage)
+        self.now = START
+        self.boot_ms = 5000
+        self.said: list = []
+        self.told: list[str] = []
+
+    def hear(self, *messages) -> list:
+        """What the companion answers."""
+        out = [answer for m in messages for answer in self.companion.receive(self.now, m)]
+        self.said += out
+        self.told += self.companion.news()
+        return out
+
+    def fly(self, seconds: float, mode: int | None = Px4Mode.HOLD, *, flying: bool = True) -> list:
+        """So many seconds of states and heartbeats; None: no heartbeats."""
+        out = []
+        for tick in range(round(seconds * SECOND / TICK)):
+            self.now += TICK
+            self.boot_ms += TICK // 1000
+            if mode is not None and tick % 50 == 0:
+                out += self.hear(heartbeat(mode))
+            if flying:
+                out += self.hear(*state(self.boot_ms, 0.025 * self.boot_ms))
+            out += self.poll()
+        return out
+
+    def poll(self) -> list:
+        out = self.companion.poll(self.now)
+        self.said += out
+        self.told += self.companion.news()
+        return out
+
+    def stop(self) -> list:
+        out = self.companion.stop(self.now)
+        self.told += self.companion.news()
+        return out
+
+    def acknowledge(self, result: int = MavResult.ACCEPTED) -> None:
+        self.hear(CommandAck(MavCmd.DO_SET_MODE, result))
+
+
+def setpoints(messages: list) -> list[SetAttitudeTarget]:
+    return [m for m in messages if isinstance(m, SetAttitudeTarget)]
+
+
+def modes_asked(messages: list) -> list[int]:
+    """The modes of all DO_SET_MODE."""
+    asked = []
+    for m in messages:
+        if isinstance(m, CommandLong) and m.command == MavCmd.DO_SET_MODE:
+            asked += [mode for mode in Px4Mode if main_and_sub(mode) == (m.param2, m.param3)]
+    return asked

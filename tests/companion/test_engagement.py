@@ -1,0 +1,87 @@
+"""Every phase of the companion under every event."""
+
+import pytest
+
+from vfguide.companion.engagement import NEXT, OVER, SENDING, Event, Phase
+
+ALL = [(phase, event) for phase in Phase for event in Event]
+CONTROL = {Phase.FLYING, Phase.INTERRUPTED, Phase.RETURNING}
+"""The companion's setpoints are flown, or may be."""
+
+
+def reachable(*begin):
+    """All phases that can come after these."""
+    found = set(begin)
+    while more := {NEXT[phase, event] for phase in found for event in Event} - found:
+        found |= more
+    return found
+
+
+def test_every_pair_has_an_entry():
+    assert set(NEXT) == set(ALL)
+
+
+@pytest.mark.parametrize("phase", [Phase.RELEASED, Phase.ENDED, Phase.UNCONFIRMED])
+def test_who_was_released_or_has_ended_never_sends_again(phase):
+    assert not reachable(phase) & SENDING
+
+
+@pytest.mark.parametrize("phase", [Phase.ENDED, Phase.UNCONFIRMED])
+def test_the_end_is_the_end(phase):
+    assert reachable(phase) == {phase}
+
+
+def test_every_phase_can_come_about():
+    assert reachable(Phase.SEARCHING) == set(Phase)
+
+
+def test_only_the_autopilot_makes_it_fly():
+    ways = {event for (phase, event), after in NEXT.items() if after is Phase.FLYING is not phase}
+    assert ways == {Event.OFFBOARD_SEEN}
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_a_mode_of_the_autopilots_own_ends_control_at_once(phase):
+    after = NEXT[phase, Event.OTHER_MODE_SEEN]
+    assert after not in CONTROL
+    if phase in CONTROL:
+        assert after not in SENDING
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_a_stop_leads_to_the_end_or_to_the_hand_over(phase):
+    after = NEXT[phase, Event.STOP_ASKED]
+    assert after in OVER | {Phase.RETURNING}
+    may_be_flown = phase in {Phase.ASKING, Phase.FLYING, Phase.RETURNING}
+    assert (after is Phase.RETURNING) == may_be_flown
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_without_a_link_nothing_is_sent(phase):
+    assert NEXT[phase, Event.LINK_LOST] not in SENDING
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_it_asks_only_while_the_autopilot_flies_in_a_mode_of_its_own(phase):
+    after = NEXT[phase, Event.OFFBOARD_ASKED]
+    assert after is (Phase.ASKING if phase is Phase.OFFERING else phase)
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_giving_up_the_question_touches_nothing_else(phase):
+    after = NEXT[phase, Event.ASKING_GIVEN_UP]
+    assert after is (Phase.OFFERING if phase is Phase.ASKING else phase)
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_somebody_elses_setpoints_are_never_joined(phase):
+    """OFFBOARD that was there before the companion is not its own."""
+    if phase is Phase.SEARCHING:
+        assert NEXT[phase, Event.OFFBOARD_SEEN] is Phase.SEARCHING
+    assert NEXT[phase, Event.OFFBOARD_SEEN] in {phase, Phase.FLYING}
+
+
+@pytest.mark.parametrize(("phase", "event"), ALL)
+def test_the_same_event_twice_is_no_news(phase, event):
+    after = NEXT[phase, event]
+    assert NEXT[after, event] is after

@@ -1,0 +1,108 @@
+"""The commands of the README, of the first-flight page and of every --help, as written."""
+
+import json
+import re
+import shlex
+import signal
+import subprocess
+from pathlib import Path
+
+import pytest
+from pages import DOCS, README, ROOT, commands, files_in
+from programs import VFGUIDE, Program
+
+PAGES = [README, DOCS / "first-flight.md"]
+SET_UP = {"./tools/first-flight", "./tools/test", ". .venv/bin/activate"}
+"""What CI runs itself, and what a test cannot."""
+FOR_EVER = {"sim", "fly"}
+"""Commands that end when they are told to."""
+
+
+def vfguide(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*VFGUIDE, *arguments], cwd=cwd, capture_output=True, text=True, check=False, timeout=300
+    )
+
+
+def lines_of(page: Path) -> list[str]:
+    return [line for block in commands(page) for line in block if line not in SET_UP]
+
+
+def help_of(*command: str) -> str:
+    done = vfguide(*command, "--help", cwd=ROOT)
+    assert done.returncode == 0
+    return done.stdout
+
+
+def examples() -> list[str]:
+    """The examples of all commands, in the order of `vfguide --help`."""
+    listed = help_of().partition("Commands:")[2]
+    names = re.findall(r"^  (\w+)", listed, re.MULTILINE)
+    assert {"run", "sim", "fly", "check", "replay", "bench"} <= set(names)
+    found = []
+    for name in names:
+        example = re.search(r"Example:\s+(vfguide .*?)(?:\n\n|\Z)", help_of(name), re.DOTALL)
+        assert example, f"no example in vfguide {name} --help"
+        found.append(" ".join(example[1].split()))
+    return found
+
+
+def test_a_page_gives_only_commands_of_ours():
+    for page in PAGES:
+        assert lines_of(page)
+        assert all(line.startswith("vfguide ") for line in lines_of(page))
+
+
+@pytest.mark.parametrize("source", [*PAGES, "help"], ids=["readme", "first-flight", "help"])
+def test_commands_run_as_written(source, tmp_path):
+    lines = examples() if source == "help" else lines_of(source)
+    for name, text in {} if source == "help" else files_in(source).items():
+        (tmp_path / name).write_text(text)
+    for line in lines:
+        words = shlex.split(line)[1:]
+        if words[0] not in FOR_EVER:
+            done = vfguide(*words, cwd=tmp_path)
+            assert done.returncode == 0, f"{line}\n{done.stdout}{done.stderr}"
+
+
+def test_simulator_and_companion_as_written(tmp_path):
+    lines = {line for page in PAGES for line in lines_of(page)} | set(examples())
+    (sim,) = [line for line in lines if line.startswith("vfguide sim ")]
+    (fly,) = [line for line in lines if line.startswith("vfguide fly ")]
+    with Program(*shlex.split(sim)[1:], cwd=tmp_path) as simulator:
+        simulator.says("Ctrl-C ends it")
+        with Program(*shlex.split(fly)[1:], cwd=tmp_path) as companion:
+            companion.says("the autopilot follows")
+            companion.send(signal.SIGINT)
+            assert companion.status() == 0
+        simulator.send(signal.SIGINT)
+        assert simulator.status() == 0
+    (log,) = tmp_path.glob("runs/*/vehicle-1.tlog")
+    assert vfguide("replay", str(log), cwd=tmp_path).returncode == 0
+
+
+def test_a_scenario_of_a_page_is_one(tmp_path):
+    """Every complete scenario that is shown can be flown."""
+    shown = [
+        text
+        for page in (README, *DOCS.glob("*.md"))
+        for text in re.findall(r"^```toml\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+    ]
+    assert shown
+    for text in shown:
+        (tmp_path / "shown.toml").write_text(text)
+        done = vfguide("check", "shown.toml", cwd=tmp_path)
+        assert done.returncode == 0, text + done.stderr
+
+
+def test_the_first_flight_goes_as_the_readme_shows(tmp_path):
+    row = re.search(r"^│ 1 .*│$", README.read_text(), re.MULTILINE)
+    _, _, reached, time_s, miss_m, course_deg, climb_deg = row[0].strip("│").split("│")
+    assert vfguide("run", "first-flight", "--no-report", "--out", "x", cwd=tmp_path).returncode == 0
+    (vehicle,) = json.loads((tmp_path / "x" / "result.json").read_text())["vehicles"]
+    (goal,) = vehicle["goals"]
+    assert (reached.strip() == "yes") == goal["reached"]
+    assert float(time_s) == pytest.approx(goal["time_s"], abs=0.5)
+    assert float(miss_m) == pytest.approx(goal["miss_m"], abs=0.1)
+    assert float(course_deg) == pytest.approx(goal["course_error_deg"], abs=0.5)
+    assert float(climb_deg) == pytest.approx(goal["climb_error_deg"], abs=0.5)
