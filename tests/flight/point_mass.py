@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from vfguide.companion.plan import Plan
 from vfguide.companion.step import RouteMemory, fresh_route, step
-from vfguide.flight.guidance import Wish
+from vfguide.flight.memory import Wish
 from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled

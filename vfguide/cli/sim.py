@@ -10,10 +10,13 @@ import typer
 from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
+    from socket import socket
+
     from vfguide.scenario.load import LoadedScenario
+    from vfguide.scenario.resolved import Scenario, Vehicle
     from vfguide.sim.pace import Pace
     from vfguide.sim.realtime import Station
-    from vfguide.sim.vehicle import Vehicle
+    from vfguide.sim.vehicle import Vehicle as SimVehicle
 
 FASTEST = 1000.0
 SLOWEST = 0.01
@@ -44,8 +47,12 @@ def sim(
     loaded = load_scenario(scenario)
     loaded.require_models()
     with Signals() as signals, ExitStack() as stack:
+        sockets = open_sockets(loaded.scenario, stack)
         observe = truth_writer(log, stack)
-        stations = open_stations(loaded, stack)
+        stations = [
+            station_of(loaded, vehicle, *its)
+            for vehicle, its in zip(loaded.scenario.vehicles, sockets, strict=True)
+        ]
         warm_up(simulate(loaded, loaded.scenario.vehicles[0]))
         for station in stations:
             out.print(describe(station))
@@ -60,28 +67,45 @@ def sim(
     raise typer.Exit(GOOD if flight.flying else BAD)
 
 
-def open_stations(loaded: "LoadedScenario", stack: ExitStack) -> "list[Station]":
-    """Every vehicle at its start, its sockets open until `stack` closes.
+def open_sockets(scenario: "Scenario", stack: ExitStack) -> "list[tuple[socket, socket]]":
+    """The sockets of every vehicle, to the companion and to the ground station.
 
     Raises:
-        InputError: a port is in use, or a model cannot be flown.
+        InputError: a port is in use.
     """
-    from vfguide.scenario.crew import simulate
     from vfguide.scenario.errors import InputError
-    from vfguide.sim.port import GROUND, ONBOARD
-    from vfguide.sim.realtime import Station
-    from vfguide.sim.udp import Channel, PortTakenError, ground_numbers, offboard_numbers
+    from vfguide.sim.udp import PortTakenError, bound_socket, ground_numbers, offboard_numbers
 
-    stations: list[Station] = []
-    for vehicle in loaded.scenario.vehicles:
-        flown = simulate(loaded, vehicle)
+    opened: list[tuple[socket, socket]] = []
+    for vehicle in scenario.vehicles:
         try:
-            offboard = stack.enter_context(Channel(flown, ONBOARD, offboard_numbers(vehicle.id)))
-            ground = stack.enter_context(Channel(flown, GROUND, ground_numbers(vehicle.id)))
+            offboard = stack.enter_context(bound_socket(offboard_numbers(vehicle.id).own))
+            ground = stack.enter_context(bound_socket(ground_numbers(vehicle.id).own))
         except PortTakenError as error:
             raise InputError(f"vehicle {vehicle.id}: {error}") from error
-        stations.append(Station(flown, (offboard, ground)))
-    return stations
+        opened.append((offboard, ground))
+    return opened
+
+
+def station_of(
+    loaded: "LoadedScenario", vehicle: "Vehicle", offboard: "socket", ground: "socket"
+) -> "Station":
+    """A vehicle at its start, and its channels.
+
+    Raises:
+        InputError: its model cannot be flown.
+    """
+    from vfguide.scenario.crew import simulate
+    from vfguide.sim.port import GROUND, ONBOARD
+    from vfguide.sim.realtime import Station
+    from vfguide.sim.udp import Channel, ground_numbers, offboard_numbers
+
+    flown = simulate(loaded, vehicle)
+    channels = (
+        Channel(flown, ONBOARD, offboard, offboard_numbers(vehicle.id)),
+        Channel(flown, GROUND, ground, ground_numbers(vehicle.id)),
+    )
+    return Station(flown, channels)
 
 
 def describe(station: "Station") -> str:
@@ -99,7 +123,7 @@ def lateness(pace: "Pace") -> str:
     return f"at most {pace.worst * 1e3:.0f} ms late{lost}"
 
 
-def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[Vehicle], None]":
+def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[SimVehicle], None]":
     """What notes the truth of a vehicle in `folder`/truth.tlog; nothing without a folder.
 
     Raises:
@@ -114,7 +138,7 @@ def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[Vehicle], 
     log = stack.enter_context(new_log(folder / "truth.tlog"))
     encoders: dict[int, Encoder] = {}
 
-    def write(vehicle: "Vehicle") -> None:
+    def write(vehicle: "SimVehicle") -> None:
         encoder = encoders.setdefault(vehicle.sysid, Encoder(vehicle.sysid, TRUTH_COMPONENT))
         log.write(vehicle.now, encoder.encode(truth_message(vehicle.now, vehicle.truth)))
 

@@ -84,7 +84,7 @@ class Companion:
                 if complaint := self._requests.answer(message):
                     self._news.append(complaint)
             case _:
-                pass
+                return out
         return out + self._housekeeping(now)
 
     def poll(self, now: int) -> list[Message]:

@@ -4,7 +4,7 @@ from vfguide.companion.knowledge import STALE, Knowledge, elapsed, flight_state
 from vfguide.companion.notes import pass_note, route_note
 from vfguide.companion.plan import Plan
 from vfguide.companion.step import RouteMemory, fresh_route, step
-from vfguide.flight.guidance import Wish
+from vfguide.flight.memory import Wish
 from vfguide.flight.state import RateSetpoint
 
 

@@ -7,7 +7,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.companion.plan import Goal, Plan
-from vfguide.flight.guidance import Memory, Target, Wish, fresh_memory, next_leg
+from vfguide.flight.memory import Memory, Target, Wish, fresh_memory, next_leg
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled

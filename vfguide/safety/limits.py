@@ -2,7 +2,8 @@
 
 import math
 
-from vfguide.flight.guidance import Memory, Target, Wish, guide
+from vfguide.flight.guidance import guide
+from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.compiled import compiled

@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.flight.guidance import Memory, Target, fresh_memory
+from vfguide.flight.memory import Memory, Target, fresh_memory
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane

@@ -2,7 +2,7 @@
 
 import socket
 from contextlib import suppress
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 from vfguide.sim.port import Port
 from vfguide.sim.vehicle import Vehicle
@@ -49,16 +49,14 @@ class Channel:
     true frame in it.
     """
 
-    def __init__(self, vehicle: Vehicle, rates: dict[int, float], numbers: Numbers) -> None:
-        """A channel with these streams [Hz].
-
-        Raises:
-            PortTakenError: the port is in use.
-        """
+    def __init__(
+        self, vehicle: Vehicle, rates: dict[int, float], bound: socket.socket, numbers: Numbers
+    ) -> None:
+        """A channel with these streams [Hz] over the socket `bound` to its own port."""
         self.vehicle = vehicle
         self.numbers = numbers
         self.peer: Address = (HOST, numbers.peer)
-        self.socket = bound_socket(numbers.own)
+        self.socket = bound
         self._port: Port = vehicle.connect(rates)
 
     def receive(self) -> None:
@@ -79,16 +77,6 @@ class Channel:
     def transmit(self) -> None:
         """Send what is due."""
         self._send(self.vehicle.transmit(self._port))
-
-    def close(self) -> None:
-        """Give the port back."""
-        self.socket.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
 
     def _send(self, frames: list[bytes]) -> None:
         for frame in frames:

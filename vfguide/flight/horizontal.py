@@ -1,0 +1,90 @@
+"""The horizontal half of the flight law: from the state to a course, from there to a turn."""
+
+import math
+
+from vfguide.flight.approach import Course, Planar, loiter_course
+from vfguide.flight.attitude import Lift, lift_for_turn
+from vfguide.flight.memory import Target
+from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.planner import Leg, fly_leg, leg_course, turn_radius
+from vfguide.flight.state import FlightState
+from vfguide.flight.vertical import path_needed
+from vfguide.flight.wind import Heading
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+
+LATERAL_FEEDBACK = 12.0
+"""Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
+OPPOSITE = 2.5
+"""Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
+
+
+@compiled
+def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
+    """Largest bank whose load factor the wing carries at this airspeed [rad]."""
+    load = min(aircraft.load_max, max(1.05, (airspeed / aircraft.airspeed_min) ** 2))
+    return min(gains.bank_max, math.acos(1.0 / load))
+
+
+@compiled
+def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
+    """Turn radius over ground at the commanded airspeed in this wind [m]."""
+    wind = math.hypot(state.wind_n[0], state.wind_n[1])
+    return turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
+
+
+@compiled
+def in_goal_plane(state: FlightState, target: Target) -> Planar:
+    """Position and ground velocity in the horizontal plane of the target."""
+    c, s = math.cos(target.course), math.sin(target.course)
+    dx, dy = state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1]
+    vx, vy = state.v_n[0], state.v_n[1]
+    return Planar(c * dx + s * dy, c * dy - s * dx, c * vx + s * vy, c * vy - s * vx)
+
+
+@compiled
+def plan_course(
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
+) -> tuple[Leg, Course]:
+    """Memory of the leg, and the course over ground relative to the target's."""
+    at = in_goal_plane(state, target)
+    if target.circle != 0.0:
+        return leg, loiter(at, target, leg)
+    height = target.p_n[2] - state.p_n[2]
+    steepest = math.tan(aircraft.climb_max if height < 0.0 else aircraft.descent_max)
+    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, 0.8 * steepest)
+    leg = fly_leg(leg, at, needed, gains)
+    return leg, leg_course(leg, at, gains)
+
+
+@compiled
+def loiter(at: Planar, target: Target, leg: Leg) -> Course:
+    """Course round the target's circle, which touches the target's pose."""
+    radius = max(target.radius, leg.radius)
+    about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
+    return loiter_course(about, target.circle, radius)
+
+
+@compiled
+def plan_turn(
+    heading: Heading,
+    azimuth: float,
+    gamma: float,
+    speed: float,
+    bank_max: float,
+    aircraft: Performance,
+    gains: Gains,
+    turning: float,
+) -> tuple[Lift, float]:
+    """Lift that turns the air velocity onto the wanted azimuth, and the side it turns to.
+
+    An error near 180 degrees is turned away to the side of the present turn.
+    """
+    error = wrap(heading.psi - azimuth)
+    if abs(error) > OPPOSITE and error * turning < 0.0:
+        error += 2.0 * math.pi * turning
+    feedback = gains.k_lateral * speed * error
+    feedback = max(-LATERAL_FEEDBACK, min(LATERAL_FEEDBACK, feedback))
+    lateral = speed * math.cos(gamma) * heading.psi_rate + feedback
+    lift = lift_for_turn(lateral, gamma, bank_max, aircraft.load_max)
+    return lift, 1.0 if lateral >= 0.0 else -1.0
