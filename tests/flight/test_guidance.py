@@ -1,0 +1,164 @@
+"""The whole step: it turns with the world, stays finite, and stays within the limits."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.flight.guidance import guide
+from vfguide.flight.horizontal import usable_bank
+from vfguide.flight.memory import Memory, Target, fresh_memory
+from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.geometry.so3 import from_euler, rot_z
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import matmul, matvec
+from vfguide.safety.limits import guide_within_limits, limit_setpoint
+
+AEROSONDE = Performance(
+    airspeed_min=18.0,
+    airspeed_cruise=25.0,
+    airspeed_max=32.0,
+    bank_max=50.0 * DEG,
+    load_max=1.7,
+    load_min=0.3,
+    climb_max=10.0 * DEG,
+    descent_max=10.0 * DEG,
+    rate_max=(80.0 * DEG, 35.0 * DEG, 29.0 * DEG),
+    alpha_zero=-2.48 * DEG,
+    alpha_load=3493.0 * DEG,
+    thrust_trim=0.3,
+    thrust_per_climb=3.0,
+    thrust_per_load=0.04,
+    thrust_per_airspeed=0.24,
+    thrust_integral=0.046,
+)
+GAINS = Gains(25.0)
+GOAL = Target((0.0, 0.0, -150.0), 0.5, 0.0, 0.0, 0.0)
+
+PLACES = st.tuples(st.floats(-900, 900), st.floats(-900, 900), st.floats(-250, -50))
+ANGLES = st.floats(-math.pi, math.pi)
+WINDS = st.tuples(st.floats(-8, 8), st.floats(-8, 8), st.just(0.0))
+
+
+def state(p_n, yaw, roll=0.1, wind=(0.0, 0.0, 0.0), time=1.0):
+    v_n = (25.0 * math.cos(yaw) + wind[0], 25.0 * math.sin(yaw) + wind[1], 0.5)
+    return FlightState(time, p_n, v_n, from_euler(roll, 0.06, yaw), 25.0, wind)
+
+
+def steps(states, target):
+    memory = fresh_memory()
+    for each in states:
+        setpoint, memory, wish = guide(each, target, AEROSONDE, GAINS, memory)
+    return setpoint, wish
+
+
+def turned(R, each):
+    return FlightState(
+        each.time,
+        matvec(R, each.p_n),
+        matvec(R, each.v_n),
+        matmul(R, each.R_nb),
+        each.airspeed,
+        matvec(R, each.wind_n),
+    )
+
+
+@given(PLACES, ANGLES, WINDS, ANGLES)
+def test_it_turns_with_the_world(p_n, yaw, wind, angle):
+    flown = [state(p_n, yaw, wind=wind), state(p_n, yaw + 0.01, wind=wind, time=1.02)]
+    R = rot_z(angle)
+    goal = GOAL._replace(p_n=matvec(R, GOAL.p_n), course=GOAL.course + angle)
+    here, _ = steps(flown, GOAL)
+    there, _ = steps([turned(R, each) for each in flown], goal)
+    assert there.omega_b == pytest.approx(here.omega_b, abs=1e-6)
+    assert there.thrust == pytest.approx(here.thrust, abs=1e-9)
+
+
+def mirrored(each, roll):
+    north, east, down = each.p_n
+    v, w = each.v_n, each.wind_n
+    yaw = math.atan2(v[1] - w[1], v[0] - w[0])
+    return FlightState(
+        each.time,
+        (north, -east, down),
+        (v[0], -v[1], v[2]),
+        from_euler(-roll, 0.06, -yaw),
+        25.0,
+        (w[0], -w[1], w[2]),
+    )
+
+
+@given(PLACES, st.floats(-3.0, 3.0), WINDS)
+def test_in_a_mirror_roll_and_yaw_change_their_sign(p_n, yaw, wind):
+    flown = [state(p_n, yaw, wind=wind), state(p_n, yaw + 0.01, wind=wind, time=1.02)]
+    here, wish = steps(flown, GOAL)
+    there, other = steps(
+        [mirrored(each, 0.1) for each in flown], GOAL._replace(course=-GOAL.course)
+    )
+    if wish.phase == other.phase and abs(wish.bank + other.bank) < 1e-6:
+        p, q, r = here.omega_b
+        assert there.omega_b == pytest.approx((-p, q, -r), abs=1e-6)
+
+
+STRANGE = [
+    state((0.0, 0.0, -150.0), 0.5),
+    state((0.0, 0.0, -150.0), 0.5 + math.pi),
+    state((1e6, -1e6, -1e4), 0.0),
+    state((0.0, 0.0, -150.0), 0.0)._replace(v_n=(0.0, 0.0, 0.0)),
+    state((10.0, 0.0, -150.0), 0.0)._replace(airspeed=0.0, v_n=(0.0, 0.0, 0.0)),
+    state((-50.0, 0.0, -150.0), 0.0, wind=(-40.0, 0.0, 0.0)),
+    state((-50.0, 0.0, -150.0), 0.0, wind=(0.0, 40.0, 0.0)),
+    state((-50.0, 5.0, -150.0), 0.0)._replace(R_nb=from_euler(math.pi, 0.0, 0.0)),
+    state((-50.0, 5.0, -150.0), 0.0)._replace(R_nb=from_euler(0.0, 0.5 * math.pi, 0.0)),
+    state((-50.0, 5.0, -150.0), 0.0)._replace(v_n=(0.0, 0.0, -25.0)),
+]
+
+
+@pytest.mark.parametrize("strange", STRANGE)
+@pytest.mark.parametrize("circle", [0.0, 1.0])
+def test_strange_states_give_finite_setpoints_within_the_limits(strange, circle):
+    target = GOAL._replace(circle=circle, radius=100.0)
+    memory = fresh_memory()
+    for time in (1.0, 1.0, 1.02, 50.0):  # no time at all, and too much of it
+        setpoint, memory, wish = guide_within_limits(
+            strange._replace(time=time), target, AEROSONDE, GAINS, memory
+        )
+        assert is_within_limits(setpoint)
+        assert all(map(math.isfinite, (wish.course, wish.azimuth, wish.bank, wish.gamma)))
+
+
+def is_within_limits(setpoint):
+    rates = zip(setpoint.omega_b, AEROSONDE.rate_max, strict=True)
+    return all(abs(rate) <= most for rate, most in rates) and 0.0 <= setpoint.thrust <= 1.0
+
+
+ANYTHING = st.floats(allow_nan=True, allow_infinity=True)
+
+
+@given(st.tuples(ANYTHING, ANYTHING, ANYTHING), ANYTHING)
+def test_whatever_goes_in_only_limited_setpoints_come_out(omega, thrust):
+    asked = RateSetpoint(omega, thrust, (1.0, 0.0, 0.0, 0.0))
+    once = limit_setpoint(asked, AEROSONDE)
+    assert is_within_limits(once)
+    assert limit_setpoint(once, AEROSONDE) == once
+
+
+def test_with_a_state_that_is_no_number_the_setpoint_is_level_flight():
+    broken = state((math.nan, 0.0, -150.0), 0.0)
+    setpoint, _, _ = guide_within_limits(broken, GOAL, AEROSONDE, GAINS, fresh_memory())
+    assert is_within_limits(setpoint)
+
+
+@given(st.floats(10.0, 40.0), st.floats(10.0, 40.0))
+def test_more_airspeed_allows_more_bank(one, other):
+    slower, faster = sorted((one, other))
+    assert usable_bank(AEROSONDE, GAINS, slower) <= usable_bank(AEROSONDE, GAINS, faster)
+    assert usable_bank(AEROSONDE, GAINS, faster) <= GAINS.bank_max
+
+
+def test_the_memory_is_a_record_that_compiled_code_gives_back():
+    _, memory, _ = guide(state((-300.0, 20.0, -140.0), 0.4), GOAL, AEROSONDE, GAINS, fresh_memory())
+    assert isinstance(memory, Memory)
+    assert memory.time == 1.0
