@@ -104,6 +104,7 @@ def test_it_is_silent_while_the_link_is_lost_and_goes_on_afterwards():
     beats = [m for m in talk.fly(1.0, mode=None) if isinstance(m, Heartbeat)]
     assert beats[-1].system_status == MavState.CRITICAL
     assert setpoints(talk.fly(0.5, OFFBOARD))
+    assert talk.told.count("flying to goal 1 of 1") == 2
 
 
 def test_a_stop_asks_for_hold_at_once_and_keeps_the_stream_until_it_is_flown():

@@ -56,7 +56,9 @@ def test_what_is_late_by_more_is_given_up_and_told():
     assert pace.worst == pytest.approx(60.0 - PERIOD)
     assert pace.lost == pytest.approx(59.0, abs=0.01)
     take_due(pace, 60.0)
-    assert take_due(pace, 61.0) == pytest.approx(1.0 / PERIOD, abs=2)
+    assert pace.due(60.0) == 0
+    assert take_due(pace, 60.5) == pytest.approx(0.5 / PERIOD, abs=2)
+    assert pace.lost == pytest.approx(59.0, abs=0.01)
 
 
 def test_being_late_is_counted_from_the_first_step_that_waits():
