@@ -1,6 +1,8 @@
 """`vfguide sim` and `vfguide fly` as processes over UDP, and a ground station to watch them."""
 
+import itertools
 import os
+import random
 import socket
 import subprocess
 import sys
@@ -35,6 +37,26 @@ def companion_port(sysid: int) -> int:
 
 def ground_port(sysid: int) -> int:
     return 18570 + sysid - 1
+
+
+def free_vehicles(count: int = 1) -> list[int]:
+    """System ids whose ports nobody uses: other tests may be running on this machine."""
+    ids = random.SystemRandom().sample(range(101, 251), 150)
+    free = (sysid for sysid in ids if all(map(is_free, ports_of(sysid))))
+    return sorted(itertools.islice(free, count))
+
+
+def ports_of(sysid: int) -> tuple[int, int, int]:
+    return companion_port(sysid), offboard_port(sysid), ground_port(sysid)
+
+
+def is_free(port: int) -> bool:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as tried:
+        try:
+            tried.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+    return True
 
 
 class Program:

@@ -3,10 +3,12 @@
 import socket
 
 import pytest
+from programs import companion_port, free_vehicles
 
 from vfguide.cli.main import main
 
-GOOD = ["first-flight", "--vehicle", "1", "--connect", "udpin:127.0.0.1:15639"]
+PORT = companion_port(*free_vehicles())
+GOOD = ["first-flight", "--vehicle", "1", "--connect", f"udpin:127.0.0.1:{PORT}"]
 
 
 @pytest.fixture
@@ -63,10 +65,10 @@ def test_a_host_that_is_not_this_machine(refuse):
 
 def test_a_port_in_use(refuse):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
-        taken.bind(("127.0.0.1", 15639))
+        taken.bind(("127.0.0.1", PORT))
         message = refuse(*GOOD)
     assert len(message.splitlines()) == 1
-    assert "15639" in message
+    assert str(PORT) in message
 
 
 def test_a_vehicle_that_does_not_exist(refuse):

@@ -12,10 +12,9 @@ import pytest
 from programs import (
     GroundStation,
     companion,
-    companion_port,
-    ground_port,
+    free_vehicles,
     legs_of,
-    offboard_port,
+    ports_of,
     simulation,
     true_path,
 )
@@ -53,13 +52,17 @@ FLYING = "flying to goal 1"
 
 
 @pytest.fixture
-def scenario(tmp_path):
-    def write(sysid):
-        path = tmp_path / "short.toml"
-        path.write_text(SCENARIO.format(sysid=sysid))
-        return path
+def sysid():
+    (free,) = free_vehicles()
+    return free
 
-    return write
+
+@pytest.fixture
+def path(tmp_path, sysid):
+    """The scenario's file."""
+    file = tmp_path / "short.toml"
+    file.write_text(SCENARIO.format(sysid=sysid))
+    return file
 
 
 def setpoints(log):
@@ -73,13 +76,14 @@ def goal_pass(path, sysid):
     return legs_of(path, truth, sysid).best()[0]
 
 
-def test_a_goal_is_reached_in_real_time_and_the_aircraft_handed_over(scenario, tmp_path, replays):
-    path = scenario(101)
-    with companion(path, 101, "--engage", "--log", tmp_path / "fly") as fly:
+def test_a_goal_is_reached_in_real_time_and_the_aircraft_handed_over(
+    path, sysid, tmp_path, replays
+):
+    with companion(path, sysid, "--engage", "--log", tmp_path / "fly") as fly:
         fly.says("Ctrl-C hands over")
         with simulation(path, "--log", tmp_path / "sim") as sim:
             fly.says("goal 1 reached", within=60)
-            with GroundStation(101) as ground:
+            with GroundStation(sysid) as ground:
                 ground.listen(0.3)
                 stopped = time.monotonic()
                 fly.send(signal.SIGINT)
@@ -89,7 +93,7 @@ def test_a_goal_is_reached_in_real_time_and_the_aircraft_handed_over(scenario, t
                 ground.listen(2.5)
             sim.send(signal.SIGINT)
             assert sim.status() == 0
-    reached = goal_pass(path, 101)
+    reached = goal_pass(path, sysid)
     assert reached.miss < 1.0
     assert reached.course_error < 2.0 * DEG
 
@@ -99,7 +103,7 @@ def test_a_goal_is_reached_in_real_time_and_the_aircraft_handed_over(scenario, t
     assert all(beat.system_status == MavState.ACTIVE for beat in ground.of(Heartbeat))
     assert not any("Failsafe" in m.text for m in ground.of(Statustext))
 
-    log = tmp_path / "fly" / "vehicle-101.tlog"
+    log = tmp_path / "fly" / f"vehicle-{sysid}.tlog"
     sent = setpoints(log)
     assert len(sent) / (1e-6 * (sent[-1] - sent[0])) == pytest.approx(50.0, abs=2.0)
     assert replays(log) == 0
@@ -118,24 +122,23 @@ def replays(monkeypatch):
     return replay
 
 
-def test_bytes_of_anybody_do_not_disturb_the_flight(scenario, tmp_path):
-    path = scenario(102)
-    with companion(path, 102, "--engage", "--log", tmp_path / "fly") as fly:
+def test_bytes_of_anybody_do_not_disturb_the_flight(path, sysid, tmp_path):
+    with companion(path, sysid, "--engage", "--log", tmp_path / "fly") as fly:
         fly.says("Ctrl-C hands over")
         with simulation(path, "--speed", 3, "--log", tmp_path / "sim") as sim:
             fly.says(FLYING, within=60)
-            ports = (companion_port(102), offboard_port(102), ground_port(102))
-            with Noise(ports, forgeries(102)):
+            ports = ports_of(sysid)
+            with Noise(ports, forgeries(sysid)):
                 fly.says("goal 1 reached", within=60)
             sim.send(signal.SIGTERM)
             assert sim.status() == 0
         assert "released" not in fly.text
-        assert "ignored as vehicle 102" in fly.text
+        assert f"ignored as vehicle {sysid}" in fly.text
         fly.says("link lost", within=5.0)
         fly.send(signal.SIGTERM)
         assert fly.status() == 1  # nobody confirms a hold any more
         assert "did not confirm" in fly.text
-    reached = goal_pass(path, 102)
+    reached = goal_pass(path, sysid)
     assert reached.miss < 1.0
     assert reached.course_error < 2.0 * DEG
 
@@ -173,15 +176,15 @@ class Noise:
         self.thread.join()
 
 
-def test_the_autopilot_holds_by_itself_when_the_companion_dies(scenario, tmp_path):
-    path, speed = scenario(104), 4.0
+def test_the_autopilot_holds_by_itself_when_the_companion_dies(path, sysid, tmp_path):
+    speed = 4.0
     with (
-        companion(path, 104, "--engage", "--log", tmp_path / "fly") as fly,
+        companion(path, sysid, "--engage", "--log", tmp_path / "fly") as fly,
         simulation(path, "--speed", speed),
     ):
         fly.says(FLYING)
         time.sleep(4.0 / speed)
-        with GroundStation(104) as ground:
+        with GroundStation(sysid) as ground:
             before = ground.listen(2.0, lambda m: isinstance(m, GlobalPositionInt))
             fly.send(signal.SIGKILL)
             killed = ground.listen(2.0, lambda m: isinstance(m, GlobalPositionInt))
@@ -210,14 +213,13 @@ def turned(positions):
     return sum(wrap(b - a) for a, b in itertools.pairwise(courses))
 
 
-def test_the_operator_engages_and_always_wins(scenario, tmp_path):
-    path = scenario(103)
+def test_the_operator_engages_and_always_wins(path, sysid, tmp_path):
     with (
-        companion(path, 103, "--log", tmp_path / "fly") as fly,
+        companion(path, sysid, "--log", tmp_path / "fly") as fly,
         simulation(path, "--speed", 2),
     ):
         fly.says("waiting for the operator to choose OFFBOARD")
-        with GroundStation(103) as ground:
+        with GroundStation(sysid) as ground:
             ground.listen(1.0)
             assert {beat.custom_mode for beat in ground.of(Heartbeat)} == {Px4Mode.HOLD}
             ground.set_mode(Px4Mode.OFFBOARD)
@@ -234,4 +236,4 @@ def test_the_operator_engages_and_always_wins(scenario, tmp_path):
             ground.listen(1.0)
     assert {beat.custom_mode for beat in ground.of(Heartbeat)} == {Px4Mode.RETURN}
     assert {beat.system_status for beat in ground.of(Heartbeat)} == {MavState.ACTIVE}
-    assert setpoints(tmp_path / "fly" / "vehicle-103.tlog")[-1] < 1e6 * (asked + 0.5)
+    assert setpoints(tmp_path / "fly" / f"vehicle-{sysid}.tlog")[-1] < 1e6 * (asked + 0.5)

@@ -170,4 +170,3 @@ def test_a_model_that_jsbsim_cannot_read(tmp_path):
     assert done.returncode == 2
     assert "aerosonde.xml" in done.stderr
     assert "Traceback" not in done.stderr
-

@@ -7,7 +7,15 @@ import time
 
 import pytest
 from dialogues import UPDATE, Dialogue, new_vehicle, setpoint
-from programs import GroundStation, Program, ground_port, offboard_port, simulation
+from programs import (
+    GroundStation,
+    Program,
+    free_vehicles,
+    ground_port,
+    offboard_port,
+    ports_of,
+    simulation,
+)
 
 from vfguide.cli.main import main
 from vfguide.geometry.units import MS
@@ -43,6 +51,12 @@ heading_deg = 0
 READY = "flying at"
 
 
+@pytest.fixture
+def sysid():
+    (free,) = free_vehicles()
+    return free
+
+
 def write(folder, *ids):
     path = folder / "stay.toml"
     vehicles = (VEHICLE.format(sysid=sysid, east=300 * k) for k, sysid in enumerate(ids))
@@ -72,15 +86,18 @@ def test_no_two_vehicles_share_a_port():
 
 
 def test_two_vehicles_fly_by_the_clock_beyond_the_duration_until_they_are_ended(tmp_path):
-    path = write(tmp_path, 111, 112)
+    first, second = free_vehicles(2)
+    path = write(tmp_path, first, second)
     with simulation(path, "--log", tmp_path / "truth") as sim:
         sim.says(READY)
-        with GroundStation(111) as one, GroundStation(112) as other:
+        with GroundStation(first) as one, GroundStation(second) as other:
             one.listen(4.0)
             other.listen(0.1)
             sim.send(signal.SIGTERM)
             assert sim.status() == 0
-        assert "vehicle 112: companion 14691 -> 15651, ground station 18681 -> 14550" in sim.text
+        companion, offboard, ground = ports_of(second)
+        assert f"vehicle {second}: companion {offboard} -> {companion}" in sim.text
+        assert f"ground station {ground} -> 14550" in sim.text
         assert "ended after" in sim.text
     assert other.of(GlobalPositionInt)
     heard = [(at, m) for at, m in one.heard if isinstance(m, GlobalPositionInt)]
@@ -93,10 +110,10 @@ def test_two_vehicles_fly_by_the_clock_beyond_the_duration_until_they_are_ended(
     assert {t - start_us(load_scenario(path).scenario) for t in times[:2]} == {20_000}
 
 
-def test_with_speed_the_clock_and_the_date_of_the_simulation_run_together(tmp_path):
-    with simulation(write(tmp_path, 113), "--speed", 5) as sim:
+def test_with_speed_the_clock_and_the_date_of_the_simulation_run_together(tmp_path, sysid):
+    with simulation(write(tmp_path, sysid), "--speed", 5) as sim:
         sim.says(READY)
-        with GroundStation(113) as ground:
+        with GroundStation(sysid) as ground:
             ground.listen(2.0)
         sim.send(signal.SIGINT)
         assert sim.status() == 0
@@ -139,11 +156,11 @@ class Companion:
         raise AssertionError(f"no {kind.NAME}")
 
 
-def test_a_setpoint_is_applied_on_arrival(tmp_path):
+def test_a_setpoint_is_applied_on_arrival(tmp_path, sysid):
     """From the setpoint's sending to the answer that tells it, both ways and all processes."""
-    with simulation(write(tmp_path, 114)) as sim:
+    with simulation(write(tmp_path, sysid)) as sim:
         sim.says(READY)
-        peer = Companion(114)
+        peer = Companion(sysid)
         with peer.socket:
             for _ in range(10):
                 peer.set_rates(0.0)
@@ -164,16 +181,16 @@ def test_a_setpoint_is_applied_on_arrival(tmp_path):
     assert quickest < 0.002
 
 
-def test_answers_go_to_who_spoke_last_and_junk_is_nobody(tmp_path):
-    with simulation(write(tmp_path, 115)) as sim:
+def test_answers_go_to_who_spoke_last_and_junk_is_nobody(tmp_path, sysid):
+    with simulation(write(tmp_path, sysid)) as sim:
         sim.says(READY)
-        with GroundStation(115) as first, GroundStation(115) as second:
+        with GroundStation(sysid) as first, GroundStation(sysid) as second:
             second.listen(0.5)
             assert second.of(GlobalPositionInt)
             first.listen(0.2)
             before = len(first.heard)
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
-                stranger.sendto(b"\xfd no frame at all", ("127.0.0.1", ground_port(115)))
+                stranger.sendto(b"\xfd no frame at all", ("127.0.0.1", ground_port(sysid)))
                 second.listen(1.1)
                 first.listen(0.1)
                 assert second.of(Heartbeat)
@@ -183,20 +200,21 @@ def test_answers_go_to_who_spoke_last_and_junk_is_nobody(tmp_path):
             assert len(first.heard) > before
 
 
-def test_a_port_in_use_is_told_in_one_line(tmp_path):
+def test_a_port_in_use_is_told_in_one_line(tmp_path, sysid):
     with (
-        bound_socket(ground_port(116)),
-        Program("sim", write(tmp_path, 116), cwd=tmp_path) as sim,
+        bound_socket(ground_port(sysid)),
+        Program("sim", write(tmp_path, sysid), cwd=tmp_path) as sim,
     ):
         assert sim.status(within=240.0) == 2
         assert len(sim.lines) == 1
-        assert "vehicle 116" in sim.text
-        assert str(ground_port(116)) in sim.text
+        assert f"vehicle {sysid}" in sim.text
+        assert str(ground_port(sysid)) in sim.text
 
 
-def test_a_port_cannot_be_had_twice():
-    with bound_socket(offboard_port(117)), pytest.raises(PortTakenError, match="14696"):
-        bound_socket(offboard_port(117))
+def test_a_port_cannot_be_had_twice(sysid):
+    port = offboard_port(sysid)
+    with bound_socket(port), pytest.raises(PortTakenError, match=str(port)):
+        bound_socket(port)
 
 
 @pytest.mark.parametrize("speed", ["0", "-1", "nan", "fast"])
