@@ -17,8 +17,8 @@ from vfguide.link.messages import (
     VfrHud,
 )
 from vfguide.link.px4 import Px4Mode, main_and_sub
-from vfguide.scenario.crew import plan_of
 from vfguide.scenario.load import load_scenario
+from vfguide.scenario.plans import plan_of
 
 SECOND = 1_000_000
 TICK = 20_000

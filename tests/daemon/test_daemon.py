@@ -16,8 +16,8 @@ from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import CommandLong, Heartbeat
 from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogError, TlogReader, TlogWriter
-from vfguide.scenario.crew import plan_of
 from vfguide.scenario.load import load_scenario
+from vfguide.scenario.plans import plan_of
 
 START = 1_767_225_600_000_000
 ENCODER = Encoder(1, 1)

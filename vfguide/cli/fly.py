@@ -41,8 +41,8 @@ def fly(
     from vfguide.daemon.daemon import Daemon, Outcome
     from vfguide.daemon.flight_log import FlightLog
     from vfguide.daemon.warm_up import warm_up
-    from vfguide.scenario.crew import plan_of, vehicle_of
     from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.plans import plan_of, vehicle_of
 
     loaded = load_scenario(scenario)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))

@@ -39,8 +39,8 @@ def replay(
     from vfguide.cli.console import out as console
     from vfguide.link.tlog import TlogWriter
     from vfguide.replay.compare import Replay
-    from vfguide.scenario.crew import plan_of, vehicle_of
     from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.plans import plan_of, vehicle_of
     from vfguide.scenario.run import prepare_folder
 
     reader = open_log(log)

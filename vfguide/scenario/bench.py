@@ -15,9 +15,10 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
-from vfguide.scenario.crew import plan_of, simulate
+from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario, warm_up
+from vfguide.scenario.plans import plan_of
 from vfguide.sim.plant import STEP
 
 SCENARIO = "first-flight"

@@ -1,17 +1,15 @@
-"""From a scenario to what flies it: the simulated vehicles and the plans of their companions."""
+"""From a scenario to what flies it: the simulated vehicles at their starts."""
 
 import math
 
 import numpy as np
 
-from vfguide.companion.plan import Goal, Plan
 from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG, US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import plane_of
-from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
@@ -23,52 +21,11 @@ from vfguide.sim.vehicle import Vehicle as SimVehicle
 
 GUSTS = 1
 """Purpose of a random stream."""
-SIDES = {"right": 1.0, "left": -1.0}
-LOITER_RADIUS = 100.0
-"""Of the circle after the last goal [m]; more where wind and bank ask for it."""
 
 
 def start_us(scenario: Scenario) -> int:
     """The date of time zero [us since 1970]."""
     return round(scenario.start_time.timestamp() / US)
-
-
-def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
-    """The vehicle of an id.
-
-    Raises:
-        InputError: there is none.
-    """
-    for vehicle in scenario.vehicles:
-        if vehicle.id == sysid:
-            return vehicle
-    known = ", ".join(str(vehicle.id) for vehicle in scenario.vehicles)
-    raise InputError(f"--vehicle {sysid}: no such vehicle in {scenario.name}, allowed {known}")
-
-
-def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
-    """What the companion of a vehicle is asked to do."""
-    guidance = loaded.scenario.guidance
-    return Plan(
-        plane_of(loaded.scenario.origin),
-        tuple(goal_of(goal) for goal in vehicle.goals),
-        SIDES[guidance.loiter],
-        LOITER_RADIUS,
-        guidance.rate_hz,
-        loaded.performance(vehicle),
-        loaded.gains(vehicle),
-    )
-
-
-def goal_of(goal: ScenarioGoal) -> Goal:
-    """A goal in SI units and radians."""
-    return Goal(
-        goal.position_m,
-        goal.heading_deg * DEG,
-        goal.climb_deg * DEG,
-        goal.tolerance_m,
-        goal.tolerance_deg * DEG,
-    )
 
 
 def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:

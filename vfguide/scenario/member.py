@@ -10,9 +10,10 @@ from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import G0
 from vfguide.link.codec import Encoder
-from vfguide.scenario.crew import plan_of, simulate
+from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
+from vfguide.scenario.plans import plan_of
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.resolve import plane_of
 from vfguide.scenario.resolved import Vehicle
