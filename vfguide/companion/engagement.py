@@ -47,9 +47,9 @@ class Event(Enum):
     """The operator of the companion ends it."""
 
 
-SENDING = frozenset({Phase.OFFERING, Phase.ASKING, Phase.FLYING, Phase.RETURNING})
+SENDING = (Phase.OFFERING, Phase.ASKING, Phase.FLYING, Phase.RETURNING)
 """Phases in which setpoints go out."""
-OVER = frozenset({Phase.ENDED, Phase.UNCONFIRMED})
+OVER = (Phase.ENDED, Phase.UNCONFIRMED)
 """Phases after which nothing comes."""
 
 _CHANGES: dict[tuple[Phase, Event], Phase] = {

@@ -34,26 +34,25 @@ class Knowledge(NamedTuple):
     wind: WindCov | None = None
 
 
+_PLACES: dict[type[Message], str] = {
+    AttitudeQuaternion: "attitude",
+    LocalPositionNed: "position",
+    VfrHud: "hud",
+    WindCov: "wind",
+    GpsGlobalOrigin: "origin",
+}
+"""Where each kind of message is kept."""
+
+
 def observe(known: Knowledge, message: Message) -> Knowledge:
     """What is known after `message`; nothing new after one that cannot be true."""
-    return _note(known, message) if is_plausible(message) else known
-
-
-def _note(known: Knowledge, message: Message) -> Knowledge:
-    match message:
-        case AttitudeQuaternion():
-            return known._replace(attitude=message)
-        case LocalPositionNed():
-            return known._replace(position=message)
-        case VfrHud():
-            now = known.attitude.time_boot_ms if known.attitude else 0
-            return known._replace(hud=message, hud_time=now)
-        case WindCov():
-            return known._replace(wind=message)
-        case GpsGlobalOrigin():
-            return known._replace(origin=message)
-        case _:
-            return known
+    place = _PLACES.get(type(message))
+    if place is None or not is_plausible(message):
+        return known
+    known = known._replace(**{place: message})
+    if place == "hud" and known.attitude is not None:
+        return known._replace(hud_time=known.attitude.time_boot_ms)
+    return known
 
 
 def flight_state(known: Knowledge, frame: TangentPlane) -> FlightState | None:

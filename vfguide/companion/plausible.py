@@ -1,6 +1,8 @@
 """Which messages can be true: one that cannot is as good as not heard."""
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.messages import (
@@ -26,21 +28,42 @@ SPIN = 50.0
 
 def is_plausible(message: Message) -> bool:
     """Whether what the companion flies on can be true; not-a-number never is."""
-    match message:
-        case AttitudeQuaternion(_, w, x, y, z, p, q, r):
-            return 0.5 < w * w + x * x + y * y + z * z < 2.0 and within(SPIN, p, q, r)
-        case LocalPositionNed(_, x, y, z, vx, vy, vz):
-            return within(FARTHEST, x, y, z) and within(FASTEST, vx, vy, vz)
-        case VfrHud(airspeed=airspeed, alt=altitude):
-            return 0.0 <= airspeed < FASTEST and LOWEST < altitude < HIGHEST
-        case WindCov(_, x, y, z):
-            return within(STRONGEST_WIND, x, y, z)
-        case GpsGlobalOrigin(latitude=latitude, altitude=altitude):
-            return within(0.5 * math.pi, latitude * DEG_E7) and LOWEST < altitude * MM < HIGHEST
-        case _:
-            return True
+    check = _CHECKS.get(type(message))
+    return check is None or check(message)
 
 
-def within(most: float, *values: float) -> bool:
-    """Whether no value is larger, to either side; false for not-a-number."""
-    return all(abs(value) <= most for value in values)
+def _attitude(said: AttitudeQuaternion) -> bool:
+    _, w, x, y, z, p, q, r, _ = said
+    return 0.5 < w * w + x * x + y * y + z * z < 2.0 and within(SPIN, p, q, r)
+
+
+def _position(said: LocalPositionNed) -> bool:
+    _, x, y, z, vx, vy, vz = said
+    return within(FARTHEST, x, y, z) and within(FASTEST, vx, vy, vz)
+
+
+def _hud(said: VfrHud) -> bool:
+    return 0.0 <= said.airspeed < FASTEST and LOWEST < said.alt < HIGHEST
+
+
+def _wind(said: WindCov) -> bool:
+    return within(STRONGEST_WIND, said.wind_x, said.wind_y, said.wind_z)
+
+
+def _origin(said: GpsGlobalOrigin) -> bool:
+    latitude, altitude = said.latitude * DEG_E7, said.altitude * MM
+    return abs(latitude) <= 0.5 * math.pi and LOWEST < altitude < HIGHEST
+
+
+_CHECKS: dict[type[Message], Callable[[Any], bool]] = {
+    AttitudeQuaternion: _attitude,
+    LocalPositionNed: _position,
+    VfrHud: _hud,
+    WindCov: _wind,
+    GpsGlobalOrigin: _origin,
+}
+
+
+def within(most: float, a: float, b: float, c: float) -> bool:
+    """Whether none is larger, to either side; false for not-a-number."""
+    return abs(a) <= most and abs(b) <= most and abs(c) <= most

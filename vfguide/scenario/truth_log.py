@@ -14,8 +14,8 @@ MOST = 2**15 - 1
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
     """The truth at the date `now` [us since 1970]; the altitude is above the ellipsoid."""
     p, q, r = truth.omega_b
-    north, east, down = (short(v / CM_S) for v in truth.v_n)
-    x, y, z = (short(a / MILLI_G) for a in truth.force_b)
+    north, east, down = truth.v_n
+    x, y, z = truth.force_b
     return HilStateQuaternion(
         now,
         quaternion_from_euler(truth.roll, truth.pitch, truth.yaw),
@@ -25,17 +25,17 @@ def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
         round(truth.latitude / DEG_E7),
         round(truth.longitude / DEG_E7),
         round(truth.altitude / MM),
-        north,
-        east,
-        down,
+        short(north / CM_S),
+        short(east / CM_S),
+        short(down / CM_S),
         round(calibrated_airspeed(truth.airspeed, truth.density) / CM_S),
         round(truth.airspeed / CM_S),
-        x,
-        y,
-        z,
+        short(x / MILLI_G),
+        short(y / MILLI_G),
+        short(z / MILLI_G),
     )
 
 
 def short(value: float) -> int:
     """As a 16-bit integer, the nearest one that fits."""
-    return max(-MOST, min(MOST, round(value)))
+    return round(value) if -MOST < value < MOST else (MOST if value > 0.0 else -MOST)

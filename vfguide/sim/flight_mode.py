@@ -33,7 +33,7 @@ class Event(Enum):
     """Setpoints arrive again."""
 
 
-LOST = frozenset({Mode.LOST_TO_HOLD, Mode.LOST_TO_RETURN})
+LOST = (Mode.LOST_TO_HOLD, Mode.LOST_TO_RETURN)
 """Modes of the failsafe."""
 
 _ASKED = {
