@@ -23,7 +23,7 @@ def test_every_pair_has_an_entry():
 
 @pytest.mark.parametrize("phase", [Phase.RELEASED, Phase.ENDED, Phase.UNCONFIRMED])
 def test_who_was_released_or_has_ended_never_sends_again(phase):
-    assert not reachable(phase) & SENDING
+    assert not reachable(phase) & set(SENDING)
 
 
 @pytest.mark.parametrize("phase", [Phase.ENDED, Phase.UNCONFIRMED])
@@ -51,7 +51,7 @@ def test_a_mode_of_the_autopilots_own_ends_control_at_once(phase):
 @pytest.mark.parametrize("phase", Phase)
 def test_a_stop_leads_to_the_end_or_to_the_hand_over(phase):
     after = NEXT[phase, Event.STOP_ASKED]
-    assert after in OVER | {Phase.RETURNING}
+    assert after in {*OVER, Phase.RETURNING}
     may_be_flown = phase in {Phase.ASKING, Phase.FLYING, Phase.RETURNING}
     assert (after is Phase.RETURNING) == may_be_flown
 

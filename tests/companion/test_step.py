@@ -5,7 +5,7 @@ import math
 import pytest
 
 from vfguide.companion.plan import Goal, Plan
-from vfguide.companion.step import fresh_route, note_pass, passing, step, target_of
+from vfguide.companion.step import fresh_route, note_pass, pass_of, step, target_of
 from vfguide.flight.performance import Gains
 from vfguide.flight.state import FlightState
 from vfguide.geometry.geodesy import tangent_plane
@@ -64,9 +64,9 @@ def test_a_goal_that_is_missed_is_flown_to_again(how):
 
 def test_a_pass_is_where_the_distance_was_least():
     before, after = state((-0.3, 1.0, -150.0)), state((0.2, 1.0, -150.0))
-    assert passing(before, after, GOALS[0].p_n) == pytest.approx((0.0, 1.0, 0.0))
-    assert passing(after, state((0.7, 1.0, -150.0)), GOALS[0].p_n) is None
-    assert passing(state((-0.9, 1.0, -150.0)), before, GOALS[0].p_n) is None
+    assert pass_of(before, after, GOALS[0]) == pytest.approx((1.0, 0.0))
+    assert pass_of(after, state((0.7, 1.0, -150.0)), GOALS[0])[0] == math.inf
+    assert pass_of(state((-0.9, 1.0, -150.0)), before, GOALS[0])[0] == math.inf
 
 
 def test_after_the_last_goal_the_circle_touches_it():

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from vfguide.flight.guidance import guide
 from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, fresh_memory
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Performance, packed, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.units import DEG
@@ -35,6 +35,7 @@ AEROSONDE = Performance(
     thrust_integral=0.046,
 )
 GAINS = Gains(25.0)
+LAW = packed(AEROSONDE, GAINS)
 GOAL = Target((0.0, 0.0, -150.0), 0.5, 0.0, 0.0, 0.0)
 
 PLACES = st.tuples(st.floats(-900, 900), st.floats(-900, 900), st.floats(-250, -50))
@@ -123,7 +124,7 @@ def test_strange_states_give_finite_setpoints_within_the_limits(strange, circle)
     memory = fresh_memory()
     for time in (1.0, 1.0, 1.02, 50.0):  # no time at all, and too much of it
         setpoint, memory, wish = guide_within_limits(
-            strange._replace(time=time), target, AEROSONDE, GAINS, memory
+            strange._replace(time=time), target, LAW, memory
         )
         assert is_within_limits(setpoint)
         assert all(map(math.isfinite, (wish.course, wish.azimuth, wish.bank, wish.gamma)))
@@ -147,7 +148,7 @@ def test_whatever_goes_in_only_limited_setpoints_come_out(omega, thrust):
 
 def test_with_a_state_that_is_no_number_the_setpoint_is_level_flight():
     broken = state((math.nan, 0.0, -150.0), 0.0)
-    setpoint, _, _ = guide_within_limits(broken, GOAL, AEROSONDE, GAINS, fresh_memory())
+    setpoint, _, _ = guide_within_limits(broken, GOAL, LAW, fresh_memory())
     assert is_within_limits(setpoint)
 
 
@@ -162,3 +163,15 @@ def test_the_memory_is_a_record_that_compiled_code_gives_back():
     _, memory, _ = guide(state((-300.0, 20.0, -140.0), 0.4), GOAL, AEROSONDE, GAINS, fresh_memory())
     assert isinstance(memory, Memory)
     assert memory.time == 1.0
+
+
+def test_the_law_as_one_array_holds_every_number_in_its_place():
+    numbers = iter(range(1, 100))
+    aircraft = Performance(
+        *(
+            tuple(float(next(numbers)) for _ in range(3)) if name == "rate_max" else next(numbers)
+            for name in Performance._fields
+        )
+    )
+    gains = Gains(*(float(next(numbers)) for _ in Gains._fields))
+    assert unpacked(packed(aircraft, gains)) == (aircraft, gains)

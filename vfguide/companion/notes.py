@@ -2,9 +2,8 @@
 
 from vfguide.companion.engagement import Phase
 from vfguide.companion.plan import Plan
-from vfguide.companion.step import GATE, RouteMemory, passing
+from vfguide.companion.step import GATE, RouteMemory, pass_of
 from vfguide.flight.state import FlightState
-from vfguide.geometry.vector import norm
 from vfguide.link.px4 import Px4Mode
 
 SILENT_UNTIL_CHANGE = (
@@ -63,10 +62,10 @@ def pass_note(
     """What happened between two steps: a goal reached or missed; None: neither."""
     if before.before is None or before.goal == len(plan.goals):
         return None
-    miss = passing(before.before, state, plan.goals[before.goal].p_n)
-    if miss is None or norm(miss) > GATE:
+    miss, _ = pass_of(before.before, state, plan.goals[before.goal])
+    if miss > GATE:
         return None
     goal = before.goal + 1
     if after.goal == before.goal:
-        return f"goal {goal} missed by {norm(miss):.1f} m or by its course: going round"
-    return f"goal {goal} reached, {norm(miss):.1f} m off; {route_note(after.goal, plan)}"
+        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {miss:.1f} m off; {route_note(after.goal, plan)}"

@@ -1,8 +1,9 @@
 """What the companion is asked to do, and with which aircraft."""
 
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Law, Performance, packed
 from vfguide.geometry.geodesy import TangentPlane
 from vfguide.geometry.vector import Vec3
 
@@ -22,7 +23,8 @@ class Goal(NamedTuple):
     """Largest error of course and climb that counts as reached [rad]."""
 
 
-class Plan(NamedTuple):
+@dataclass(frozen=True)
+class Plan:
     """The goals of one vehicle, and how to fly to them."""
 
     frame: TangentPlane
@@ -36,3 +38,8 @@ class Plan(NamedTuple):
     """Guidance steps in a second [Hz]."""
     aircraft: Performance
     gains: Gains
+    law: Law = field(init=False, compare=False)
+    """Aircraft and gains, `packed`."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "law", packed(self.aircraft, self.gains))

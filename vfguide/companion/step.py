@@ -7,7 +7,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.companion.plan import Goal, Plan
-from vfguide.flight.memory import Memory, Target, Wish, fresh_memory, next_leg
+from vfguide.flight.memory import Memory, Target, Wish, fresh_memory
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
@@ -39,9 +39,7 @@ def step(
     """The setpoint for this state, within the limits of the aircraft."""
     memory = note_pass(state, plan, memory)
     target = target_of(plan, memory.goal)
-    setpoint, flight, wish = guide_within_limits(
-        state, target, plan.aircraft, plan.gains, memory.flight
-    )
+    setpoint, flight, wish = guide_within_limits(state, target, plan.law, memory.flight)
     return setpoint, RouteMemory(memory.goal, state, flight), wish
 
 
@@ -60,32 +58,42 @@ def note_pass(state: FlightState, plan: Plan, memory: RouteMemory) -> RouteMemor
     if before is None or memory.goal == len(plan.goals):
         return memory
     goal = plan.goals[memory.goal]
-    miss = passing(before, state, goal.p_n)
-    if miss is None or norm(miss) > GATE:
+    miss, angle = pass_of(before, state, goal)
+    if miss > GATE:
         return memory
-    reached = norm(miss) <= goal.tolerance and within_angles(state, goal)
+    reached = miss <= goal.tolerance and angle <= goal.tolerance_angle
     index = memory.goal + 1 if reached else memory.goal
-    return RouteMemory(index, None, next_leg(memory.flight))
+    return RouteMemory(index, None, memory.flight._replace(leg=fresh_memory().leg))
 
 
-def passing(before: FlightState, after: FlightState, p_n: Vec3) -> Vec3 | None:
-    """Offset from `p_n` where the distance to it was least between two states, if it was [m]."""
-    if not (approach(before.p_n, before.v_n, p_n) < 0.0 <= approach(after.p_n, after.v_n, p_n)):
-        return None
-    opening = approach(after.p_n, after.v_n, p_n)
-    late = opening / max(dot(after.v_n, after.v_n), 1e-6)
-    return sub(sub(after.p_n, p_n), scale(late, after.v_n))
+def pass_of(before: FlightState, after: FlightState, goal: Goal) -> tuple[float, float]:
+    """Miss [m] and angle [rad] of a pass of the goal between two states, see `passing`."""
+    way = Way(before.p_n, before.v_n, after.p_n, after.v_n)
+    return passing(way, goal.p_n, goal.course, goal.climb)
+
+
+class Way(NamedTuple):
+    """Position [m] and ground velocity [m/s] at two instants."""
+
+    p_before: Vec3
+    v_before: Vec3
+    p_after: Vec3
+    v_after: Vec3
 
 
 @compiled
-def approach(p_n: Vec3, v_n: Vec3, goal_n: Vec3) -> float:
-    """Half the rate of the squared distance to `goal_n`: negative on approach [m^2/s]."""
-    return dot(sub(p_n, goal_n), v_n)
+def passing(way: Way, p_n: Vec3, course: float, climb: float) -> tuple[float, float]:
+    """How a pose was passed on the way: the miss [m], and the larger error of course and climb.
 
-
-def within_angles(state: FlightState, goal: Goal) -> bool:
-    """Whether the ground velocity has the goal's course and climb."""
-    north, east, down = state.v_n
-    course_error = wrap(math.atan2(east, north) - goal.course)
-    climb_error = math.atan2(-down, math.hypot(north, east)) - goal.climb
-    return max(abs(course_error), abs(climb_error)) <= goal.tolerance_angle
+    The miss is where the distance was least, the angles are those of the ground velocity [rad].
+    It is infinite where the pose was not passed.
+    """
+    opening = dot(sub(way.p_after, p_n), way.v_after)
+    if not (dot(sub(way.p_before, p_n), way.v_before) < 0.0 <= opening):
+        return math.inf, math.inf
+    late = opening / max(dot(way.v_after, way.v_after), 1e-6)
+    north, east, down = way.v_after
+    course_error = wrap(math.atan2(east, north) - course)
+    climb_error = math.atan2(-down, math.hypot(north, east)) - climb
+    miss = norm(sub(sub(way.p_after, p_n), scale(late, way.v_after)))
+    return miss, max(abs(course_error), abs(climb_error))

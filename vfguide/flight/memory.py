@@ -64,12 +64,3 @@ def fresh_memory() -> Memory:
     """Memory before the first step."""
     level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     return Memory(-1.0, new_leg(), 0.0, 1.0, level, (0.0, 0.0, 0.0), 0.0, 0.0)
-
-
-@compiled
-def next_leg(memory: Memory) -> Memory:
-    """The same memory with a new leg begun: the goal changed or was missed."""
-    m = memory
-    return Memory(
-        m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
-    )

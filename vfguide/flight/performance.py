@@ -2,6 +2,11 @@
 
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.geometry.compiled import compiled
+
 
 class Performance(NamedTuple):
     """Limits and trim of one aircraft, SI units and radians."""
@@ -61,3 +66,24 @@ class Gains(NamedTuple):
     beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""
+
+
+Law = NDArray[np.float64]
+"""Performance and gains as one array, (28,): compiled code that is called from Python checks every
+field of a record at every call, an array at once."""
+
+
+def packed(aircraft: Performance, gains: Gains) -> Law:
+    """Both as one array."""
+    return np.hstack([*aircraft, *gains])
+
+
+@compiled
+def unpacked(a: Law) -> tuple[Performance, Gains]:
+    """What `packed` packed."""
+    speeds = (a[0], a[1], a[2])
+    limits = (a[3], a[4], a[5], a[6], a[7], (a[8], a[9], a[10]))
+    lift = (a[11], a[12])
+    thrust = (a[13], a[14], a[15], a[16], a[17])
+    gains = (a[18], a[19], a[20], a[21], a[22], a[23], a[24], a[25], a[26], a[27])
+    return Performance(*(speeds + limits + lift + thrust)), Gains(*gains)

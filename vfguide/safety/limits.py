@@ -4,7 +4,7 @@ import math
 
 from vfguide.flight.guidance import guide
 from vfguide.flight.memory import Memory, Target, Wish
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Law, Performance, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
@@ -12,9 +12,10 @@ from vfguide.geometry.vector import Vec3
 
 @compiled
 def guide_within_limits(
-    state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
+    state: FlightState, target: Target, law: Law, memory: Memory
 ) -> tuple[RateSetpoint, Memory, Wish]:
-    """One step of the flight law, its setpoint limited."""
+    """One step of the flight law, its setpoint limited; `law` is what `packed` gives."""
+    aircraft, gains = unpacked(law)
     wanted, memory, wish = guide(state, target, aircraft, gains, memory)
     return limit_setpoint(wanted, aircraft), memory, wish
 

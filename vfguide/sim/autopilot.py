@@ -83,16 +83,16 @@ class Autopilot:
         return controls
 
     def update(self, now: int, truth: Truth) -> None:
-        """The slower part: estimate, loss of the stream, hold."""
+        """The slower part: estimate, loss of the stream, attitude setpoints, hold."""
         self.now = now
         self.estimate = self._estimator.update(truth)
         self._watch_stream()
-        if self.mode is Mode.OFFBOARD:
-            self._follow_setpoint()
-        else:
+        if self.mode is not Mode.OFFBOARD:
             wanted = self._hold.step(self.estimate)
             self._wanted = (*wanted.omega_b, wanted.thrust)
             self._is_flyable = True
+        elif self.setpoint is not None and not self.setpoint.type_mask & ATTITUDE_IGNORE:
+            self._follow(self.setpoint)  # its body rates change with the attitude
 
     def streams(self, port: Port) -> list[bytes]:
         """The frames that are due on a port now."""
@@ -119,7 +119,7 @@ class Autopilot:
         if self.mode in LOST:
             self.happen(Event.STREAM_BACK)
         if self.mode is Mode.OFFBOARD:
-            self._follow_setpoint()
+            self._follow(setpoint)
 
     @property
     def has_stream(self) -> bool:
@@ -137,6 +137,8 @@ class Autopilot:
             self._hold.begin_here(self.estimate)
         elif after is not Mode.OFFBOARD:
             self._hold.begin_about(self._estimator.origin)
+        elif self.setpoint is not None:
+            self._follow(self.setpoint)
         self._announce(after)
 
     def _announce(self, mode: Mode) -> None:
@@ -154,11 +156,8 @@ class Autopilot:
             hold = self.parameters["NAV_RCL_ACT"] == HOLD_ACTION
             self.happen(Event.STREAM_LOST_HOLD if hold else Event.STREAM_LOST_RETURN)
 
-    def _follow_setpoint(self) -> None:
+    def _follow(self, sp: SetAttitudeTarget) -> None:
         """Body rates and thrust of the setpoint; what it ignores is not made up for."""
-        sp = self.setpoint
-        if sp is None:
-            return
         mask = sp.type_mask
         if mask & ATTITUDE_IGNORE:
             omega_b = (

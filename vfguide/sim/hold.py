@@ -3,7 +3,7 @@
 import math
 
 from vfguide.flight.memory import Memory, Target, fresh_memory
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Performance, packed
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.geometry.so3 import from_euler
@@ -19,8 +19,7 @@ class Hold:
 
     def __init__(self, aircraft: Performance, airspeed: float) -> None:
         """A hold for `aircraft` at the true `airspeed` [m/s]."""
-        self._aircraft = aircraft
-        self._gains = Gains(airspeed)
+        self._law = packed(aircraft, Gains(airspeed))
         self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
         self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, RADIUS)
         self._memory: Memory = fresh_memory()
@@ -56,7 +55,5 @@ class Hold:
             estimate.true_airspeed,
             estimate.wind_n,
         )
-        wanted, self._memory, _ = guide_within_limits(
-            state, self._target, self._aircraft, self._gains, self._memory
-        )
+        wanted, self._memory, _ = guide_within_limits(state, self._target, self._law, self._memory)
         return wanted

@@ -25,21 +25,22 @@ class Parameters:
     """All parameters, in the order of their index."""
 
     def __init__(self) -> None:
-        self._all = [
+        known = (
             Parameter("COM_OBL_RC_ACT", 5, 5, 5, integer=True),
             Parameter("COM_OF_LOSS_T", 1.0, 0.0, 60.0, integer=False),
             Parameter("MAV_TYPE", 1, 1, 1, integer=True),
             Parameter("NAV_RCL_ACT", HOLD_ACTION, HOLD_ACTION, RETURN_ACTION, integer=True),
-        ]
+        )
+        self._all = {parameter.name: parameter for parameter in known}
 
     def __getitem__(self, name: str) -> float:
-        return self._all[self._index(name)].value
+        return self._all[name].value
 
     def set(self, name: str, wire_value: float) -> ParamValue | None:
         """Take a new value; the echo tells the value that holds. None: no such parameter."""
-        if name not in self.names():
+        parameter = self._all.get(name)
+        if parameter is None:
             return None
-        parameter = self._all[self._index(name)]
         value = from_bytes(wire_value) if parameter.integer else wire_value
         if parameter.low <= value <= parameter.high:
             parameter.value = value
@@ -47,18 +48,14 @@ class Parameters:
 
     def names(self) -> list[str]:
         """The names in the order of their index."""
-        return [parameter.name for parameter in self._all]
+        return list(self._all)
 
     def describe(self, name: str) -> ParamValue:
         """PARAM_VALUE of one parameter."""
-        index = self._index(name)
-        parameter = self._all[index]
+        parameter = self._all[name]
         kind = MavParamType.INT32 if parameter.integer else MavParamType.REAL32
         value = to_bytes(int(parameter.value)) if parameter.integer else parameter.value
-        return ParamValue(name, value, kind, len(self._all), index)
-
-    def _index(self, name: str) -> int:
-        return self.names().index(name)
+        return ParamValue(name, value, kind, len(self._all), self.names().index(name))
 
 
 def to_bytes(value: int) -> float:

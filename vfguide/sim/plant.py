@@ -61,6 +61,11 @@ class Plant:
             raise model_error(model, "accelerations are not finite at the start")
 
     @property
+    def steps(self) -> int:
+        """Time steps since the start."""
+        return self._steps
+
+    @property
     def time(self) -> float:
         """Simulated time since the start [s]."""
         return self._steps * self._dt

@@ -64,7 +64,7 @@ class Vehicle:
     @property
     def now(self) -> int:
         """The date [us since 1970]."""
-        return self._start_us + round(self.plant.time / US)
+        return self._start_us + self.plant.steps * STEP_US
 
     def advance(self, steps: int) -> None:
         """Fly on: the rate loop at every step of the plant, then the autopilot's slower part."""
