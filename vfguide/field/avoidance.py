@@ -1,0 +1,118 @@
+"""The paper's avoidance field F_OA (F_CA) and the regular form of the field G that goes with it.
+
+An obstacle and a robot with priority are the same to the law: a transition chi and a normal n.
+All vectors are in one frame, that of the field in free space; each has its exact rate.
+"""
+
+from typing import NamedTuple
+
+from vfguide.field import dual
+from vfguide.field.dual import Dual, Dual3
+from vfguide.geometry import vector
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+
+COLLINEAR = 1e-9
+"""n and F are collinear where |n x F| is at most this part of |n| |F|."""
+
+
+class FreeField(NamedTuple):
+    """The fields of the empty space at a moving point."""
+
+    F: Dual3
+    G: Dual3
+    """Zero on the goal's axis."""
+    aside: Vec3
+    """Constant unit vector, orthogonal to F wherever G is zero."""
+
+
+class Barrier(NamedTuple):
+    """An obstacle, or a robot to give way to."""
+
+    chi: Dual
+    """0 where the field has to be tangential, 1 where the barrier has no effect."""
+    n: Dual3
+
+
+class Deflection(NamedTuple):
+    """What barriers do to the field: the product and the sums of eq_F_OA_multi_obs."""
+
+    chi: Dual
+    """Product of all chi_i."""
+    tangents: Dual3
+    """Sum of (1 - chi_i) tau_b_i."""
+    normals: Dual3
+    """Sum of (1 - chi_i) (n_i . G) n_i."""
+    facing: Dual
+    """Sum of 1 - chi_i over the barriers whose n is collinear with F."""
+    stretch: float
+    """Sum of (1 - chi_i) |n_i|^2."""
+
+
+@compiled
+def no_deflection() -> Deflection:
+    """Free space."""
+    zero = dual.zero3()
+    return Deflection(dual.rest(1.0), zero, zero, dual.rest(0.0), 0.0)
+
+
+@compiled
+def deflect(by: Deflection, free: FreeField, barrier: Barrier) -> Deflection:
+    """The same with one more barrier: a factor and a term of eq_F_OA_multi_obs, eq_F_CA_i."""
+    if barrier.chi.value == 1.0:
+        return by
+    n, share = barrier.n, dual.complement(barrier.chi)
+    chi = dual.times(by.chi, barrier.chi)
+    stretch = by.stretch + share.value * vector.dot(n.value, n.value)
+    if collinear(n.value, free.F.value):
+        tangents = dual.add(by.tangents, dual.scale(share, facing_tangent(free)))
+        return Deflection(chi, tangents, by.normals, dual.plus(by.facing, share), stretch)
+    tangents = dual.add(by.tangents, dual.scale(share, tangent(n, free.F)))
+    along_n = dual.scale(dual.times(share, dual.dot(n, free.G)), n)
+    return Deflection(chi, tangents, dual.add(by.normals, along_n), by.facing, stretch)
+
+
+@compiled
+def collinear(n: Vec3, F: Vec3) -> bool:
+    """Whether n and F lie on one line."""
+    product = vector.norm(vector.cross(n, F))
+    return product <= COLLINEAR * vector.norm(n) * vector.norm(F)
+
+
+@compiled
+def tangent(n: Dual3, F: Dual3) -> Dual3:
+    """tau_b = tau_a x n with tau_a = n x F: tau_Upsilon_1, tau_Upsilon_2_case1, eq_tau_psi_b."""
+    return dual.cross(dual.cross(n, F), n)
+
+
+@compiled
+def facing_tangent(free: FreeField) -> Dual3:
+    """tau_b where n and F are collinear: G (tau_Upsilon_2_case2).
+
+    Where G vanishes too, straight ahead on the goal's axis, the print leaves F_OA zero on the
+    surface. There it is |F| times the constant unit vector `aside`.
+    """
+    if vector.norm(free.G.value) > 0.0 or vector.norm(free.F.value) == 0.0:
+        return free.G
+    return dual.scale(dual.norm(free.F), Dual3(free.aside, (0.0, 0.0, 0.0)))
+
+
+@compiled
+def avoidance_field(free: FreeField, by: Deflection) -> Dual3:
+    """F_OA = (prod chi_i) F + sum (1 - chi_i) tau_b_i: eq_F_ob, eq_F_OA_multi_obs, eq_F_CA_i."""
+    return dual.add(dual.scale(by.chi, free.F), by.tangents)
+
+
+@compiled
+def avoidance_normal(free: FreeField, by: Deflection) -> Dual3:
+    """G', the regular form of G_OA (Lemma 5, eq_G_OA), before it is made orthogonal to F_OA.
+
+    G' = (prod chi_i) G + sum (1 - chi_i) (n_i . G) n_i: for one obstacle the printed G_OA times
+    the denominator of mu, without its poles. Where n is collinear with F,
+    G' = chi |F|^2 G - (1 - chi) |G|^2 F.
+    """
+    G = dual.add(dual.scale(by.chi, free.G), by.normals)
+    if by.facing.value == 0.0:
+        return G
+    against = dual.times(by.facing, dual.dot(free.G, free.G))
+    return dual.sub(dual.scale(dual.dot(free.F, free.F), G), dual.scale(against, free.F))

@@ -1,0 +1,28 @@
+"""Levels, transitions and distances of obstacles over arrays of points.
+
+Positions are (..., 3), NED [m], times (...) [s]; they broadcast against each other. `obstacles`
+is the array (M, COLUMNS) of `obstacle_rows`; results are (..., M).
+"""
+
+from typing import Any
+
+from vfguide.field.dual import Dual3
+from vfguide.field.obstacle import obstacle_distance, obstacle_surface
+from vfguide.geometry.compiled import over_points
+from vfguide.geometry.vector import vec3
+
+STILL = (0.0, 0.0, 0.0)
+
+
+@over_points("(float64[:], float64, float64[:, :], float64[:])", "(n),(),(m,k)->(m)")
+def levels(p_n: Any, t: float, obstacles: Any, U: Any) -> None:
+    """U of each obstacle: 1 on its surface, below 1 inside."""
+    for i in range(len(obstacles)):
+        U[i] = obstacle_surface(obstacles, i, Dual3(vec3(p_n), STILL), t).U.value
+
+
+@over_points("(float64[:], float64, float64[:, :], float64[:])", "(n),(),(m,k)->(m)")
+def distances(p_n: Any, t: float, obstacles: Any, distance: Any) -> None:
+    """Distance from the surface of each obstacle [m], negative inside."""
+    for i in range(len(obstacles)):
+        distance[i] = obstacle_distance(obstacles, i, vec3(p_n), t)

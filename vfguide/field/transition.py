@@ -1,0 +1,35 @@
+"""The transition chi: 0 where a field must be tangential, 1 where an obstacle has no effect."""
+
+import math
+
+from vfguide.field.dual import Dual
+from vfguide.geometry.compiled import compiled
+
+STEEPEST = 700.0
+"""Exponents beyond this are taken as infinite; S and all its derivatives vanish there."""
+
+
+@compiled
+def smooth_step(s: float) -> tuple[float, float]:
+    """S(s) and dS/ds: 0 up to s = 0, 1 from s = 1 on, every derivative continuous.
+
+    S = e^(-1/s) / (e^(-1/s) + e^(-1/(1-s))), one of the paper's bump functions (eq_chi).
+    """
+    if s <= 0.0:
+        return (0.0, 0.0)
+    if s >= 1.0:
+        return (1.0, 0.0)
+    exponent = 1.0 / s - 1.0 / (1.0 - s)
+    if abs(exponent) > STEEPEST:
+        return (0.0 if exponent > 0.0 else 1.0, 0.0)
+    q = math.exp(-abs(exponent))
+    slope = q / (1.0 + q) ** 2 * (1.0 / s**2 + 1.0 / (1.0 - s) ** 2)
+    return ((q if exponent > 0.0 else 1.0) / (1.0 + q), slope)
+
+
+@compiled
+def transition(level: Dual, closed: float, opened: float) -> Dual:
+    """The transition chi = S((level - closed) / (opened - closed)): eq_chi, eq_chi_j."""
+    width = opened - closed
+    chi, slope = smooth_step((level.value - closed) / width)
+    return Dual(chi, slope / width * level.rate)
