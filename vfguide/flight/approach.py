@@ -81,9 +81,8 @@ def circle_course(at: Planar, side: float, radius: float) -> Course:
     onset = max(0.0, 1.0 - tangent / (speed * ROLL_IN))
     chi = wrap(math.atan2(dy, dx) - side * (0.5 * math.pi - inward_angle(distance, radius)))
     arc = (-side * chi) % (2.0 * math.pi)
-    if arc > 2.0 * math.pi - 0.15:
-        arc -= 2.0 * math.pi
-    return Course(chi, side * onset * speed / radius, tangent + radius * max(arc, 0.0))
+    along = max(0.0, at.vx * math.cos(chi) + at.vy * math.sin(chi))
+    return Course(chi, side * onset * along / radius, tangent + radius * arc)
 
 
 @compiled

@@ -27,6 +27,10 @@ AGREEMENT = 0.1
 """From a goal circle the field is taken up where the course is within this of it [rad]."""
 DETOUR = 1.03
 """At the beginning of a leg the field may be longer than the goal circle by this factor."""
+ASIDE = 0.01
+"""The straight end is begun between its ends no farther aside than this, in radii, ..."""
+OFF_COURSE = 0.05
+"""... and within this of its course [rad]."""
 SWITCH_GAIN = 0.7
 """The other goal circle is taken when it is shorter by this many radii."""
 
@@ -77,20 +81,23 @@ def fly_leg(leg: Leg, at: Planar, climb_needed: float, gains: Gains) -> Leg:
     course = math.atan2(at.vy, at.vx)
     direct = fly_direct(leg, at, course, gains)
     wanted = leg_course(direct, at, gains)
-    turn = abs(wrap(wanted.chi - course))
-    to_go = wanted.remaining + leg.radius * turn
     if leg.phase == GAIN_HEIGHT:
-        return leg if climb_needed > 0.9 * to_go or turn > 0.2 else direct
+        return leg if climb_needed > 0.9 * wanted.remaining else direct
+    to_go = wanted.remaining + leg.radius * abs(wrap(wanted.chi - course))
     far = leg.phase == NEW or to_go > 2.0 * leg.radius
     return circle_here(direct, at) if far and climb_needed > to_go else direct
 
 
 @compiled
 def leg_course(leg: Leg, at: Planar, gains: Gains) -> Course:
-    """The course of the phase that is flown, and the path length to the goal."""
+    """The course of the phase that is flown, and the path length to the goal.
+
+    On the circle for height the goal counts as near, so that the path is as steep as it may be.
+    """
     if leg.phase == GAIN_HEIGHT:
         about = Planar(at.x - leg.x, at.y - leg.y, at.vx, at.vy)
-        return loiter_course(about, leg.side, leg.radius)
+        around = loiter_course(about, leg.side, leg.radius)
+        return Course(around.chi, around.chi_rate, leg.radius)
     final = gains.final * leg.radius
     entry = Planar(at.x + final, at.y, at.vx, at.vy)
     if leg.phase == FIELD:
@@ -103,18 +110,26 @@ def leg_course(leg: Leg, at: Planar, gains: Gains) -> Course:
 @compiled
 def circle_here(leg: Leg, at: Planar) -> Leg:
     """Round a circle that touches the present path, for height."""
-    offset = leg.side * leg.radius / math.hypot(at.vx, at.vy)
+    offset = leg.side * leg.radius / max(math.hypot(at.vx, at.vy), 1e-3)
     return Leg(GAIN_HEIGHT, leg.side, at.x - offset * at.vy, at.y + offset * at.vx, leg.radius)
 
 
 @compiled
 def fly_direct(leg: Leg, at: Planar, course: float, gains: Gains) -> Leg:
     """The field where it is flyable, else a goal circle."""
-    entry = Planar(at.x + gains.final * leg.radius, at.y, at.vx, at.vy)
+    final = gains.final * leg.radius
+    entry = Planar(at.x + final, at.y, at.vx, at.vy)
     side = choose_side(leg, entry, course)
-    if field_is_flyable(leg, entry, course, circle_length(entry, course, side, leg.radius)):
+    circle = circle_length(entry, course, side, leg.radius)
+    if is_lined_up(leg, entry, course, final) or field_is_flyable(leg, entry, course, circle):
         return Leg(FIELD, leg.side, leg.x, leg.y, leg.radius)
     return Leg(CIRCLE, side, leg.x, leg.y, leg.radius)
+
+
+@compiled
+def is_lined_up(leg: Leg, at: Planar, course: float, final: float) -> bool:
+    """Whether the vehicle is on the straight end of the approach, as between goals in line."""
+    return 0.0 < at.x < final and abs(at.y) < ASIDE * leg.radius and abs(course) < OFF_COURSE
 
 
 @compiled
@@ -132,9 +147,7 @@ def choose_side(leg: Leg, at: Planar, course: float) -> float:
 def circle_length(at: Planar, course: float, side: float, radius: float) -> float:
     """Length of the path over the goal circle of `side`, the first turn included [m]."""
     wanted = circle_course(at, side, radius)
-    inside = radius - math.hypot(at.x, at.y - side * radius)
-    blocked = 100.0 * radius if inside > 4.0 * PENETRATION else 0.0
-    return wanted.remaining + radius * abs(wrap(wanted.chi - course)) + blocked
+    return wanted.remaining + radius * abs(wrap(wanted.chi - course))
 
 
 @compiled

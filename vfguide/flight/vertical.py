@@ -9,8 +9,12 @@ from vfguide.geometry.compiled import compiled
 
 STANDOFF = 30.0
 """The distance to the goal is not taken below this in the profile [m]."""
+LINE_UP = 100.0
+"""The slope of the goal is taken up over this distance before it [m]."""
 LOITER_HORIZON = 150.0
 """Distance over which a loitering vehicle takes away an error of height [m]."""
+AIRSPEED_BAND = 0.75
+"""Within this of the limits of the airspeed climbs and descents become flatter [m/s]."""
 SLOPE_RATE = 0.1
 """Fastest change of the wanted slope [1/s]: 2.5 m/s^2 at 25 m/s."""
 
@@ -42,15 +46,33 @@ def plan_slope(
     else:
         wanted = goal_slope(height, remaining, target.slope)
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    highest, lowest = up * math.sin(aircraft.climb_max), -up * math.sin(aircraft.descent_max)
-    wanted = max(lowest, min(highest, wanted))
+    steepest = steepest_path(state.airspeed, wanted, aircraft)
+    wanted = max(-up * steepest, min(up * steepest, wanted))
     return max(before - SLOPE_RATE * dt, min(before + SLOPE_RATE * dt, wanted))
+
+
+@compiled
+def steepest_path(airspeed: float, slope: float, aircraft: Performance) -> float:
+    """Largest sine of the path angle up or down, as the sign of `slope` says.
+
+    It is halved where a climb takes the airspeed to its lower limit or a descent to its upper
+    one, and falls to zero beyond.
+    """
+    if slope > 0.0:
+        return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min)
+    return math.sin(aircraft.descent_max) * share(aircraft.airspeed_max - airspeed)
+
+
+@compiled
+def share(margin: float) -> float:
+    """Part of the path angle that is flown with the airspeed `margin` inside its limit [m/s]."""
+    return max(0.0, min(1.0, 0.5 + 0.5 * margin / AIRSPEED_BAND))
 
 
 @compiled
 def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
     """Ratio of the speeds, bounded where the wind stops the vehicle."""
-    return airspeed / max(groundspeed, 0.2 * airspeed)
+    return airspeed / max(groundspeed, 0.2 * airspeed, 1e-3)
 
 
 @compiled
@@ -64,15 +86,24 @@ def path_angle(
 
 @compiled
 def goal_slope(height: float, remaining: float, goal_slope: float) -> float:
-    """Slope dh/ds of the parabola that ends at the goal's height with the goal's slope.
+    """Slope dh/ds of a path that ends at the goal's height with the goal's slope.
 
-    `height` above the goal [m], `remaining` path over ground [m]. Every solution of
-    dh/ds = -2 h / remaining - goal_slope is h = -goal_slope * remaining + c * remaining^2.
+    `height` above the goal [m], `remaining` path over ground [m]. The error of height over the
+    goal's own profile vanishes as a parabola: its slope is -2 error / remaining.
     """
-    return -2.0 * height / max(remaining, STANDOFF) - goal_slope
+    error = height - profile_height(remaining, goal_slope)
+    own = goal_slope * max(0.0, 1.0 - remaining / LINE_UP)
+    return own - 2.0 * error / max(remaining, STANDOFF)
+
+
+@compiled
+def profile_height(remaining: float, goal_slope: float) -> float:
+    """Height over the goal of the path that is level until LINE_UP before it [m]."""
+    r = min(remaining, LINE_UP)
+    return -goal_slope * r * (1.0 - 0.5 * r / LINE_UP)
 
 
 @compiled
 def path_needed(height: float, remaining: float, goal_slope: float, slope_max: float) -> float:
-    """Shortest path over ground that takes away `height` above the goal's line [m]."""
-    return abs(height + goal_slope * min(remaining, STANDOFF)) / slope_max
+    """Shortest path over ground that takes away `height` over the goal's profile [m]."""
+    return abs(height - profile_height(remaining, goal_slope)) / slope_max
