@@ -2,29 +2,41 @@
 
 import pytest
 
-from vfguide.flight.vertical import STANDOFF, goal_slope, path_needed
+from vfguide.flight.vertical import LINE_UP, STANDOFF, goal_slope, path_needed, profile_height
+
+SLOPES = [0.0, 0.1, -0.12]
 
 
-@pytest.mark.parametrize("slope", [0.0, 0.1, -0.12])
+@pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("height", [60.0, 5.0, -40.0])
-def test_the_profile_is_the_parabola_that_ends_at_the_goal(height, slope):
+def test_an_error_of_height_vanishes_as_a_parabola(height, slope):
     whole, step = 800.0, 0.05
-    off = height + slope * whole  # from the goal's own line
+    off = height - profile_height(whole, slope)
     remaining = whole
     while remaining > STANDOFF:
         height += step * goal_slope(height, remaining, slope)
         remaining -= step
     left = off * (remaining / whole) ** 2
-    assert height + slope * remaining == pytest.approx(left, abs=0.01)
-    assert goal_slope(height, remaining, slope) == pytest.approx(
-        slope - 2.0 * left / remaining, abs=1e-3
-    )
+    assert height - profile_height(remaining, slope) == pytest.approx(left, abs=0.02)
 
 
-def test_on_the_goals_line_the_slope_is_the_goals():
-    assert goal_slope(-0.1 * 300.0, 300.0, 0.1) == pytest.approx(0.1)
+@pytest.mark.parametrize("slope", SLOPES)
+def test_the_profile_ends_at_the_goal_with_its_slope_and_is_level_far_away(slope):
+    assert profile_height(0.0, slope) == 0.0
+    step = 1e-4
+    assert profile_height(step, slope) / step == pytest.approx(-slope, abs=1e-5)
+    assert profile_height(LINE_UP, slope) == profile_height(5.0 * LINE_UP, slope)
 
 
-def test_a_profile_at_the_steepest_slope_takes_the_path_needed():
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("remaining", [35.0, 60.0, 99.0, 400.0])
+def test_on_the_profile_the_slope_is_the_profiles(slope, remaining):
+    step = 1e-4
+    rise = profile_height(remaining - step, slope) - profile_height(remaining + step, slope)
+    on_it = profile_height(remaining, slope)
+    assert goal_slope(on_it, remaining, slope) == pytest.approx(rise / (2.0 * step), abs=1e-6)
+
+
+def test_a_change_of_height_at_the_steepest_slope_takes_the_path_needed():
     assert path_needed(50.0, 1000.0, 0.0, 0.1) == 500.0
     assert path_needed(-50.0, 1000.0, 0.0, 0.1) == 500.0

@@ -37,7 +37,7 @@ def streams(rate: float) -> tuple[Stream, ...]:
     """The messages the companion asks for, when it guides `rate` times a second."""
     return (
         Stream(LocalPositionNed.MSGID, rate),
-        Stream(VfrHud.MSGID, min(rate, 20.0)),
+        Stream(VfrHud.MSGID, min(rate, 10.0)),
         Stream(WindCov.MSGID, min(rate, 5.0)),
         Stream(AttitudeQuaternion.MSGID, rate),
     )
