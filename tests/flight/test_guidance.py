@@ -3,67 +3,31 @@
 import math
 
 import pytest
+from flight_states import (
+    AEROSONDE,
+    GAINS,
+    GOAL,
+    LAW,
+    is_within_limits,
+    state,
+    steps,
+    turned,
+)
 from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.flight.guidance import guide
 from vfguide.flight.horizontal import usable_bank
-from vfguide.flight.memory import Memory, Target, fresh_memory
+from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.performance import Gains, Performance, packed, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.so3 import from_euler, rot_z
-from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import matmul, matvec
+from vfguide.geometry.vector import matvec
 from vfguide.safety.limits import guide_within_limits, limit_setpoint
-
-AEROSONDE = Performance(
-    airspeed_min=18.0,
-    airspeed_cruise=25.0,
-    airspeed_max=32.0,
-    bank_max=50.0 * DEG,
-    load_max=1.7,
-    load_min=0.3,
-    climb_max=10.0 * DEG,
-    descent_max=10.0 * DEG,
-    rate_max=(80.0 * DEG, 35.0 * DEG, 29.0 * DEG),
-    alpha_zero=-2.48 * DEG,
-    alpha_load=3493.0 * DEG,
-    thrust_trim=0.3,
-    thrust_per_climb=3.0,
-    thrust_per_load=0.04,
-    thrust_per_airspeed=0.24,
-    thrust_integral=0.046,
-)
-GAINS = Gains(25.0)
-LAW = packed(AEROSONDE, GAINS)
-GOAL = Target((0.0, 0.0, -150.0), 0.5, 0.0, 0.0, 0.0)
 
 PLACES = st.tuples(st.floats(-900, 900), st.floats(-900, 900), st.floats(-250, -50))
 ANGLES = st.floats(-math.pi, math.pi)
 WINDS = st.tuples(st.floats(-8, 8), st.floats(-8, 8), st.just(0.0))
-
-
-def state(p_n, yaw, roll=0.1, wind=(0.0, 0.0, 0.0), time=1.0):
-    v_n = (25.0 * math.cos(yaw) + wind[0], 25.0 * math.sin(yaw) + wind[1], 0.5)
-    return FlightState(time, p_n, v_n, from_euler(roll, 0.06, yaw), 25.0, wind)
-
-
-def steps(states, target):
-    memory = fresh_memory()
-    for each in states:
-        setpoint, memory, wish = guide(each, target, AEROSONDE, GAINS, memory)
-    return setpoint, wish
-
-
-def turned(R, each):
-    return FlightState(
-        each.time,
-        matvec(R, each.p_n),
-        matvec(R, each.v_n),
-        matmul(R, each.R_nb),
-        each.airspeed,
-        matvec(R, each.wind_n),
-    )
 
 
 @given(PLACES, ANGLES, WINDS, ANGLES)
@@ -128,11 +92,6 @@ def test_strange_states_give_finite_setpoints_within_the_limits(strange, circle)
         )
         assert is_within_limits(setpoint)
         assert all(map(math.isfinite, (wish.course, wish.azimuth, wish.bank, wish.gamma)))
-
-
-def is_within_limits(setpoint):
-    rates = zip(setpoint.omega_b, AEROSONDE.rate_max, strict=True)
-    return all(abs(rate) <= most for rate, most in rates) and 0.0 <= setpoint.thrust <= 1.0
 
 
 ANYTHING = st.floats(allow_nan=True, allow_infinity=True)
