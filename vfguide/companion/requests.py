@@ -77,8 +77,8 @@ class Requests:
         self._tries = 0
 
     def ask(self, commands: list[CommandLong]) -> None:
-        """Append commands to the queue."""
-        self._queue.extend(commands)
+        """Append commands to the queue, but those that wait in it already."""
+        self._queue.extend(command for command in commands if command not in self._queue)
 
     def due(self, now: int) -> CommandLong | None:
         """The command to send now [us], if it is time for one."""

@@ -1,0 +1,109 @@
+"""What is known after each message: one thing more, and nothing else."""
+
+import pytest
+from conversations import heartbeat, plan, state
+
+from vfguide.companion.knowledge import (
+    STALE,
+    Knowledge,
+    elapsed,
+    flight_state,
+    lacking,
+    observe,
+)
+from vfguide.link.enums import MavCmd, MavResult
+from vfguide.link.messages import AttitudeQuaternion, CommandAck, VfrHud, WindCov
+
+WIND = WindCov(0, 3.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+def known_at(time_boot_ms=5000):
+    known = Knowledge()
+    for message in (*state(time_boot_ms), WIND, *state(time_boot_ms)[2:3]):
+        known = observe(known, message)
+    return known
+
+
+def changed(before, after):
+    return {name for name in Knowledge._fields if getattr(before, name) != getattr(after, name)}
+
+
+@pytest.mark.parametrize(
+    ("number", "fields"),
+    [
+        pytest.param(0, {"origin"}, id="origin"),
+        pytest.param(1, {"position"}, id="position"),
+        pytest.param(2, {"hud"}, id="airspeed"),
+        pytest.param(3, {"attitude"}, id="attitude"),
+    ],
+)
+def test_each_message_changes_one_thing(number, fields):
+    known = known_at()
+    message = state(5000)[number]
+    later = message._replace(
+        **{message._fields[-1]: message[-1] + 1} if number < 3 else {"q2": 0.1}
+    )
+    after = observe(known, later)
+    assert changed(known, after) == fields
+    assert getattr(after, *fields) == later
+
+
+def test_the_airspeed_remembers_when_it_came_by_the_newest_attitude():
+    known = known_at(5000)
+    known = observe(known, AttitudeQuaternion(5200, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    assert known.hud_time == 5000
+    assert observe(known, known.hud).hud_time == 5200
+
+
+@pytest.mark.parametrize("message", [heartbeat(), CommandAck(MavCmd.DO_SET_MODE, MavResult.DENIED)])
+def test_other_messages_change_nothing(message):
+    assert observe(known_at(), message) == known_at()
+
+
+def test_the_same_message_again_is_no_news():
+    known = known_at()
+    for message in state(5000):
+        assert observe(known, message) == known
+
+
+def test_the_state_is_that_of_the_newest_messages_whatever_their_order():
+    messages = [*state(5000)[:2], *state(5000)[3:], *state(5000)[2:3], WIND]
+    known = Knowledge()
+    for message in messages:
+        known = observe(known, message)
+    assert flight_state(known, plan().frame) == flight_state(known_at(), plan().frame)
+
+
+@pytest.mark.parametrize("age_ms", [0, 100, 499, 500, 501, 10_000])
+@pytest.mark.parametrize("number", [1, 3])
+def test_position_and_attitude_are_flown_on_together_up_to_half_a_second_apart(number, age_ms):
+    later = state(5000 + age_ms)[number]
+    known = observe(observe(known_at(), later), state(5000)[2])
+    assert (flight_state(known, plan().frame) is not None) == (age_ms <= 1000 * STALE)
+    assert (lacking(known) is None) == (age_ms <= 1000 * STALE)
+
+
+def test_what_lacks_is_named():
+    assert "ATTITUDE_QUATERNION" in lacking(Knowledge())
+    for field in ("attitude", "position", "hud", "origin"):
+        without = known_at()._replace(**{field: None})
+        assert lacking(without).startswith("not heard yet")
+        assert flight_state(without, plan().frame) is None
+    assert lacking(known_at()) is None
+
+
+def test_an_airspeed_before_any_attitude_is_taken_up_with_the_next_one():
+    known = observe(Knowledge(), VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))
+    for message in state(90_000):
+        if not isinstance(message, VfrHud):
+            known = observe(known, message)
+    assert lacking(known) == "the airspeed is too old (VFR_HUD)"
+    assert lacking(observe(known, VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))) is None
+
+
+@pytest.mark.parametrize("before", [0, 1, 2**31, 2**32 - 1])
+@pytest.mark.parametrize("step", [0, 20, 86_400_000])
+def test_times_count_across_the_rollover_in_both_directions(before, step):
+    after = (before + step) % 2**32
+    assert elapsed(before, after) == pytest.approx(1e-3 * step)
+    assert elapsed(after, before) == pytest.approx(-1e-3 * step)
