@@ -20,7 +20,7 @@ from vfguide.link.tlog import TlogReader
 from vfguide.scenario.crew import start_us
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.passes import Legs, Sample
-from vfguide.scenario.resolve import plane_of
+from vfguide.scenario.resolve import place_of
 
 COMPILING = 240.0
 """The first run after a change compiles everything [s]."""
@@ -176,7 +176,7 @@ class GroundStation:
 def true_path(scenario: Path, log: Path, sysid: int) -> list[Sample]:
     """The path of a vehicle in the scenario frame, from the log of the truth."""
     loaded = load_scenario(scenario).scenario
-    plane, start = plane_of(loaded.origin), start_us(loaded)
+    plane, start = place_of(loaded.origin), start_us(loaded)
     path = []
     for time_us, frame in TlogReader.open(log):
         message = decode(frame)

@@ -37,12 +37,12 @@ def heartbeat(mode: int = Px4Mode.HOLD) -> Heartbeat:
 
 def state(time_boot_ms: int, north: float = 0.0) -> list:
     """Level flight to the north, all that the companion needs of one instant."""
-    frame = plan().frame
-    origin = (round(frame.lat / DEG_E7), round(frame.lon / DEG_E7), round(frame.alt / MM))
+    latitude, longitude, altitude = plan().origin
+    origin = (round(latitude / DEG_E7), round(longitude / DEG_E7), round(altitude / MM))
     return [
         GpsGlobalOrigin(*origin),
         LocalPositionNed(time_boot_ms, north, -300.0, -120.0, 25.0, 0.0, 0.0),
-        VfrHud(24.0, 25.0, 0, 30, frame.alt + 120.0, 0.0),
+        VfrHud(24.0, 25.0, 0, 30, altitude + 120.0, 0.0),
         AttitudeQuaternion(time_boot_ms, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     ]
 

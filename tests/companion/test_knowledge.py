@@ -1,13 +1,13 @@
 """What is known after each message: one thing more, and nothing else."""
 
 import pytest
-from conversations import heartbeat, plan, state
+from conversations import heartbeat, state
 
 from vfguide.companion.knowledge import (
     STALE,
     Knowledge,
     elapsed,
-    flight_state,
+    heard,
     lacking,
     observe,
 )
@@ -71,7 +71,7 @@ def test_the_state_is_that_of_the_newest_messages_whatever_their_order():
     known = Knowledge()
     for message in messages:
         known = observe(known, message)
-    assert flight_state(known, plan().frame) == flight_state(known_at(), plan().frame)
+    assert heard(known) == heard(known_at())
 
 
 @pytest.mark.parametrize("age_ms", [0, 100, 499, 500, 501, 10_000])
@@ -79,7 +79,7 @@ def test_the_state_is_that_of_the_newest_messages_whatever_their_order():
 def test_position_and_attitude_are_flown_on_together_up_to_half_a_second_apart(number, age_ms):
     later = state(5000 + age_ms)[number]
     known = observe(observe(known_at(), later), state(5000)[2])
-    assert (flight_state(known, plan().frame) is not None) == (age_ms <= 1000 * STALE)
+    assert (heard(known) is not None) == (age_ms <= 1000 * STALE)
     assert (lacking(known) is None) == (age_ms <= 1000 * STALE)
 
 
@@ -88,7 +88,7 @@ def test_what_lacks_is_named():
     for field in ("attitude", "position", "hud", "origin"):
         without = known_at()._replace(**{field: None})
         assert lacking(without).startswith("not heard yet")
-        assert flight_state(without, plan().frame) is None
+        assert heard(without) is None
     assert lacking(known_at()) is None
 
 
@@ -107,3 +107,11 @@ def test_times_count_across_the_rollover_in_both_directions(before, step):
     after = (before + step) % 2**32
     assert elapsed(before, after) == pytest.approx(1e-3 * step)
     assert elapsed(after, before) == pytest.approx(-1e-3 * step)
+
+
+def test_an_airspeed_from_before_the_autopilots_restart_is_old():
+    known = known_at(5_000_000)
+    for message in (state(1000)[1], state(1000)[3]):
+        known = observe(known, message)
+    assert lacking(known) == "the airspeed is too old (VFR_HUD)"
+    assert heard(known) is None

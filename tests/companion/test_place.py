@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.companion.knowledge import STALE, Knowledge, elapsed, flight_state, observe
-from vfguide.geometry.geodesy import tangent_plane
+from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, observe
+from vfguide.companion.place import place_state
 from vfguide.geometry.projection import project
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.messages import (
@@ -21,7 +21,7 @@ from vfguide.link.messages import (
 )
 
 ORIGIN = (47.397742, 8.545594, 488.0)
-FRAME = tangent_plane(ORIGIN[0] * DEG, ORIGIN[1] * DEG, ORIGIN[2])
+PLANE = (ORIGIN[0] * DEG, ORIGIN[1] * DEG, ORIGIN[2])
 TWO_CENTIMETRES = 0.02
 """The wire rounds the local origin to 1e-7 degrees."""
 
@@ -46,16 +46,20 @@ def known_from(messages):
     return known
 
 
+def state_from(messages):
+    return place_state(heard(known_from(messages)), PLANE)
+
+
 @given(st.floats(47.35, 47.45), st.floats(8.48, 8.62), st.floats(500.0, 1500.0))
 def test_the_position_is_right_wherever_the_autopilots_frame_begins(lat, lon, alt):
-    state = flight_state(known_from(told(lat, lon, alt)), FRAME)
+    state = state_from(told(lat, lon, alt))
     north, east, down = pymap3d.geodetic2ned(lat, lon, alt, *ORIGIN)
     assert state.p_n == pytest.approx((north, east, down), abs=TWO_CENTIMETRES)
 
 
 def test_velocity_attitude_and_wind_turn_into_the_plans_frame():
     lat, lon = 47.44, 8.62
-    state = flight_state(known_from(told(lat, lon, 700.0)), FRAME)
+    state = state_from(told(lat, lon, 700.0))
     after = pymap3d.ned2geodetic(20.0, 5.0, -1.0, lat, lon, 700.0)
     moved = np.subtract(
         pymap3d.geodetic2ned(*after, *ORIGIN), pymap3d.geodetic2ned(lat, lon, 700.0, *ORIGIN)
@@ -68,13 +72,13 @@ def test_velocity_attitude_and_wind_turn_into_the_plans_frame():
 
 
 def test_the_position_is_moved_on_to_the_time_of_the_attitude():
-    before = flight_state(known_from(told(47.4, 8.55, 600.0)), FRAME)
-    after = flight_state(known_from(told(47.4, 8.55, 600.0, time=(5000, 5100))), FRAME)
+    before = state_from(told(47.4, 8.55, 600.0))
+    after = state_from(told(47.4, 8.55, 600.0, time=(5000, 5100)))
     assert np.subtract(after.p_n, before.p_n) == pytest.approx(0.1 * np.array(before.v_n), abs=2e-3)
 
 
 def test_the_airspeed_is_true():
-    state = flight_state(known_from(told(47.4, 8.55, 2000.0)), FRAME)
+    state = state_from(told(47.4, 8.55, 2000.0))
     assert state.airspeed == pytest.approx(24.0 * math.sqrt(1.225 / 1.0066), rel=1e-3)
 
 
@@ -82,18 +86,18 @@ def test_the_airspeed_is_true():
 def test_without_any_part_there_is_no_state(missing):
     messages = told(47.4, 8.55, 600.0)
     del messages[missing]
-    assert flight_state(known_from(messages), FRAME) is None
+    assert heard(known_from(messages)) is None
 
 
 def test_without_wind_the_air_is_taken_as_still():
-    assert flight_state(known_from(told(47.4, 8.55, 600.0)[:4]), FRAME).wind_n == (0.0, 0.0, 0.0)
+    assert state_from(told(47.4, 8.55, 600.0)[:4]).wind_n == (0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("age", [-0.6, 0.6])
 def test_an_old_position_is_not_flown_on(age):
     times = (5000, 5000 + round(1000 * age))
     assert abs(age) > STALE
-    assert flight_state(known_from(told(47.4, 8.55, 600.0, time=times)), FRAME) is None
+    assert heard(known_from(told(47.4, 8.55, 600.0, time=times))) is None
 
 
 def test_an_old_airspeed_is_not_flown_on():
@@ -101,14 +105,14 @@ def test_an_old_airspeed_is_not_flown_on():
     later = told(47.4, 8.55, 600.0, time=(5700, 5700))[1:3]
     for message in later:
         known = observe(known, message)
-    assert flight_state(known, FRAME) is None
+    assert heard(known) is None
 
 
 def test_time_boot_ms_may_wrap_in_flight():
     assert elapsed(2**32 - 20, 10) == pytest.approx(0.03)
     assert elapsed(10, 2**32 - 20) == pytest.approx(-0.03)
     known = known_from(told(47.4, 8.55, 600.0, time=(2**32 - 20, 20)))
-    assert flight_state(known, FRAME) is not None
+    assert heard(known) is not None
 
 
 def test_what_cannot_be_true_is_not_taken():

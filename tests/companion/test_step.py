@@ -2,32 +2,31 @@
 
 import math
 
+import numpy as np
 import pytest
 
-from vfguide.companion.plan import Goal, Plan
-from vfguide.companion.step import fresh_route, note_pass, pass_of, step, target_of
-from vfguide.flight.performance import Gains
+from vfguide.companion.legs import Goal, goal_of, leg_rows, target_of
+from vfguide.companion.place import place_state
+from vfguide.companion.route_memory import (
+    begin_leg,
+    fresh_route,
+    packed_memory,
+    unpacked_memory,
+)
+from vfguide.companion.step import note_passage, passage_of, passage_since, step, step_on
+from vfguide.flight.performance import Gains, packed
 from vfguide.flight.state import FlightState
-from vfguide.geometry.geodesy import tangent_plane
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 
-FRAME = tangent_plane(0.8, 0.1, 400.0)
 GOALS = (
     Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
     Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
 )
-PLAN = Plan(
-    FRAME,
-    GOALS,
-    -1.0,
-    120.0,
-    50.0,
-    load_aircraft(find_aircraft("aerosonde")).performance(),
-    Gains(25.0),
-)
+LEGS = leg_rows(GOALS, -1.0, 120.0)
+LAW = packed(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
 
 
 def state(p_n, course=0.0, climb=0.0, time=1.0):
@@ -43,8 +42,8 @@ def passed(offset, course=0.0, climb=0.0):
     """The memory after passing the first goal at some offset to the side."""
     before = state((-0.3, offset, -150.0), course, climb)
     after = state((0.2, offset, -150.0), course, climb, time=1.02)
-    memory = fresh_route()._replace(before=before)
-    return note_pass(after, PLAN, memory)
+    memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n)
+    return note_passage(passage_since(memory, after, LEGS), LEGS, memory)
 
 
 def test_a_goal_that_is_reached_gives_way_to_the_next():
@@ -58,27 +57,73 @@ def test_a_goal_that_is_reached_gives_way_to_the_next():
 def test_a_goal_that_is_missed_is_flown_to_again(how):
     memory = passed(**how)
     assert memory.goal == 0
-    assert memory.before is None
+    assert not memory.begun
     assert memory.flight.leg == fresh_route().flight.leg
+
+
+def between(before, after):
+    return passage_of(GOALS[0], (before.p_n, before.v_n), (after.p_n, after.v_n))
 
 
 def test_a_pass_is_where_the_distance_was_least():
     before, after = state((-0.3, 1.0, -150.0)), state((0.2, 1.0, -150.0))
-    assert pass_of(before, after, GOALS[0]) == pytest.approx((1.0, 0.0))
-    assert pass_of(after, state((0.7, 1.0, -150.0)), GOALS[0])[0] == math.inf
-    assert pass_of(state((-0.9, 1.0, -150.0)), before, GOALS[0])[0] == math.inf
+    beyond, far_before = state((0.7, 1.0, -150.0)), state((-0.9, 1.0, -150.0))
+    assert between(before, after) == pytest.approx((1.0, 0.0))
+    assert between(after, beyond).miss == math.inf
+    assert between(far_before, before).miss == math.inf
 
 
 def test_after_the_last_goal_the_circle_touches_it():
-    target = target_of(PLAN, 2)
+    target = target_of(LEGS, 2)
     assert target.p_n == GOALS[1].p_n
     assert target.course == GOALS[1].course
     assert (target.circle, target.radius) == (-1.0, 120.0)
 
 
+def test_the_rows_hold_the_goals():
+    assert [goal_of(LEGS, k) for k in range(3)] == [*GOALS, GOALS[1]]
+
+
 def test_a_step_remembers_its_state():
     here = state((-400.0, 30.0, -140.0))
-    _, memory, wish = step(here, PLAN, fresh_route())
-    assert memory.before == here
+    _, memory, wish, passage = step(here, LEGS, LAW, fresh_route())
+    assert (memory.p_n, memory.v_n, memory.begun) == (here.p_n, here.v_n, True)
     assert memory.goal == 0
     assert wish.remaining > 390.0
+    assert passage.miss == math.inf
+
+
+def test_after_the_last_goal_nothing_is_passed():
+    before, after = state((499.7, 100.0, -160.0)), state((500.2, 100.0, -160.0))
+    on_circle = begin_leg(2, fresh_route().flight)._replace(begun=True, p_n=before.p_n)
+    assert passage_since(on_circle, after, LEGS).miss == math.inf
+
+
+def test_a_memory_packs_every_number_in_its_own_place():
+    count = len(packed_memory(fresh_route()))
+    numbers = np.arange(2.0, 2.0 + count)
+    numbers[1] = 1.0  # a truth value
+    assert (packed_memory(unpacked_memory(numbers)) == numbers).all()
+
+
+def test_the_step_for_a_link_is_the_step():
+    origin = (0.8, 0.1, 400.0)
+    heard = (
+        1.0,
+        (0.8001, 0.1, 380.0),
+        (-900.0, 20.0, -130.0),
+        (24.0, 3.0, -1.0),
+        0.02,
+        (0.9, 0.1, 0.05, 0.1),
+        23.0,
+        510.0,
+        (2.0, -1.0, 0.0),
+    )
+    memory = fresh_route()
+    setpoint, after, _, passage = step(place_state(heard, origin), LEGS, LAW, memory)
+    omega_b, thrust, q_nb, packed_after, miss = step_on(
+        heard, origin, LEGS, LAW, packed_memory(memory)
+    )
+    assert (omega_b, thrust, q_nb) == setpoint
+    assert (packed_after == packed_memory(after)).all()
+    assert miss == passage.miss

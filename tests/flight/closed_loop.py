@@ -8,10 +8,10 @@ from itertools import pairwise
 import numpy as np
 from point_mass import UPDATE, Moment, fly, level
 
-from vfguide.companion.plan import Goal, Plan
+from vfguide.companion.legs import Goal
+from vfguide.companion.plan import Plan
 from vfguide.flight.performance import Gains
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.geodesy import tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.scenario.aircraft_file import load_aircraft
@@ -29,8 +29,8 @@ def goal(x, y, z=-150.0, course=0.0, climb=0.0, tolerance=5.0):
 
 
 def plan_of(goals, side=1.0, radius=100.0):
-    frame = tangent_plane(0.8, 0.1, 400.0)
-    return Plan(frame, tuple(goals), side, radius, 1.0 / UPDATE, AEROSONDE, GAINS)
+    origin = (0.8, 0.1, 400.0)
+    return Plan(origin, tuple(goals), side, radius, 1.0 / UPDATE, AEROSONDE, GAINS)
 
 
 def blowing(speed, toward):

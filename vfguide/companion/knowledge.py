@@ -1,11 +1,9 @@
-"""What the companion has been told by its autopilot, and the flight state that follows."""
+"""What the companion has been told by its autopilot, and what of it can be flown on."""
 
 from typing import NamedTuple
 
-from vfguide.companion.place import Local, place_state
+from vfguide.companion.place import Heard
 from vfguide.companion.plausible import is_plausible
-from vfguide.flight.state import FlightState
-from vfguide.geometry.geodesy import TangentPlane
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -55,23 +53,21 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     return known
 
 
-def flight_state(known: Knowledge, frame: TangentPlane) -> FlightState | None:
-    """The state at the newest attitude in the plane `frame`; None while anything is missing or old.
+def heard(known: Knowledge) -> Heard | None:
+    """What `place_state` makes the flight state of; None while anything is missing or old.
 
-    The position is moved on with its velocity from its own time to the attitude's. Airspeed
-    is calibrated on the wire and true here; without a wind message the air is taken as still.
+    Without a wind message the air is taken as still.
     """
     attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
     if attitude is None or position is None or hud is None or origin is None:
         return None
     ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
-    if abs(ahead) > STALE or elapsed(known.hud_time, attitude.time_boot_ms) > STALE:
+    if abs(ahead) > STALE or abs(elapsed(known.hud_time, attitude.time_boot_ms)) > STALE:
         return None
     wind = known.wind
-    return place_state(
-        frame,
-        Local(origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
+    return (
         attitude.time_boot_ms * MS,
+        (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
         (position.x, position.y, position.z),
         (position.vx, position.vy, position.vz),
         ahead,
@@ -98,7 +94,7 @@ def lacking(known: Knowledge) -> str | None:
         return None
     if abs(elapsed(position.time_boot_ms, attitude.time_boot_ms)) > STALE:
         return "the position is too old (LOCAL_POSITION_NED)"
-    if elapsed(known.hud_time, attitude.time_boot_ms) > STALE:
+    if abs(elapsed(known.hud_time, attitude.time_boot_ms)) > STALE:
         return "the airspeed is too old (VFR_HUD)"
     return None
 

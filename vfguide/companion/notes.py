@@ -2,8 +2,6 @@
 
 from vfguide.companion.engagement import Phase
 from vfguide.companion.plan import Plan
-from vfguide.companion.step import GATE, RouteMemory, pass_of
-from vfguide.flight.state import FlightState
 from vfguide.link.px4 import Px4Mode
 
 SILENT_UNTIL_CHANGE = (
@@ -56,16 +54,8 @@ def route_note(goal: int, plan: Plan) -> str:
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
-def pass_note(
-    before: RouteMemory, after: RouteMemory, state: FlightState, plan: Plan
-) -> str | None:
-    """What happened between two steps: a goal reached or missed; None: neither."""
-    if before.before is None or before.goal == len(plan.goals):
-        return None
-    miss, _ = pass_of(before.before, state, plan.goals[before.goal])
-    if miss > GATE:
-        return None
-    goal = before.goal + 1
-    if after.goal == before.goal:
-        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
-    return f"goal {goal} reached, {miss:.1f} m off; {route_note(after.goal, plan)}"
+def passage_note(before: int, after: int, miss: float, plan: Plan) -> str:
+    """A goal was passed with a `miss` [m]; the index of the goal flown to before and after."""
+    if after == before:
+        return f"goal {before + 1} missed by {miss:.1f} m or by its course: going round"
+    return f"goal {before + 1} reached, {miss:.1f} m off; {route_note(after, plan)}"

@@ -1,10 +1,11 @@
 """The way along the plan: when a step is due, what it remembers of the one before."""
 
-from vfguide.companion.knowledge import STALE, Knowledge, elapsed, flight_state
-from vfguide.companion.notes import pass_note, route_note
+from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard
+from vfguide.companion.notes import passage_note, route_note
 from vfguide.companion.plan import Plan
-from vfguide.companion.step import RouteMemory, fresh_route, step
-from vfguide.flight.memory import Wish
+from vfguide.companion.route_memory import GOAL, begin_leg, fresh_route, packed_memory
+from vfguide.companion.step import GATE, step_on
+from vfguide.flight.memory import fresh_memory
 from vfguide.flight.state import RateSetpoint
 
 
@@ -13,13 +14,16 @@ class Route:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        self.memory: RouteMemory = fresh_route()
-        self.wish: Wish | None = None
-        """What the law wanted at the last step."""
+        self._memory = packed_memory(fresh_route())
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._stepped: int | None = None
         self._follows = False
+
+    @property
+    def goal(self) -> int:
+        """Index of the goal that is flown to; the number of goals: all are reached."""
+        return int(self._memory[GOAL])
 
     def guide(self, known: Knowledge, follows: bool) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
@@ -29,26 +33,29 @@ class Route:
         """
         if known.attitude is None or not self._due(known.attitude.time_boot_ms):
             return None
-        state = flight_state(known, self.plan.frame)
+        state = heard(known)
         if state is None:
             return None
         if follows and not self._follows:
             self._begin_leg()
         self._follows = follows
-        setpoint, memory, self.wish = step(state, self.plan, self.memory)
+        plan, before = self.plan, self.goal
+        omega_b, thrust, q_nb, memory, miss = step_on(
+            state, plan.origin, plan.legs, plan.law, self._memory
+        )
         if follows:
-            if note := pass_note(self.memory, memory, state, self.plan):
-                self.notes.append(note)
-            self.memory = memory
-        return setpoint
+            self._memory = memory
+            if miss <= GATE:
+                self.notes.append(passage_note(before, self.goal, miss, plan))
+        return RateSetpoint(omega_b, thrust, q_nb)
 
     def pause(self) -> None:
         """The autopilot does not follow now, or nobody knows."""
         self._follows = False
 
     def _begin_leg(self) -> None:
-        self.memory = RouteMemory(self.memory.goal, None, fresh_route().flight)
-        self.notes.append(route_note(self.memory.goal, self.plan))
+        self._memory = packed_memory(begin_leg(self.goal, fresh_memory()))
+        self.notes.append(route_note(self.goal, self.plan))
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time; one far back starts anew."""

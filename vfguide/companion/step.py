@@ -1,13 +1,23 @@
 """The one step that the aircraft, the simulation and the replay share.
 
-`step(state, plan, memory) -> (setpoint, memory, wish)`: no clock, no socket, no log.
+No clock, no socket, no log. `step` takes a flight state; `step_on` takes what a link delivers and
+is what runs in flight: one call of compiled code that only tuples and arrays cross into.
 """
 
 import math
 from typing import NamedTuple
 
-from vfguide.companion.plan import Goal, Plan
-from vfguide.flight.memory import Memory, Target, Wish, fresh_memory
+from vfguide.companion.legs import Goal, Legs, goal_of, target_of
+from vfguide.companion.place import Heard, place_state
+from vfguide.companion.route_memory import (
+    PackedMemory,
+    RouteMemory,
+    begin_leg,
+    packed_memory,
+    unpacked_memory,
+)
+from vfguide.flight.memory import Wish
+from vfguide.flight.performance import Law
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
@@ -17,83 +27,85 @@ from vfguide.safety.limits import guide_within_limits
 GATE = 200.0
 """A goal is passed only closer than this [m]; farther away it is not yet approached."""
 
-
-class RouteMemory(NamedTuple):
-    """What one step leaves for the next."""
-
-    goal: int
-    """Index of the goal that is flown to; the number of goals: all are reached."""
-    before: FlightState | None
-    """State of the last step on this leg."""
-    flight: Memory
+Quaternion = tuple[float, float, float, float]
 
 
-def fresh_route() -> RouteMemory:
-    """Memory of a vehicle that has not begun."""
-    return RouteMemory(0, None, fresh_memory())
+class Passage(NamedTuple):
+    """How a goal was passed between two steps; infinite where it was not."""
 
-
-def step(
-    state: FlightState, plan: Plan, memory: RouteMemory
-) -> tuple[RateSetpoint, RouteMemory, Wish]:
-    """The setpoint for this state, within the limits of the aircraft."""
-    memory = note_pass(state, plan, memory)
-    target = target_of(plan, memory.goal)
-    setpoint, flight, wish = guide_within_limits(state, target, plan.law, memory.flight)
-    return setpoint, RouteMemory(memory.goal, state, flight), wish
-
-
-def target_of(plan: Plan, index: int) -> Target:
-    """The goal of this index; after the last one the circle that leaves the last one."""
-    if index < len(plan.goals):
-        goal = plan.goals[index]
-        return Target(goal.p_n, goal.course, math.tan(goal.climb), 0.0, 0.0)
-    goal = plan.goals[-1]
-    return Target(goal.p_n, goal.course, 0.0, plan.loiter_side, plan.loiter_radius)
-
-
-def note_pass(state: FlightState, plan: Plan, memory: RouteMemory) -> RouteMemory:
-    """Go on to the next goal when this one was reached, begin the leg anew when it was missed."""
-    before = memory.before
-    if before is None or memory.goal == len(plan.goals):
-        return memory
-    goal = plan.goals[memory.goal]
-    miss, angle = pass_of(before, state, goal)
-    if miss > GATE:
-        return memory
-    reached = miss <= goal.tolerance and angle <= goal.tolerance_angle
-    index = memory.goal + 1 if reached else memory.goal
-    return RouteMemory(index, None, memory.flight._replace(leg=fresh_memory().leg))
-
-
-def pass_of(before: FlightState, after: FlightState, goal: Goal) -> tuple[float, float]:
-    """Miss [m] and angle [rad] of a pass of the goal between two states, see `passing`."""
-    way = Way(before.p_n, before.v_n, after.p_n, after.v_n)
-    return passing(way, goal.p_n, goal.course, goal.climb)
-
-
-class Way(NamedTuple):
-    """Position [m] and ground velocity [m/s] at two instants."""
-
-    p_before: Vec3
-    v_before: Vec3
-    p_after: Vec3
-    v_after: Vec3
+    miss: float
+    """Where the distance was least [m]."""
+    angle: float
+    """The larger error of course and climb of the ground velocity [rad]."""
 
 
 @compiled
-def passing(way: Way, p_n: Vec3, course: float, climb: float) -> tuple[float, float]:
-    """How a pose was passed on the way: the miss [m], and the larger error of course and climb.
+def step(
+    state: FlightState, legs: Legs, law: Law, memory: RouteMemory
+) -> tuple[RateSetpoint, RouteMemory, Wish, Passage]:
+    """The setpoint for this state, within the limits of the aircraft.
 
-    The miss is where the distance was least, the angles are those of the ground velocity [rad].
-    It is infinite where the pose was not passed.
+    Args:
+        state: of the vehicle.
+        legs: of `leg_rows`.
+        law: aircraft and gains, of `packed`.
+        memory: of the step before.
+
+    Returns:
+        The setpoint, the memory for the next step, what the law wished for, and how the goal
+        that was flown to before this step was passed since.
     """
-    opening = dot(sub(way.p_after, p_n), way.v_after)
-    if not (dot(sub(way.p_before, p_n), way.v_before) < 0.0 <= opening):
-        return math.inf, math.inf
-    late = opening / max(dot(way.v_after, way.v_after), 1e-6)
-    north, east, down = way.v_after
-    course_error = wrap(math.atan2(east, north) - course)
-    climb_error = math.atan2(-down, math.hypot(north, east)) - climb
-    miss = norm(sub(sub(way.p_after, p_n), scale(late, way.v_after)))
-    return miss, max(abs(course_error), abs(climb_error))
+    passage = passage_since(memory, state, legs)
+    memory = note_passage(passage, legs, memory)
+    target = target_of(legs, memory.goal)
+    setpoint, flight, wish = guide_within_limits(state, target, law, memory.flight)
+    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight)
+    return setpoint, after, wish, passage
+
+
+@compiled
+def step_on(
+    heard: Heard, origin: Vec3, legs: Legs, law: Law, memory: PackedMemory
+) -> tuple[Vec3, float, Quaternion, PackedMemory, float]:
+    """`step` for what the autopilot said, in the tangent plane at `origin`.
+
+    Returns:
+        Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
+    """
+    state = place_state(heard, origin)
+    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory))
+    miss = passage.miss
+    return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss
+
+
+@compiled
+def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemory:
+    """Go on to the next goal when this one was reached, begin the leg anew when it was missed."""
+    if passage.miss > GATE:
+        return memory
+    goal = goal_of(legs, memory.goal)
+    reached = passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
+    return begin_leg(memory.goal + 1 if reached else memory.goal, memory.flight)
+
+
+@compiled
+def passage_since(memory: RouteMemory, state: FlightState, legs: Legs) -> Passage:
+    """How the goal that is flown to was passed since the last step."""
+    if not memory.begun or memory.goal == len(legs) - 1:
+        return Passage(math.inf, math.inf)
+    goal = goal_of(legs, memory.goal)
+    return passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
+
+
+@compiled
+def passage_of(goal: Goal, before: tuple[Vec3, Vec3], after: tuple[Vec3, Vec3]) -> Passage:
+    """How a goal was passed between two instants, each a position [m] and a velocity [m/s]."""
+    p_n, v_n = after
+    opening = dot(sub(p_n, goal.p_n), v_n)
+    if not (dot(sub(before[0], goal.p_n), before[1]) < 0.0 <= opening):
+        return Passage(math.inf, math.inf)
+    late = opening / max(dot(v_n, v_n), 1e-6)
+    course_error = wrap(math.atan2(v_n[1], v_n[0]) - goal.course)
+    climb_error = math.atan2(-v_n[2], math.hypot(v_n[0], v_n[1])) - goal.climb
+    miss = norm(sub(sub(p_n, goal.p_n), scale(late, v_n)))
+    return Passage(miss, max(abs(course_error), abs(climb_error)))

@@ -2,7 +2,7 @@
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
-from vfguide.geometry.geodesy import ned_to_geodetic
+from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
@@ -23,7 +23,7 @@ def warm_up(plan: Plan) -> None:
     """Fly a scratch companion past the first goal."""
     companion = Companion(1, plan, engage=False)
     goal = plan.goals[0]
-    latitude, longitude, altitude = ned_to_geodetic(plan.frame, goal.p_n)
+    latitude, longitude, altitude = ned_to_geodetic(tangent_plane(*plan.origin), goal.p_n)
     origin = (round(latitude / DEG_E7), round(longitude / DEG_E7), round(altitude / MM))
     for mode in (Px4Mode.HOLD, Px4Mode.OFFBOARD):
         beat = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.ACTIVE)

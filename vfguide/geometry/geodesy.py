@@ -100,10 +100,12 @@ def R_level(plane: TangentPlane, lat: float, lon: float) -> Mat3:
 
 @compiled
 def place_in_plane(
-    plane: TangentPlane, lat: float, lon: float, alt: float, v_l: Vec3
+    origin: Vec3, lat: float, lon: float, alt: float, v_l: Vec3
 ) -> tuple[Vec3, Vec3]:
-    """Position p_n [m] and velocity v_n [m/s] in the plane, of a vehicle at (lat, lon, alt).
+    """Position p_n [m] and velocity v_n [m/s] of a vehicle at (lat, lon, alt).
 
-    `v_l` is its velocity north-east-down where it is.
+    They are in the tangent plane at `origin` (lat, lon, alt), made anew here: a tuple crosses
+    into compiled code faster than a TangentPlane. `v_l` is north-east-down at the vehicle.
     """
+    plane = tangent_plane(origin[0], origin[1], origin[2])
     return geodetic_to_ned(plane, lat, lon, alt), matvec(R_level(plane, lat, lon), v_l)

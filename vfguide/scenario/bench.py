@@ -9,9 +9,9 @@ from pathlib import Path
 from statistics import median
 
 from vfguide.companion.plan import Plan
-from vfguide.companion.step import fresh_route, step
-from vfguide.flight.state import FlightState
-from vfguide.geometry.so3 import from_euler
+from vfguide.companion.route_memory import fresh_route, packed_memory
+from vfguide.companion.step import step_on
+from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
@@ -26,9 +26,16 @@ REPEATS = 7
 """Every figure is the median of this many, taken in turn, so that a slow spell hits them all."""
 GUIDANCE_STEPS = 500
 MESSAGES = 1000
-STATE = FlightState(
-    1.0, (-300.0, 50.0, -120.0), (25.0, 2.0, 0.0), from_euler(0.1, 0.05, 0.0), 25.0, (1.0, 2.0, 0.0)
+HEARD = (
+    (-300.0, 50.0, -120.0),
+    (25.0, 2.0, 0.0),
+    0.0,
+    quaternion_from_euler(0.1, 0.05, 0.0),
+    24.0,
+    608.0,
+    (1.0, 2.0, 0.0),
 )
+"""What the autopilot says, after its time and its origin."""
 SETPOINT = SetAttitudeTarget(
     1000, 1, 1, AttitudeTypeMask.ATTITUDE_IGNORE, (1.0, 0.0, 0.0, 0.0), 0.1, 0.02, 0.03, 0.4
 )
@@ -39,7 +46,7 @@ class Bench:
     """Times of the parts and of the whole."""
 
     guidance_step_us: float
-    """One step of the companion, from flight state to setpoint."""
+    """One step of the companion, from what the autopilot said to the setpoint."""
     message_turnaround_us: float
     """One setpoint encoded, found in the stream and decoded."""
     jsbsim_steps_per_s: float
@@ -93,9 +100,10 @@ def seconds(work: Callable[[], None]) -> float:
 
 def guide_often(plan: Plan) -> None:
     """Guidance steps in flight, each with the memory of the one before."""
-    memory = fresh_route()
+    memory = packed_memory(fresh_route())
     for k in range(GUIDANCE_STEPS):
-        _, memory, _ = step(STATE._replace(time=0.02 * k), plan, memory)
+        said = (0.02 * k, plan.origin, *HEARD)
+        *_, memory, _ = step_on(said, plan.origin, plan.legs, plan.law, memory)
 
 
 def turn_messages() -> None:

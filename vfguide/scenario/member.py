@@ -15,7 +15,7 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.plans import plan_of
 from vfguide.scenario.record import FlightRecord
-from vfguide.scenario.resolve import plane_of
+from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.result import TOUCH
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
@@ -50,7 +50,7 @@ class Member:
         self.sim = simulate(loaded, vehicle)
         self.companion = Companion(vehicle.id, plan_of(loaded, vehicle), engage=True)
         self.legs = Legs(vehicle.goals)
-        self._frame = plane_of(loaded.scenario.origin)
+        self._origin = place_of(loaded.scenario.origin)
         self._port = self.sim.connect(ONBOARD)
         self._session = Session(self.companion, write_own)
         self._write_truth = write_truth
@@ -87,7 +87,7 @@ class Member:
             self.sim.now, self._truth_encoder.encode(truth_message(self.sim.now, truth))
         )
         p_n, v_n = place_in_plane(
-            self._frame, truth.latitude, truth.longitude, truth.altitude, truth.v_n
+            self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         self.legs.feed(Sample(truth.time, p_n, v_n))
         self._rows.append(

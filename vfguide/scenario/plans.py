@@ -1,10 +1,11 @@
 """From a scenario to what its companions are asked to do."""
 
-from vfguide.companion.plan import Goal, Plan
+from vfguide.companion.legs import Goal
+from vfguide.companion.plan import Plan
 from vfguide.geometry.units import DEG
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
-from vfguide.scenario.resolve import plane_of
+from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle
 
@@ -30,7 +31,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
     """What the companion of a vehicle is asked to do."""
     guidance = loaded.scenario.guidance
     return Plan(
-        plane_of(loaded.scenario.origin),
+        place_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
         SIDES[guidance.loiter],
         LOITER_RADIUS,

@@ -41,7 +41,12 @@ def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Sourc
 
 def plane_of(origin: Origin) -> TangentPlane:
     """The scenario frame: the tangent plane at the origin."""
-    return tangent_plane(origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
+    return tangent_plane(*place_of(origin))
+
+
+def place_of(origin: Origin) -> Vec3:
+    """Latitude, longitude [rad] and altitude [m] of the origin."""
+    return (origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
 
 
 def _goal(entry: GoalEntry, origin: Origin, source: Source, at: Location) -> Goal:

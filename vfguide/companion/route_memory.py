@@ -1,0 +1,67 @@
+"""What one step of the companion leaves for the next."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.flight.memory import Memory, fresh_memory
+from vfguide.flight.planner import Leg, new_leg
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+
+
+class RouteMemory(NamedTuple):
+    """Where on the way it is, and what the flight law remembers."""
+
+    goal: int
+    """Index of the goal that is flown to; the number of goals: all are reached."""
+    begun: bool
+    """Whether a step was made on this leg, from here:"""
+    p_n: Vec3
+    v_n: Vec3
+    """Position [m] and velocity over ground [m/s] at the last step, NED."""
+    flight: Memory
+
+
+@compiled
+def fresh_route() -> RouteMemory:
+    """Memory of a vehicle that has not begun."""
+    return RouteMemory(0, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), fresh_memory())
+
+
+@compiled
+def begin_leg(goal: int, flight: Memory) -> RouteMemory:
+    """Memory at the beginning of a leg; what was learned in flight stays."""
+    m = flight
+    after = Memory(
+        m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
+    )
+    return RouteMemory(goal, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), after)
+
+
+PackedMemory = NDArray[np.float64]
+"""(30,), the numbers of a RouteMemory in their order: an array crosses into compiled code and
+back in a fraction of the time of nested records."""
+GOAL = 0
+"""Column of the goal's index."""
+
+
+@compiled
+def packed_memory(memory: RouteMemory) -> PackedMemory:
+    """The memory as an array."""
+    f = memory.flight
+    head = (float(memory.goal), 1.0 if memory.begun else 0.0, *memory.p_n, *memory.v_n)
+    leg = (float(f.leg.phase), f.leg.side, f.leg.x, f.leg.y, f.leg.radius)
+    R, reference = f.R_na, f.omega_a
+    law = (f.time, *leg, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
+    return np.array((*head, *law, f.thrust_integral, f.alpha_bias))
+
+
+@compiled
+def unpacked_memory(a: PackedMemory) -> RouteMemory:
+    """What `packed_memory` packed."""
+    leg = Leg(int(a[9]), a[10], a[11], a[12], a[13])
+    R_na = ((a[16], a[17], a[18]), (a[19], a[20], a[21]), (a[22], a[23], a[24]))
+    flight = Memory(a[8], leg, a[14], a[15], R_na, (a[25], a[26], a[27]), a[28], a[29])
+    return RouteMemory(int(a[GOAL]), a[1] != 0.0, (a[2], a[3], a[4]), (a[5], a[6], a[7]), flight)
