@@ -6,7 +6,7 @@ from what it received alone, so that a recording gives the same setpoints again.
 
 from vfguide.companion.control import Control
 from vfguide.companion.engagement import OVER, Event, Phase
-from vfguide.companion.knowledge import Knowledge, lacking, observe
+from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.route import Route
@@ -29,6 +29,10 @@ ORIGIN_RETRY = SECOND
 """The origin of the local frame is asked for again after this."""
 OUGHT_TO_SEND = SECOND
 """Without a setpoint for this long the operator is told why."""
+HEEDED = frozenset(
+    message.MSGID for message in (*OBSERVED, Heartbeat, CurrentMode, AttitudeQuaternion, CommandAck)
+)
+"""Ids of the messages that `Companion.receive` does something with."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,

@@ -32,14 +32,16 @@ class Knowledge(NamedTuple):
     wind: WindCov | None = None
 
 
-_PLACES: dict[type[Message], str] = {
-    AttitudeQuaternion: "attitude",
-    LocalPositionNed: "position",
-    VfrHud: "hud",
-    WindCov: "wind",
-    GpsGlobalOrigin: "origin",
+_PLACES: dict[type[Message], int] = {
+    GpsGlobalOrigin: Knowledge._fields.index("origin"),
+    AttitudeQuaternion: Knowledge._fields.index("attitude"),
+    LocalPositionNed: Knowledge._fields.index("position"),
+    VfrHud: Knowledge._fields.index("hud"),
+    WindCov: Knowledge._fields.index("wind"),
 }
-"""Where each kind of message is kept."""
+"""Where each kind of message is kept: the number of its field."""
+OBSERVED = tuple(_PLACES)
+"""The kinds of messages that anything is known from."""
 
 
 def observe(known: Knowledge, message: Message) -> Knowledge:
@@ -47,10 +49,10 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
-    known = known._replace(**{place: message})
-    if place == "hud" and known.attitude is not None:
-        return known._replace(hud_time=known.attitude.time_boot_ms)
-    return known
+    after = Knowledge._make((*known[:place], message, *known[place + 1 :]))
+    if isinstance(message, VfrHud) and after.attitude is not None:
+        return after._replace(hud_time=after.attitude.time_boot_ms)
+    return after
 
 
 def heard(known: Knowledge) -> Heard | None:

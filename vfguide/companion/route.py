@@ -3,7 +3,7 @@
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard
 from vfguide.companion.notes import passage_note, route_note
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import GOAL, begin_leg, fresh_route, packed_memory
+from vfguide.companion.route_memory import begin_leg, fresh_route, goal_in, packed_memory
 from vfguide.companion.step import GATE, step_on
 from vfguide.flight.memory import fresh_memory
 from vfguide.flight.state import RateSetpoint
@@ -20,11 +20,6 @@ class Route:
         self._stepped: int | None = None
         self._follows = False
 
-    @property
-    def goal(self) -> int:
-        """Index of the goal that is flown to; the number of goals: all are reached."""
-        return int(self._memory[GOAL])
-
     def guide(self, known: Knowledge, follows: bool) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
 
@@ -39,14 +34,14 @@ class Route:
         if follows and not self._follows:
             self._begin_leg()
         self._follows = follows
-        plan, before = self.plan, self.goal
-        omega_b, thrust, q_nb, memory, miss = step_on(
-            state, plan.origin, plan.legs, plan.law, self._memory
+        plan, before = self.plan, self._memory
+        omega_b, thrust, q_nb, after, miss = step_on(
+            state, plan.origin, plan.legs, plan.law, before
         )
         if follows:
-            self._memory = memory
+            self._memory = after
             if miss <= GATE:
-                self.notes.append(passage_note(before, self.goal, miss, plan))
+                self.notes.append(passage_note(goal_in(before), goal_in(after), miss, plan))
         return RateSetpoint(omega_b, thrust, q_nb)
 
     def pause(self) -> None:
@@ -54,8 +49,9 @@ class Route:
         self._follows = False
 
     def _begin_leg(self) -> None:
-        self._memory = packed_memory(begin_leg(self.goal, fresh_memory()))
-        self.notes.append(route_note(self.goal, self.plan))
+        goal = goal_in(self._memory)
+        self._memory = packed_memory(begin_leg(goal, fresh_memory()))
+        self.notes.append(route_note(goal, self.plan))
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time; one far back starts anew."""

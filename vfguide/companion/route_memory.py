@@ -43,8 +43,6 @@ def begin_leg(goal: int, flight: Memory) -> RouteMemory:
 PackedMemory = NDArray[np.float64]
 """(30,), the numbers of a RouteMemory in their order: an array crosses into compiled code and
 back in a fraction of the time of nested records."""
-GOAL = 0
-"""Column of the goal's index."""
 
 
 @compiled
@@ -58,10 +56,15 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     return np.array((*head, *law, f.thrust_integral, f.alpha_bias))
 
 
+def goal_in(memory: PackedMemory) -> int:
+    """Index of the goal that is flown to."""
+    return int(memory[0])
+
+
 @compiled
 def unpacked_memory(a: PackedMemory) -> RouteMemory:
     """What `packed_memory` packed."""
     leg = Leg(int(a[9]), a[10], a[11], a[12], a[13])
     R_na = ((a[16], a[17], a[18]), (a[19], a[20], a[21]), (a[22], a[23], a[24]))
     flight = Memory(a[8], leg, a[14], a[15], R_na, (a[25], a[26], a[27]), a[28], a[29])
-    return RouteMemory(int(a[GOAL]), a[1] != 0.0, (a[2], a[3], a[4]), (a[5], a[6], a[7]), flight)
+    return RouteMemory(int(a[0]), a[1] != 0.0, (a[2], a[3], a[4]), (a[5], a[6], a[7]), flight)

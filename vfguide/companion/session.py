@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from vfguide.companion.companion import Companion
+from vfguide.companion.companion import HEEDED, Companion
 from vfguide.link.codec import Encoder, Frame, Parser, decode
 from vfguide.link.enums import MavComponent
 from vfguide.link.messages import Message
@@ -26,11 +26,11 @@ class Session:
 
     def take(self, now: int, frame: Frame) -> list[bytes]:
         """Takes a frame that arrived at `now` [us since 1970]; returns the frames to send."""
-        message = self.heed(frame)
-        if message is None:
+        if frame.sysid != self.companion.sysid or frame.compid != MavComponent.AUTOPILOT1:
             return []
         self._record(now, frame.raw)
-        return self._send(now, self.companion.receive(now, message))
+        message = decode(frame) if frame.msgid in HEEDED else None
+        return self._send(now, self.companion.receive(now, message)) if message else []
 
     def poll(self, now: int) -> list[bytes]:
         """The frames that are due at `now` [us since 1970] without anything received."""
@@ -39,11 +39,6 @@ class Session:
     def stop(self, now: int) -> list[bytes]:
         """The operator ends the companion; returns the frames to send."""
         return self._send(now, self.companion.stop(now))
-
-    def heed(self, frame: Frame) -> Message | None:
-        """The message of a frame, if it is the vehicle's autopilot that speaks."""
-        ours = frame.sysid == self.companion.sysid and frame.compid == MavComponent.AUTOPILOT1
-        return decode(frame) if ours else None
 
     def _send(self, now: int, messages: Iterable[Message]) -> list[bytes]:
         """Encode and record what goes out."""

@@ -8,7 +8,6 @@ import struct
 
 from fastcrc.crc16 import mcrf4xx
 
-from vfguide.link.dialect import CRC_EXTRA
 from vfguide.link.frame import MAGIC_2, Frame, LinkCounters, Parser
 from vfguide.link.layout import LAYOUTS, EncodeError, Layout
 from vfguide.link.messages import Message
@@ -16,7 +15,9 @@ from vfguide.link.messages import Message
 __all__ = ["EncodeError", "Encoder", "Frame", "LinkCounters", "Parser", "decode"]
 
 _MAGIC = bytes((MAGIC_2,))
-_HEADER = struct.Struct("<6BHB")
+_HEADER = struct.Struct("<6B")
+"""What stands between the magic byte and the id of the message."""
+NO_FLAGS = 0
 _LAYOUTS_BY_ID = {record.MSGID: layout for record, layout in LAYOUTS.items()}
 
 
@@ -37,17 +38,13 @@ class Encoder:
         Raises:
             EncodeError: a field does not fit, or `message` is none of the records.
         """
-        payload = _layout(message).pack(message).rstrip(b"\0") or b"\0"
-        body = self._header(len(payload), message.MSGID) + payload
-        checksum = mcrf4xx(body + CRC_EXTRA[message.MSGID])
+        layout = _layout(message)
+        payload = layout.pack(message).rstrip(b"\0") or b"\0"
+        header = _HEADER.pack(len(payload), NO_FLAGS, NO_FLAGS, self.seq, self.sysid, self.compid)
+        body = header + layout.msgid + payload
+        checksum = mcrf4xx(body + layout.crc_extra)
         self.seq = (self.seq + 1) & 0xFF
         return _MAGIC + body + checksum.to_bytes(2, "little")
-
-    def _header(self, length: int, msgid: int) -> bytes:
-        """What stands between the magic byte and the payload; no flags."""
-        return _HEADER.pack(
-            length, 0, 0, self.seq, self.sysid, self.compid, msgid & 0xFFFF, msgid >> 16
-        )
 
 
 def decode(frame: Frame) -> Message | None:

@@ -24,6 +24,7 @@ MAGIC_2 = 0xFD
 SIGNED = 0x01
 """The one incompatibility flag that is defined: 13 bytes of signature follow the checksum."""
 
+_MAGICS = (MAGIC_2, MAGIC_1)
 _MAGIC = re.compile(b"[\xfd\xfe]")
 _HEADER_1 = struct.Struct("<6B")
 _HEADER_2 = struct.Struct("<7BHB")
@@ -141,21 +142,21 @@ class Parser:
         buffer = self._rest + data
         frames: list[Frame] = []
         position = 0
-        while True:
-            start = next_magic(buffer, position)
-            self._skip(position, start)
-            position = start
-            if start == len(buffer):
-                break
-            found = frame_at(buffer, start)
-            if found is Flaw.INCOMPLETE and not whole:
-                break
+        while position < len(buffer):
+            if buffer[position] not in _MAGICS:
+                start = next_magic(buffer, position)
+                self._skip(position, start)
+                position = start
+                continue
+            found = frame_at(buffer, position)
             if isinstance(found, Frame):
                 frames.append(found)
                 self._count(found)
                 position += len(found.raw)
+            elif found is Flaw.INCOMPLETE and not whole:
+                break
             else:
-                self._reject(found, buffer, start)
+                self._reject(found, buffer, position)
                 position += 1
         self._rest = buffer[position:]
         self._unknown_end = max(0, self._unknown_end - position)

@@ -4,7 +4,7 @@ import struct
 from operator import itemgetter
 from typing import Any
 
-from vfguide.link.dialect import WireField, wire_fields
+from vfguide.link.dialect import CRC_EXTRA, WireField, wire_fields
 from vfguide.link.messages import RECORDS, Message
 
 _KINDS = {
@@ -32,6 +32,9 @@ class Layout:
     """Turns one class of records to payloads and back."""
 
     def __init__(self, record: type[Message]) -> None:
+        self.msgid = record.MSGID.to_bytes(3, "little")
+        """As a MAVLink 2 header has it."""
+        self.crc_extra = CRC_EXTRA[record.MSGID]
         fields = _fields_of(record)
         self._fields = {field.name: field for field in fields}
         self._struct = struct.Struct("<" + "".join(field.code for field in fields))

@@ -10,6 +10,7 @@ from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import G0
 from vfguide.link.codec import Encoder
+from vfguide.link.messages import SetAttitudeTarget
 from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
@@ -20,6 +21,7 @@ from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.result import TOUCH
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.sim.port import ONBOARD
+from vfguide.sim.truth import Truth
 
 Write = Callable[[int, bytes], None]
 """Takes a time [us since 1970] and the bytes of one frame."""
@@ -56,7 +58,7 @@ class Member:
         self._write_truth = write_truth
         self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
         self._waiting: list[bytes] = []
-        self._rows: list[tuple[float, ...]] = []
+        self._noted: list[tuple[Truth, Sample, SetAttitudeTarget | None]] = []
         self.exchange()
         self.note()
 
@@ -78,6 +80,8 @@ class Member:
         for _ in range(ROUNDS):
             up = self._session.receive(now, b"".join(down)) if down else []
             down = self.sim.receive(self._port, b"".join(up)) if up else []
+            if not down:
+                break
         self._waiting = down
 
     def note(self) -> None:
@@ -89,35 +93,13 @@ class Member:
         p_n, v_n = place_in_plane(
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
-        self.legs.feed(Sample(truth.time, p_n, v_n))
-        self._rows.append(
-            (
-                truth.time,
-                *p_n,
-                *v_n,
-                truth.roll,
-                truth.pitch,
-                truth.yaw,
-                *truth.omega_b,
-                *self._commanded(),
-                truth.airspeed,
-                -truth.force_b[2] / G0,
-                *truth.wind_n,
-                truth.altitude,
-                truth.height_above_ground,
-            )
-        )
-
-    def _commanded(self) -> tuple[float, float, float, float]:
-        """Body rates and thrust of the latest setpoint."""
-        sp = self.sim.autopilot.setpoint
-        if sp is None:
-            return NOTHING_YET
-        return (sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate, sp.thrust)
+        sample = Sample(truth.time, p_n, v_n)
+        self.legs.feed(sample)
+        self._noted.append((truth, sample, self.sim.autopilot.setpoint))
 
     def record(self) -> FlightRecord:
         """What was noted."""
-        rows = np.array(self._rows)
+        rows = np.array([_row(*noted) for noted in self._noted])
         time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
             np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
         )
@@ -137,3 +119,29 @@ class Member:
             height[:, 0],
             self.companion.setpoints,
         )
+
+
+def _row(truth: Truth, at: Sample, setpoint: SetAttitudeTarget | None) -> tuple[float, ...]:
+    """The numbers of one instant, in the order of a FlightRecord's columns."""
+    return (
+        at.time,
+        *at.p_n,
+        *at.v_n,
+        truth.roll,
+        truth.pitch,
+        truth.yaw,
+        *truth.omega_b,
+        *_commanded(setpoint),
+        truth.airspeed,
+        -truth.force_b[2] / G0,
+        *truth.wind_n,
+        truth.altitude,
+        truth.height_above_ground,
+    )
+
+
+def _commanded(sp: SetAttitudeTarget | None) -> tuple[float, float, float, float]:
+    """Body rates and thrust of the latest setpoint."""
+    if sp is None:
+        return NOTHING_YET
+    return (sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate, sp.thrust)
