@@ -23,6 +23,16 @@ from vfguide.sim.parameters import Parameters
 from vfguide.sim.port import GROUND, ONBOARD
 
 SCENARIO, AIRCRAFT = DOCS / "scenario.md", DOCS / "aircraft.md"
+PAPER, PRINT = DOCS / "paper.md", ROOT.parent / "shared" / "paper.tex"
+EQUATIONS = (
+    "The robot and what it keeps away from",
+    "The field in free space",
+    "The frame and the rate law",
+    "Among obstacles",
+    "Among robots",
+)
+LABELS = r"(?:eq|theo|lem|cor|def|alg|assum|fig|n|tau)\w*"
+"""Labels of the paper but for those of its sections."""
 NUMBER = r"-?\d+(?:\.\d+)?"
 PLACES = [
     (SCENARIO, "Top level", scenario_file.ScenarioHead),
@@ -227,3 +237,17 @@ def test_functions_that_are_named_are_there(name):
     except ModuleNotFoundError:
         module, function = name.rsplit(".", 1)
         assert hasattr(importlib.import_module(module), function)
+
+
+@pytest.mark.parametrize("row", rows_of(PAPER, *EQUATIONS), ids=lambda row: row[0])
+def test_every_equation_has_a_test(row):
+    tests = names_in(row[2])
+    assert tests
+    assert all(name.startswith("tests/") for name in tests)
+
+
+@pytest.mark.skipif(not PRINT.exists(), reason="the source of the paper is not here")
+def test_labels_of_the_paper():
+    printed = set(re.findall(rf"\\label{{({LABELS}[^}}]*)}}", PRINT.read_text()))
+    named = {name for row in rows_of(PAPER) for cell in row for name in names_in(cell)}
+    assert {name for name in named if re.match(LABELS + "( |$)", name)} == printed

@@ -212,6 +212,57 @@ def test_an_obstacle_straight_ahead_on_the_goals_axis(distance):
     assert chi < 1.0
 
 
+@given(off_axis, st.lists(st.tuples(transitions, normals), min_size=1, max_size=4))
+def test_several_obstacles_together_do_not_stop_the_field_either(p, barriers):
+    """F . F_OA = (prod chi_i) |F|^2 + sum (1 - chi_i) |n_i x F|^2, which is above zero."""
+    F, _, F_OA, _ = fields(p, *barriers)
+    if any(collinear(n, F) for _, n in barriers):
+        return
+    expected = math.prod(chi for chi, _ in barriers) * dot(F, F)
+    expected += sum((1.0 - chi) * dot(cross(n, F), cross(n, F)) for chi, n in barriers)
+    size = (1.0 + sum(dot(n, n) for _, n in barriers)) * dot(F, F)
+    assert dot(F, F_OA) == pytest.approx(expected, abs=1e-13 * size)
+    assert expected > 0.0
+
+
+def test_two_obstacles_at_once_can_lead_into_one():
+    """Theorem 3 (1) is for one: on the surface of the first, the second's tau_b has a part inwards.
+
+    F = (1, 0, 0); tau_b is (1, -1, 0) / 2 for n = (-1, -1, 0) / sqrt 2 and F for n = (0, -1, 0).
+    """
+    n = (-math.sqrt(0.5), -math.sqrt(0.5), 0.0)
+    _, _, alone, _ = fields((1.0, 0.0, 0.0), (0.0, n))
+    assert alone == pytest.approx((0.5, -0.5, 0.0))
+    _, _, both, _ = fields((1.0, 0.0, 0.0), (0.0, n), (0.0, (0.0, -1.0, 0.0)))
+    assert both == pytest.approx((1.5, -0.5, 0.0))
+    assert dot(both, n) / norm(both) == pytest.approx(-1.0 / math.sqrt(5.0))
+
+
+def inward_deg(unit):
+    """How steeply the field runs into a sphere of 40 m where U = 2, lengths in another unit."""
+    p, goal = scale(unit, (-40.0, 40.0, 0.0)), goal_frame((500.0 * unit, 0.0, 0.0), 0.0, 0.0)
+    sphere = SHAPES["sphere"]._replace(semi_axes=(40.0 * unit, 40.0 * unit, 40.0 * unit))
+    here = composite_field(goal, p, STILL, 0.0, one_obstacle(sphere), NOBODY, SPACING)
+    return -math.degrees(math.asin(dot(here.F, p) / norm(here.F) / norm(p)))
+
+
+def test_the_law_depends_on_the_unit_of_length():
+    """tau_b grows with |n|^2 [1/m^2] and F does not: the same scene in metres and kilometres."""
+    assert inward_deg(1.0) == pytest.approx(52.9, abs=0.1)
+    assert inward_deg(1e-3) == pytest.approx(0.0, abs=0.01)
+
+
+@pytest.mark.parametrize("bearing", [0.0, 1.0, 2.0, 4.0])
+def test_around_the_point_straight_ahead_the_field_turns_all_the_way_round(bearing):
+    """No field tangential to a ball is continuous and without a zero: it jumps at this point."""
+    goal = goal_frame((500.0, 0.0, 0.0), 0.0, 0.0)
+    off = (0.0, 1e-4 * math.cos(bearing), 1e-4 * math.sin(bearing))
+    p = scale(40.0 / math.hypot(1.0, 1e-4), (-1.0, off[1], off[2]))
+    here = composite_field(goal, p, STILL, 0.0, one_obstacle(SHAPES["sphere"]), NOBODY, SPACING)
+    found = scale(1.0 / norm(here.F), here.F)
+    assert found == pytest.approx((1e-4, math.cos(bearing), math.sin(bearing)), abs=1e-3)
+
+
 @given(off_axis, normals, normals, transitions, transitions)
 def test_several_obstacles(p, n1, n2, chi1, chi2):
     """eq_F_OA_multi_obs, whatever the order; G' is the weighted sum."""

@@ -4,7 +4,7 @@ from obstacle_samples import NOTHING, SPACING, floats, random_goal, random_shape
 
 from vfguide.field.composite import composite_field
 from vfguide.field.composite_arrays import composite_fields
-from vfguide.field.goal_frame import goal_frame
+from vfguide.field.goal_frame import goal_frame, navigation_field_n, normal_field_n
 from vfguide.field.neighbours import robots_with_priority
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.field.swarm import fields_of_robots, goal_rows
@@ -67,6 +67,17 @@ def test_the_field_keeps_centres_two_safety_radii_apart():
 def test_nobody():
     empty = fields_of_robots(goal_rows([]), np.zeros((0, 6)), 0.0, NOTHING, SPACING)
     assert empty.F.shape == (0, 3)
+
+
+def test_head_on_off_the_axis_a_robot_turns_along_its_own_g():
+    """eq_tau_psi_b has G_i, Algorithm 1 prints G_j: robot 1, straight ahead, has another goal."""
+    goals = [goal_frame((500.0, 300.0, 0.0), 1.0, 0.2), goal_frame((0.0, 0.0, 0.0), 0.0, 0.0)]
+    p = np.array((-60.0, 80.0, 0.0))
+    F, G = navigation_field_n(goals[1], floats(p)), normal_field_n(goals[1], floats(p))
+    ahead = p + 20.0 * np.array(F) / np.linalg.norm(F)
+    robots = np.array([[*ahead, 0.0, 0.0, 0.0], [*p, 0.0, 0.0, 0.0]])
+    fields = fields_of_robots(goal_rows(goals), robots, 0.0, NOTHING, SPACING)
+    np.testing.assert_allclose(fields.F[1], G, rtol=1e-9)
 
 
 def test_two_robots_head_on():

@@ -9,7 +9,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from vfguide.cli.console import err, out
-from vfguide.scenario.member import Member
+from vfguide.scenario.fleet import Flown
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.result import Result
 
@@ -35,7 +35,7 @@ class FlightDisplay:
         )
         self._next = 0.0
 
-    def __call__(self, sim_s: float, members: Sequence[Member]) -> None:
+    def __call__(self, sim_s: float, members: Sequence[Flown]) -> None:
         """Take the news of one update."""
         if sim_s < self._next:
             return

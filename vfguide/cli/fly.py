@@ -45,6 +45,7 @@ def fly(
     from vfguide.scenario.plans import plan_of, vehicle_of
 
     loaded = load_scenario(scenario)
+    loaded.require_mavlink()
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
     with Signals() as signals, ExitStack() as stack:
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from vfguide import __version__
-from vfguide.cli import bench, check, fly, replay, run, sim
+from vfguide.cli import bench, check, field, fly, replay, run, sim
 from vfguide.cli.console import complain
 from vfguide.cli.exit_status import BAD_INPUT, INTERRUPTED
 
@@ -25,6 +25,7 @@ run.add_to(app)
 sim.add_to(app)
 fly.add_to(app)
 check.add_to(app)
+field.add_to(app)
 replay.add_to(app)
 bench.add_to(app)
 

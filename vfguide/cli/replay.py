@@ -45,6 +45,7 @@ def replay(
 
     reader = open_log(log)
     loaded = load_scenario(scenario or str(log.parent / "scenario.toml"), set_ or [])
+    loaded.require_mavlink()
     sysid = vehicle if vehicle is not None else only_vehicle(log, reader)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, sysid))
     with ExitStack() as stack:

@@ -45,6 +45,7 @@ def sim(
     from vfguide.sim.vehicle import steps_between_updates
 
     loaded = load_scenario(scenario)
+    loaded.require_mavlink()
     loaded.require_models()
     with Signals() as signals, ExitStack() as stack:
         sockets = open_sockets(loaded.scenario, stack)

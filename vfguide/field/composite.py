@@ -20,7 +20,14 @@ from vfguide.field.navigation import (
     normal_field,
     normal_field_rate,
 )
-from vfguide.field.obstacle import REACH, REACTIVE_LEVEL, Rows, from_centre, obstacle_surface
+from vfguide.field.obstacle import (
+    REACH,
+    REACTIVE_LEVEL,
+    Rows,
+    from_centre,
+    is_known,
+    obstacle_surface,
+)
 from vfguide.field.robots import Spacing, robot_barrier
 from vfguide.field.transition import transition
 from vfguide.geometry import vector
@@ -94,7 +101,8 @@ def deflect_by_obstacles(
     for i in range(len(obstacles)):
         chi[i] = 1.0
         d = from_centre(obstacles, i, p, t)
-        if vector.dot(d.value, d.value) < obstacles[i, REACH] ** 2:
+        near = vector.dot(d.value, d.value) < obstacles[i, REACH] ** 2
+        if near and is_known(obstacles, i, p.value, t):
             surface = obstacle_surface(obstacles, i, p, t)
             barrier = Barrier(transition(surface.U, 1.0, obstacles[i, REACTIVE_LEVEL]), surface.n)
             by = deflect(by, free, barrier)

@@ -22,10 +22,12 @@ from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub
 Rows = NDArray[np.float64]
 """A table of numbers, one thing a row."""
 
-COLUMNS = 17
+COLUMNS = 18
 """Of a row: kind; position at t = 0 and velocity, NED; cosine and sine of the heading; semi-axes;
-exponents; reactive level; reach, the radius of a ball that holds the reactive area."""
-REACTIVE_LEVEL, REACH = 15, 16
+exponents; reactive level; reach, the radius of a ball that holds the reactive area; the distance
+from the surface beyond which nobody knows of it, infinite where it is beyond the reach."""
+POSITION, VELOCITY, SEMI_AXES = slice(1, 4), slice(4, 7), slice(9, 12)
+REACTIVE_LEVEL, REACH, VISIBLE_FROM = 15, 16, 17
 HIGHEST_LEVEL = 1e30
 """Up to this reactive level products of the fields stay finite."""
 
@@ -42,6 +44,8 @@ class Obstacle(NamedTuple):
     """Its velocity, NED [m/s]."""
     reactive_level: float = 4.0
     """c-bar of the paper: the obstacle acts on the field where U is below it."""
+    visible_from: float = math.inf
+    """Farther than this from its surface a robot does not know of it [m]."""
 
 
 class Surface(NamedTuple):
@@ -69,6 +73,9 @@ def obstacle_rows(obstacles: Sequence[Obstacle]) -> Rows:
         row[9:REACTIVE_LEVEL] = (*shape.semi_axes, *shape.exponents)
         row[REACTIVE_LEVEL] = level
         row[REACH] = math.hypot(*(a * level ** (0.5 / p) for a, p in sizes))
+        row[VISIBLE_FROM] = (
+            math.inf if obstacle.visible_from >= row[REACH] else obstacle.visible_from
+        )
     return rows
 
 
@@ -121,3 +128,10 @@ def obstacle_distance(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
     """Distance of `p_n` (NED) from the surface of row `i` at time `t` [m], negative inside."""
     d = from_centre(obstacles, i, Dual3(p_n, (0.0, 0.0, 0.0)), t)
     return signed_distance(obstacle_shape(obstacles, i), into_axes(obstacles, i, d.value))
+
+
+@compiled
+def is_known(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
+    """Whether a robot at `p_n` (NED) knows of row `i` at time `t`."""
+    visible_from = obstacles[i, VISIBLE_FROM]
+    return visible_from == math.inf or obstacle_distance(obstacles, i, p_n, t) <= visible_from

@@ -14,14 +14,14 @@ from vfguide.field.composite import (
 from vfguide.field.composite_arrays import CompositeArrays, empty_fields, store
 from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame
-from vfguide.field.neighbours import Neighbours, robots_with_priority
+from vfguide.field.neighbours import Neighbours, no_neighbours, robots_with_priority
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.geometry.compiled import compiled
 
 
 def fields_of_robots(
-    goals: Rows, robots: Rows, t: float, obstacles: Rows, spacing: Spacing
+    goals: Rows, robots: Rows, t: float, obstacles: Rows, spacing: Spacing | None
 ) -> CompositeArrays:
     """F_CA and its frame for N robots (Algorithm 1); the cost grows with their neighbours.
 
@@ -30,10 +30,13 @@ def fields_of_robots(
         robots: (N, 6), position and velocity at time `t`, NED, in the order of priority.
         t: time [s], for the motion of the obstacles.
         obstacles: (M, COLUMNS), of `obstacle_rows`.
-        spacing: r_c and r_d.
+        spacing: r_c and r_d; None: robots take no notice of each other.
     """
     robots = np.ascontiguousarray(robots, np.float64)
-    neighbours = robots_with_priority(robots[:, :3], spacing.detection_range)
+    if spacing is None:
+        spacing, neighbours = Spacing(0.0, 0.0), no_neighbours(len(robots))
+    else:
+        neighbours = robots_with_priority(robots[:, :3], spacing.detection_range)
     fields = empty_fields(len(robots), len(obstacles))
     _of_robots(goals, robots, t, obstacles, neighbours, spacing, fields)
     return fields

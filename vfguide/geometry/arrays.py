@@ -1,10 +1,11 @@
-"""Geodesy over arrays: NumPy ufuncs on the last axis, from the formulas of `geodesy`."""
+"""Geodesy and attitudes over arrays: NumPy ufuncs on the last axes, from the scalar formulas."""
 
 from typing import Any
 
 from vfguide.geometry.compiled import over_points
 from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
-from vfguide.geometry.vector import vec3
+from vfguide.geometry.so3 import to_euler
+from vfguide.geometry.vector import mat3, vec3
 
 
 @over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")
@@ -15,3 +16,9 @@ def geodetic_to_neds(origin: Any, points: Any, p_n: Any) -> None:
     """
     plane = tangent_plane(*vec3(origin))
     p_n[0], p_n[1], p_n[2] = geodetic_to_ned(plane, *vec3(points))
+
+
+@over_points("(float64[:, :], float64[:])", "(n,n)->(n)")
+def euler_angles(R_nb: Any, angles: Any) -> None:
+    """Roll, pitch and yaw [rad], (..., 3), of attitudes (..., 3, 3)."""
+    angles[0], angles[1], angles[2] = to_euler(mat3(R_nb))

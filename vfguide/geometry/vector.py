@@ -23,6 +23,16 @@ def vec3(a: Any) -> Vec3:
 
 
 @compiled
+def mat3(a: Any) -> Mat3:
+    """An array (3, 3) as its three rows."""
+    return (
+        (a[0, 0], a[0, 1], a[0, 2]),
+        (a[1, 0], a[1, 1], a[1, 2]),
+        (a[2, 0], a[2, 1], a[2, 2]),
+    )
+
+
+@compiled
 def add(a: Vec3, b: Vec3) -> Vec3:
     """Sum a + b."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])

@@ -17,8 +17,9 @@ from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario, warm_up
+from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.plans import plan_of
+from vfguide.scenario.warm_up import warm_up
 from vfguide.sim.plant import STEP
 
 SCENARIO = "first-flight"
@@ -64,7 +65,7 @@ def measure() -> Bench:
     loaded = load_scenario(SCENARIO)
     vehicle = loaded.scenario.vehicles[0]
     plan = plan_of(loaded, vehicle)
-    warm_up()
+    warm_up(loaded)
     times: list[tuple[float, float, float, float]] = []
     for _ in range(REPEATS):
         with tempfile.TemporaryDirectory() as folder:

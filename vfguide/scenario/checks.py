@@ -11,6 +11,20 @@ from vfguide.scenario.source import Location, Source
 from vfguide.scenario.tables import in_words
 
 
+def check_law(entry: ScenarioFile, source: Source) -> None:
+    """Plant, law and obstacles go together.
+
+    Raises:
+        InputError: they do not.
+    """
+    if entry.law == "paper" and entry.plant != "kinematic":
+        rule = 'only plant = "kinematic" flies it, allowed here "flight"'
+        raise source.error(("law",), rule, entry.law)
+    if entry.law == "flight" and entry.obstacle:
+        rule = 'not supported yet with law = "flight", allowed with law = "paper"'
+        raise source.error(("obstacle",), rule)
+
+
 def check_ids(scenario: Scenario, source: Source) -> None:
     """No two vehicles of one id.
 
@@ -87,6 +101,19 @@ def check_wind(scenario: Scenario, source: Source) -> None:
     if wind >= slowest:
         rule = f"as fast as a vehicle flies, allowed below {in_words(slowest)}"
         raise source.error(("wind", "speed_mps"), rule, wind)
+
+
+def check_still_air(scenario: Scenario, source: Source) -> None:
+    """No wind is asked for where there is no air.
+
+    Raises:
+        InputError: one is.
+    """
+    wind, rule = scenario.wind, 'plant = "kinematic" has no wind'
+    if wind.speed_mps != 0.0:
+        raise source.error(("wind", "speed_mps"), f"{rule}, allowed 0", wind.speed_mps)
+    if wind.turbulence != "none":
+        raise source.error(("wind", "turbulence"), f'{rule}, allowed "none"', wind.turbulence)
 
 
 def check_room(scenario: Scenario, source: Source) -> None:

@@ -52,7 +52,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
         model,
         loaded.performance(vehicle),
         scenario.airspeed_of(vehicle),
-        Start(latitude, longitude, altitude, vehicle.heading_deg * DEG, condition),
+        Start(latitude, longitude, altitude, vehicle.euler_deg[2] * DEG, condition),
         Weather(
             wind_of(scenario),
             Turbulence[scenario.wind.turbulence.upper()],

@@ -12,8 +12,9 @@ from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
 from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft, find_scenario
 from vfguide.scenario.errors import InputError
+from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.overrides import parse_override
-from vfguide.scenario.resolve import resolve
+from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
@@ -45,12 +46,25 @@ class LoadedScenario:
             bank_max=bank * DEG,
         )
 
+    def require_mavlink(self) -> None:
+        """Make sure that its vehicles speak MAVLink.
+
+        Raises:
+            InputError: the plant is one without.
+        """
+        if self.scenario.plant != "jsbsim":
+            plant = self.scenario.plant
+            rule = 'it has no autopilot and no MAVLink, only vfguide run flies it; allowed "jsbsim"'
+            raise InputError(f'{self.path}: plant = "{plant}": {rule}')
+
     def require_models(self) -> None:
         """Make sure that every aircraft can be simulated.
 
         Raises:
             InputError: one has no JSBSim model.
         """
+        if self.scenario.plant != "jsbsim":
+            return
         for name, files in self.files.items():
             if files.model is None:
                 missing = files.root / name / f"{name}.xml"
@@ -72,14 +86,20 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     """
     source = Source(find_scenario(name_or_path), tuple(map(parse_override, overrides)))
     entry = source.parse(ScenarioFile)
-    files = _find_all(entry, source)
+    checks.check_law(entry, source)
+    files = _find_all(entry, source) if entry.law == "flight" else {}
     aircraft = {name: load_aircraft(its) for name, its in files.items()}
     scenario = resolve(entry, aircraft, source)
     checks.check_ids(scenario, source)
-    checks.check_aircraft(scenario, entry, aircraft, source)
-    checks.check_ground(scenario, entry, source)
-    checks.check_wind(scenario, source)
+    if scenario.law == "flight":
+        checks.check_aircraft(scenario, entry, aircraft, source)
+    if scenario.plant == "jsbsim":
+        checks.check_ground(scenario, entry, source)
+        checks.check_wind(scenario, source)
+    else:
+        checks.check_still_air(scenario, source)
     checks.check_room(scenario, source)
+    check_obstacles(scenario, source)
     return LoadedScenario(scenario, source.path, files, aircraft)
 
 
@@ -99,7 +119,8 @@ def _find_all(entry: ScenarioFile, source: Source) -> dict[str, AircraftFiles]:
     files: dict[str, AircraftFiles] = {}
     for index, vehicle in enumerate(entry.vehicle):
         try:
-            files[vehicle.aircraft] = find_aircraft(vehicle.aircraft, beside=source.path)
+            name = aircraft_of(entry, vehicle)
+            files[name] = find_aircraft(name, beside=source.path)
         except InputError as error:
             at = ("vehicle", index, "aircraft")
             raise source.error(at, str(error), vehicle.aircraft) from None

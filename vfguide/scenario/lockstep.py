@@ -1,29 +1,26 @@
-"""A scenario flown in lockstep: plants, autopilots and companions on one simulated clock."""
+"""A scenario flown in lockstep: all vehicles on one simulated clock."""
 
 import time
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from enum import Enum
-from functools import cache
 from pathlib import Path
 
-from vfguide.link.tlog import TlogWriter, tlog_record
-from vfguide.scenario.load import LoadedScenario, load_scenario
-from vfguide.scenario.member import Member
+from vfguide.scenario.aeroplanes import Aeroplanes
+from vfguide.scenario.fleet import Fleet, Flown
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.logs import Logs
 from vfguide.scenario.record import FlightRecord
-from vfguide.scenario.resolved import Vehicle
-from vfguide.sim.plant import STEP
-from vfguide.sim.vehicle import steps_between_updates
+from vfguide.scenario.rigid_bodies import RigidBodies
+from vfguide.scenario.warm_up import warm_up
 
-WARM_UP_UPDATES = 100
-"""Long enough for the companion to take over."""
 AFTERWARDS = 5.0
 """A run goes on for this long after the last goal [s]."""
 NEARLY = 1e-9
 """Times that differ by less are equal [s]."""
 
-Progress = Callable[[float, Sequence[Member]], None]
+Progress = Callable[[float, Sequence[Flown]], None]
 """Told the simulated time [s] and the vehicles, after every update."""
 
 
@@ -51,30 +48,7 @@ class Flight:
     ending: Ending
 
 
-class Logs:
-    """`flight.tlog` with everything, `vehicle-ID.tlog` with one companion's part."""
-
-    def __init__(self, folder: Path, stack: ExitStack) -> None:
-        """Logs in `folder`, closed with `stack`."""
-        self._folder = folder
-        self._stack = stack
-        self._all = stack.enter_context(TlogWriter(folder / "flight.tlog"))
-        self.write_all = self._all.write
-
-    def write_vehicle(self, vehicle: Vehicle) -> Callable[[int, bytes], None]:
-        """What takes the frames between one companion and its autopilot."""
-        path = self._folder / f"vehicle-{vehicle.id}.tlog"
-        own = self._stack.enter_context(TlogWriter(path))
-
-        def write(time_us: int, raw: bytes) -> None:
-            record = tlog_record(time_us, raw)
-            self._all.append(record)
-            own.append(record)
-
-        return write
-
-
-def ignore_progress(_: float, __: Sequence[Member]) -> None:
+def ignore_progress(_: float, __: Sequence[Flown]) -> None:
     """Progress that nobody watches."""
 
 
@@ -104,61 +78,54 @@ def fly_scenario(
         InputError: an aircraft's model cannot be flown.
         TlogError: a log cannot be written.
     """
-    scenario = loaded.scenario
-    warm_up()
+    warm_up(loaded)
     with ExitStack() as stack:
-        logs = Logs(folder, stack)
-        members = [
-            Member(loaded, vehicle, logs.write_vehicle(vehicle), logs.write_all)
-            for vehicle in scenario.vehicles
-        ]
-        lockstep = Lockstep(members, scenario.duration_s, scenario.guidance.rate_hz)
+        fleet = fleet_of(loaded, Logs(folder, stack))
+        lockstep = Lockstep(fleet, loaded.scenario.duration_s)
         started = time.perf_counter()
         while (ending := Ending.STOPPED if stopped() else lockstep.ending) is None:
             lockstep.advance()
-            progress(lockstep.sim_s, members)
+            progress(lockstep.sim_s, fleet.members)
             if realtime:
                 time.sleep(max(0.0, started + lockstep.sim_s - time.perf_counter()))
         wall_s = time.perf_counter() - started
-        records = tuple(member.record() for member in members)
+        records = fleet.records()
     return Flight(records, lockstep.sim_s, wall_s, ending)
 
 
-@cache
-def warm_up() -> None:
-    """Fly a moment for nothing: compiles or loads all compiled code, once in a process."""
+def fleet_of(loaded: LoadedScenario, logs: Logs) -> Fleet:
+    """The vehicles of a scenario at their starts.
 
-    def ignore(_: int, __: bytes) -> None:
-        pass
-
-    loaded = load_scenario("first-flight")
-    member = Member(loaded, loaded.scenario.vehicles[0], ignore, ignore)
-    for _ in range(WARM_UP_UPDATES):
-        member.fly(1)
+    Raises:
+        InputError: an aircraft's model cannot be flown.
+        TlogError: a log cannot be written.
+    """
+    if loaded.scenario.plant == "jsbsim":
+        return Aeroplanes(loaded, logs)
+    return RigidBodies(loaded, logs.write_all)
 
 
 class Lockstep:
     """The vehicles of a run and their common clock."""
 
-    def __init__(self, members: Sequence[Member], duration: float, rate: float) -> None:
-        """All at their starts; `duration` [s] is the longest flight, `rate` [Hz] the guidance's."""
-        self._members = members
+    def __init__(self, fleet: Fleet, duration: float) -> None:
+        """All at their starts; `duration` [s] is the longest flight."""
+        self._fleet = fleet
         self._duration = duration
-        self._steps = steps_between_updates(rate)
         self._updates = 0
         self._finished_at: float | None = None
 
     @property
     def sim_s(self) -> float:
         """Simulated time [s]."""
-        return self._updates * self._steps * STEP
+        return self._updates * self._fleet.period
 
     @property
     def ending(self) -> Ending | None:
         """Why the flight is over, if it is."""
         if self._finished_at is not None and self.sim_s + NEARLY >= self._finished_at + AFTERWARDS:
             return Ending.REACHED
-        if any(member.grounded for member in self._members):
+        if self._fleet.grounded:
             return Ending.GROUND
         if self.sim_s + NEARLY >= self._duration:
             return Ending.TIME
@@ -167,7 +134,6 @@ class Lockstep:
     def advance(self) -> None:
         """Every vehicle flies on to the next update."""
         self._updates += 1
-        for member in self._members:
-            member.fly(self._steps)
-        if self._finished_at is None and all(member.legs.finished for member in self._members):
+        self._fleet.advance()
+        if self._finished_at is None and all(its.legs.finished for its in self._fleet.members):
             self._finished_at = self.sim_s

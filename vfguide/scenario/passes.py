@@ -36,7 +36,10 @@ class Pass(NamedTuple):
 
 
 class Legs:
-    """The legs of one vehicle from goal to goal, fed with its path one sample at a time."""
+    """The legs of one vehicle from goal to goal, fed with its path one sample at a time.
+
+    A goal is passed where the distance to it is least; a vehicle that has missed it tries again.
+    """
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         self.goals = tuple(goals)
@@ -57,17 +60,23 @@ class Legs:
         Between two samples the path is the cubic that has their positions and velocities.
         """
         before, leg = self._last, self.leg
-        while before is not None and not self.finished:
-            goal = self.goals[self.leg]
-            if not _approach(before, goal) < 0.0 <= _approach(sample, goal):
+        while not self.finished:
+            passed = self.find(before, sample)
+            if passed is None:
                 break
-            closest = _closest(before, sample, goal)
-            self.passes[self.leg].append(_judge(closest, goal))
+            self.passes[self.leg].append(_judge(passed, self.goals[self.leg]))
             if not self.passes[self.leg][-1].reaches:
                 break
-            before, self.leg = closest, self.leg + 1
+            before, self.leg = passed, self.leg + 1
         self._last = sample
         return self.leg > leg
+
+    def find(self, before: Sample | None, sample: Sample) -> Sample | None:
+        """Where the present goal is passed between two samples, if it is."""
+        goal = self.goals[self.leg]
+        if before is None or not _approach(before, goal) < 0.0 <= _approach(sample, goal):
+            return None
+        return _closest(before, sample, goal)
 
     def best(self) -> list[Pass | None]:
         """The pass of each goal that counts: the one that reaches it, else the nearest."""

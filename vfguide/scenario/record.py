@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.resolved import Vehicle
 
@@ -13,7 +14,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class FlightRecord:
-    """One vehicle's flight: n samples at equal steps, SI units and radians."""
+    """One vehicle's flight: n samples at equal steps, SI units and radians.
+
+    What a plant does not have, such as the load factor of a kinematic body, is NaN.
+    """
 
     vehicle: Vehicle
     time: Array
@@ -43,10 +47,20 @@ class FlightRecord:
     setpoints: int
     """How many were sent."""
 
+    arrives: bool = False
+    """It slows down towards its goals, and stands still at the last one."""
+
     def legs(self) -> Legs:
         """The legs that were flown."""
-        legs = Legs(self.vehicle.goals)
-        rows = zip(self.time.tolist(), self.p_n.tolist(), self.v_n.tolist(), strict=True)
+        legs = Arrivals(self.vehicle.goals) if self.arrives else Legs(self.vehicle.goals)
+        directions = self.nose() if self.arrives else self.v_n
+        rows = zip(self.time.tolist(), self.p_n.tolist(), directions.tolist(), strict=True)
         for time, p_n, v_n in rows:
             legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
         return legs
+
+    def nose(self) -> Array:
+        """(n, 3) the body's x axis in the scenario frame."""
+        _, pitch, yaw = self.euler.T
+        level = np.cos(pitch)
+        return np.column_stack((level * np.cos(yaw), level * np.sin(yaw), -np.sin(pitch)))

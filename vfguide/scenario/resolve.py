@@ -7,8 +7,17 @@ from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plan
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.aircraft_file import Aircraft
-from vfguide.scenario.resolved import Goal, Scenario, Vehicle
-from vfguide.scenario.scenario_file import GoalEntry, Origin, ScenarioFile
+from vfguide.scenario.obstacle_entry import check_sizes
+from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Vehicle
+from vfguide.scenario.scenario_file import (
+    DEFAULT_AIRCRAFT,
+    KINEMATIC_AIRSPEED,
+    GoalEntry,
+    Origin,
+    ScenarioFile,
+    ScenarioHead,
+    VehicleEntry,
+)
 from vfguide.scenario.source import Location, Source
 
 FARTHEST = 100_000.0
@@ -21,22 +30,12 @@ def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Sourc
     Raises:
         InputError: a goal is not given in exactly one way.
     """
-    head = {name: getattr(entry, name) for name in type(entry).model_fields if name != "vehicle"}
-    vehicles = [
-        Vehicle(
-            id=vehicle.id,
-            position_m=vehicle.position_m,
-            heading_deg=vehicle.heading_deg,
-            airspeed_mps=vehicle.airspeed_mps or aircraft[vehicle.aircraft].airspeed.cruise_mps,
-            aircraft=vehicle.aircraft,
-            goals=tuple(
-                _goal(goal, entry.origin, source, ("vehicle", index, "goal", number))
-                for number, goal in enumerate(vehicle.goal)
-            ),
-        )
-        for index, vehicle in enumerate(entry.vehicle)
-    ]
-    return Scenario(**head, vehicles=tuple(vehicles))
+    head = {name: getattr(entry, name) for name in ScenarioHead.model_fields}
+    vehicles = tuple(
+        _vehicle(entry, index, aircraft, source) for index in range(len(entry.vehicle))
+    )
+    obstacles = tuple(_obstacle(entry, index, source) for index in range(len(entry.obstacle)))
+    return Scenario(**head, vehicles=vehicles, obstacles=obstacles)
 
 
 def plane_of(origin: Origin) -> TangentPlane:
@@ -47,6 +46,58 @@ def plane_of(origin: Origin) -> TangentPlane:
 def place_of(origin: Origin) -> Vec3:
     """Latitude, longitude [rad] and altitude [m] of the origin."""
     return (origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
+
+
+def aircraft_of(entry: ScenarioFile, vehicle: VehicleEntry) -> str:
+    """The aircraft that a vehicle is, or whose numbers the flight law takes for a rigid body."""
+    return vehicle.aircraft if entry.plant == "jsbsim" else DEFAULT_AIRCRAFT
+
+
+def _vehicle(
+    entry: ScenarioFile, index: int, aircraft: Mapping[str, Aircraft], source: Source
+) -> Vehicle:
+    vehicle, at = entry.vehicle[index], ("vehicle", index)
+    name = aircraft_of(entry, vehicle)
+    cruise = aircraft[name].airspeed.cruise_mps if entry.plant == "jsbsim" else KINEMATIC_AIRSPEED
+    heading_deg, attitude_deg = _attitude(entry, vehicle, source, at)
+    return Vehicle(
+        id=vehicle.id,
+        position_m=vehicle.position_m,
+        heading_deg=heading_deg,
+        attitude_deg=attitude_deg,
+        airspeed_mps=vehicle.airspeed_mps or cruise,
+        aircraft=name,
+        goals=tuple(
+            _goal(goal, entry.origin, source, (*at, "goal", number))
+            for number, goal in enumerate(vehicle.goal)
+        ),
+    )
+
+
+def _attitude(
+    entry: ScenarioFile, vehicle: VehicleEntry, source: Source, at: Location
+) -> tuple[float | None, Vec3 | None]:
+    """Heading, or attitude, whichever is given [deg]."""
+    if vehicle.attitude_deg is None:
+        return vehicle.heading_deg, None
+    place = (*at, "attitude_deg")
+    if entry.plant != "kinematic":
+        rule = 'only plant = "kinematic" starts in any attitude, allowed is heading_deg'
+        raise source.error(place, rule, vehicle.attitude_deg)
+    if "heading_deg" in vehicle.model_fields_set:
+        rule = "not allowed beside heading_deg, its third number is the heading"
+        raise source.error(place, rule, vehicle.attitude_deg)
+    return None, vehicle.attitude_deg
+
+
+def _obstacle(entry: ScenarioFile, index: int, source: Source) -> Obstacle:
+    written = entry.obstacle[index]
+    check_sizes(written, source, ("obstacle", index))
+    values = written.model_dump()
+    values["name"] = str(index) if written.name is None else written.name
+    if written.visible_from_m is None:
+        values["visible_from_m"] = entry.avoidance.detection_range_m
+    return Obstacle(**values)
 
 
 def _goal(entry: GoalEntry, origin: Origin, source: Source, at: Location) -> Goal:

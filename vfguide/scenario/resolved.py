@@ -6,6 +6,8 @@ import tomli_w
 from pydantic import Field
 
 from vfguide import __version__
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.obstacle_entry import ShapeName
 from vfguide.scenario.scenario_file import ScenarioHead
 from vfguide.scenario.tables import Table, Vector
 
@@ -32,18 +34,45 @@ class Vehicle(Table):
     id: int
     position_m: Vector
     """North, east, down of the origin [m]."""
-    heading_deg: float
+    heading_deg: float | None = None
     """Yaw at the start."""
+    attitude_deg: Vector | None = None
+    """Roll, pitch and yaw at the start; exactly one of the two is given."""
     airspeed_mps: float
     """True airspeed at the start."""
     aircraft: str
+    """Its numbers are those of the flight law, also on the kinematic plant."""
     goals: tuple[Goal, ...] = Field(serialization_alias="goal")
+
+    @property
+    def euler_deg(self) -> Vec3:
+        """Roll, pitch and yaw at the start."""
+        return self.attitude_deg or (0.0, 0.0, self.heading_deg or 0.0)
+
+
+class Obstacle(Table):
+    """A body to keep out of; those of the sizes that its shape has are given."""
+
+    name: str
+    shape: ShapeName
+    position_m: Vector
+    """Of its centre at time zero: north, east, down of the origin [m]."""
+    radius_m: float | None = None
+    height_m: float | None = None
+    semi_axes_m: Vector | None = None
+    exponents: Vector | None = None
+    size_m: Vector | None = None
+    heading_deg: float
+    velocity_mps: Vector
+    reactive_level: float
+    visible_from_m: float
 
 
 class Scenario(ScenarioHead):
     """What is flown."""
 
     vehicles: tuple[Vehicle, ...] = Field(serialization_alias="vehicle")
+    obstacles: tuple[Obstacle, ...] = Field(default=(), serialization_alias="obstacle")
 
     def airspeed_of(self, vehicle: Vehicle) -> float:
         """True airspeed that the guidance of `vehicle` flies [m/s]."""
@@ -52,6 +81,8 @@ class Scenario(ScenarioHead):
     def to_toml(self) -> str:
         """A scenario file that resolves to this scenario again."""
         table = self.model_dump(by_alias=True, exclude_none=True)
+        if not self.obstacles:
+            del table["obstacle"]
         head = f"# Resolved by vfguide {__version__}: every default filled in.\n\n"
         return head + _LIST.sub(_on_one_line, tomli_w.dumps(table))
 

@@ -13,6 +13,8 @@ import numpy as np
 from vfguide import __version__
 from vfguide.geometry.units import DEG
 from vfguide.scenario.atomic import write_atomically
+from vfguide.scenario.clearance import min_clearances, min_levels
+from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.passes import Pass
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
@@ -39,8 +41,8 @@ class ObstacleResult:
     """How near an obstacle came."""
 
     name: str
-    min_level: float
-    min_clearance_m: float
+    min_level: float | None
+    min_clearance_m: float | None
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ def judge(
         ended_early: why the run ended before 5 s after the last goal, such as "time"; empty if
             it did not.
     """
-    vehicles = tuple(_vehicle(record, sim_s) for record in records)
+    vehicles = tuple(_vehicle(scenario, record, sim_s) for record in records)
     separation = min_separation(records)
     reasons = (*ended_early, *_reasons(scenario, records, vehicles, separation))
     return Result(
@@ -135,17 +137,28 @@ def _least_norm(path: Array) -> float:
     return float(np.linalg.norm(nearest, axis=1).min())
 
 
-def _vehicle(record: FlightRecord, sim_s: float) -> VehicleResult:
+def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleResult:
     return VehicleResult(
         id=record.vehicle.id,
         goals=tuple(_goal(best) for best in record.legs().best()),
-        obstacles=(),
+        obstacles=_obstacles(scenario, record),
         max_bank_deg=_rounded(float(np.abs(record.euler[:, 0]).max()) / DEG),
         load_factor=_range(record.load_factor),
         airspeed_mps=_range(record.airspeed),
         altitude_m=_range(record.altitude),
         setpoints=record.setpoints,
         setpoint_rate_hz=_rounded(record.setpoints / sim_s) if sim_s > 0.0 else None,
+    )
+
+
+def _obstacles(scenario: Scenario, record: FlightRecord) -> tuple[ObstacleResult, ...]:
+    rows = rows_of(scenario.obstacles)
+    figures = zip(
+        scenario.obstacles, min_levels(record, rows), min_clearances(record, rows), strict=True
+    )
+    return tuple(
+        ObstacleResult(obstacle.name, _rounded(float(level)), _rounded(float(clearance)))
+        for obstacle, level, clearance in figures
     )
 
 
@@ -173,6 +186,12 @@ def _reasons(
         for vehicle in vehicles
         for number, goal in enumerate(vehicle.goals, start=1)
         if not goal.reached
+    ]
+    reasons += [
+        f"penetration: vehicle {vehicle.id} in {its.name}, {its.min_clearance_m:.2f} m"
+        for vehicle in vehicles
+        for its in vehicle.obstacles
+        if its.min_clearance_m is not None and its.min_clearance_m <= 0.0
     ]
     for record in records:
         low = np.flatnonzero(record.height_above_ground <= TOUCH)

@@ -5,13 +5,27 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, AwareDatetime, Field
 
-from vfguide.scenario.tables import Angle, Table, Vector, above, between, rule_broken, word
+from vfguide.scenario.obstacle_entry import ObstacleEntry
+from vfguide.scenario.tables import (
+    Angle,
+    Attitude,
+    Position,
+    Table,
+    Vector,
+    above,
+    between,
+    rule_broken,
+    word,
+)
 
 Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]
 Altitude = Annotated[float, between(-500, 10_000)]
 Speed = Annotated[float, above(0, 150)]
 
+DEFAULT_AIRCRAFT = "aerosonde"
+KINEMATIC_AIRSPEED = 25.0
+"""Of a kinematic body that is given none [m/s]."""
 LEAST_BANK_DEG = 5.0
 """With less bank than this the circles grow beyond any use."""
 
@@ -31,24 +45,10 @@ def _after_1970(time: datetime) -> datetime:
     return time.astimezone(UTC)
 
 
-def _reachable(position: tuple[float, float, float]) -> tuple[float, float, float]:
-    if max(abs(part) for part in position) > 100_000:
-        raise rule_broken("too far from the origin, allowed -100000 to 100000 on each axis")
-    return position
-
-
 Name = Annotated[str, AfterValidator(_name)]
 Time = Annotated[AwareDatetime, AfterValidator(_after_1970)]
-Position = Annotated[Vector, AfterValidator(_reachable)]
-"""North, east, down of the origin [m]."""
-Plant = Annotated[
-    Literal["jsbsim"],
-    word("jsbsim", "kinematic", not_yet={"kinematic": "the paper's rigid body"}),
-]
-Law = Annotated[
-    Literal["flight"],
-    word("flight", "paper", not_yet={"paper": "the law as printed"}),
-]
+Plant = Annotated[Literal["jsbsim", "kinematic"], word("jsbsim", "kinematic")]
+Law = Annotated[Literal["flight", "paper"], word("flight", "paper")]
 Turbulence = Annotated[
     Literal["none", "light", "moderate", "severe"], word("none", "light", "moderate", "severe")
 ]
@@ -121,12 +121,13 @@ class VehicleEntry(Table):
     id: Annotated[int, between(1, 250)]
     position_m: Position
     heading_deg: Angle = 0.0
+    attitude_deg: Attitude | None = None
+    """Roll, pitch and yaw at the start of a kinematic body, instead of `heading_deg`."""
     airspeed_mps: Speed | None = None
-    """At the start; None: the aircraft's cruise."""
-    aircraft: str = "aerosonde"
+    """At the start; None: the aircraft's cruise, or that of a kinematic body."""
+    aircraft: str = DEFAULT_AIRCRAFT
+    """Not used by the kinematic plant."""
     goal: Annotated[list[GoalEntry], Field(min_length=1)]
-
-    not_yet: ClassVar[dict[str, str]] = {"attitude_deg": "the start of the kinematic plant"}
 
 
 class ScenarioHead(Table):
@@ -148,8 +149,6 @@ class ScenarioFile(ScenarioHead):
     """The whole file as it is written."""
 
     vehicle: Annotated[list[VehicleEntry], Field(min_length=1)]
+    obstacle: Annotated[list[ObstacleEntry], Field(default_factory=list)]
 
-    not_yet: ClassVar[dict[str, str]] = {
-        "obstacle": "flight among obstacles",
-        "vary": "values drawn at random, for campaigns",
-    }
+    not_yet: ClassVar[dict[str, str]] = {"vary": "values drawn at random, for campaigns"}

@@ -1,5 +1,6 @@
 """The vocabulary of the TOML files: strict tables, bounded numbers, vectors, words."""
 
+from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, model_validator
@@ -78,6 +79,12 @@ def word(*names: str, not_yet: dict[str, str] | None = None) -> BeforeValidator:
     return BeforeValidator(check)
 
 
+def listed(names: Sequence[str]) -> str:
+    """Names in a row: a, b and c."""
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
+
+
 def in_words(number: float) -> str:
     """A number as messages show it: 17.5, 90, 4294967295."""
     return str(number) if isinstance(number, int) else f"{number:.10g}"
@@ -95,3 +102,15 @@ Vector = Annotated[tuple[float, float, float], BeforeValidator(_three)]
 """Three finite numbers."""
 Angle = Annotated[float, between(-360, 360)]
 """A heading, a course or an attitude angle [deg]."""
+
+
+def _reachable(position: tuple[float, float, float]) -> tuple[float, float, float]:
+    if max(abs(part) for part in position) > 100_000:
+        raise rule_broken("too far from the origin, allowed -100000 to 100000 on each axis")
+    return position
+
+
+Position = Annotated[Vector, AfterValidator(_reachable)]
+"""North, east, down of the origin [m]."""
+Attitude = Annotated[tuple[Angle, Angle, Angle], BeforeValidator(_three)]
+"""Roll, pitch and yaw [deg]."""

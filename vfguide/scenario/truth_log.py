@@ -1,5 +1,7 @@
 """The truth in the log: HIL_STATE_QUATERNION, which no companion sees."""
 
+from collections.abc import Sequence
+
 from vfguide.geometry.atmosphere import calibrated_airspeed
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
@@ -33,6 +35,36 @@ def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
         short(x / MILLI_G),
         short(y / MILLI_G),
         short(z / MILLI_G),
+    )
+
+
+def body_message(now: int, seen: Sequence[float], omega_b: Sequence[float]) -> HilStateQuaternion:
+    """The truth of a kinematic body, without air or weight: their fields are zero.
+
+    Args:
+        now: the date [us since 1970].
+        seen: a row of `sightings`.
+        omega_b: body rates [rad/s].
+    """
+    lat, lon, altitude, north, east, down, w, x, y, z = seen
+    p, q, r = omega_b
+    return HilStateQuaternion(
+        now,
+        (w, x, y, z),
+        p,
+        q,
+        r,
+        round(lat / DEG_E7),
+        round(lon / DEG_E7),
+        round(altitude / MM),
+        short(north / CM_S),
+        short(east / CM_S),
+        short(down / CM_S),
+        ind_airspeed=0,
+        true_airspeed=0,
+        xacc=0,
+        yacc=0,
+        zacc=0,
     )
 
 

@@ -1,0 +1,157 @@
+"""Figures of the paper's three examples, from flights of `paper/example-1`, `-2` and `-3`."""
+
+import itertools
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MultipleLocator
+from scipy.spatial import ConvexHull
+
+from vfguide.field.distance import onto_surface
+from vfguide.geometry.so3 import rot_z
+from vfguide.geometry.units import DEG
+from vfguide.scenario.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.obstacles import obstacle_of
+
+AXES = "xyz"
+OBSTACLE = "#b8c2cf"
+
+
+def fly(name: str) -> Flights:
+    """A shipped scenario, flown."""
+    loaded = load_scenario(name)
+    with tempfile.TemporaryDirectory() as folder:
+        return Flights(loaded, fly_scenario(loaded, Path(folder)).records)
+
+
+def draw_paths(figure: Figure, flights: Flights) -> None:
+    """fig_one_UAV_tra: the paths in space."""
+    figure.set_size_inches(7.0, 6.0)
+    figure.set_layout_engine("constrained")
+    draw_space(figure.add_subplot(projection="3d", computed_zorder=False), flights)
+    figure.legend(handles=vehicle_lines(flights), loc="outside lower center", ncols=6)
+
+
+def draw_histories(figure: Figure, flights: Flights) -> None:
+    """fig_one_UAV_curve: position and Euler angles over time."""
+    figure.set_size_inches(8.6, 6.6)
+    figure.set_layout_engine("constrained")
+    grid = figure.subplots(3, 2, sharex=True)
+    angles = ("Roll", "Pitch", "Yaw")
+    for k, (left, right) in enumerate(grid):
+        for index, record in enumerate(flights.records):
+            line = line_of(index)
+            left.plot(record.time, record.p_n[:, k], **line)
+            right.plot(record.time, broken(record.euler[:, k] / DEG), **line)
+        left.set_ylabel(f"{AXES[k]} [m]")
+        right.set_ylabel(f"{angles[k]} [°]")
+        right.yaxis.set_major_locator(MultipleLocator(90.0 if k != 1 else 45.0))
+    for axes in grid[-1]:
+        axes.set_xlabel("Time [s]")
+    grid[0, 0].set_title("Position")
+    grid[0, 1].set_title("Orientation")
+    figure.legend(handles=vehicle_lines(flights), loc="outside lower center", ncols=6)
+
+
+def draw_projections(figure: Figure, flights: Flights) -> None:
+    """fig_one_UAV_ob, fig_seven_UAVs_CA: the paths in space and in the planes x-z and y-z."""
+    figure.set_size_inches(11.0, 6.4)
+    figure.set_layout_engine("constrained")
+    grid = figure.add_gridspec(2, 2, width_ratios=(1.6, 1.0))
+    draw_space(figure.add_subplot(grid[:, 0], projection="3d", computed_zorder=False), flights)
+    for row, across in enumerate((0, 1)):
+        draw_plane(figure.add_subplot(grid[row, 1]), flights, across)
+    figure.legend(handles=vehicle_lines(flights), loc="outside lower center", ncols=7)
+
+
+def draw_distances(figure: Figure, flights: Flights) -> None:
+    """Distances between the vehicles, each pair a line; the least of all and what is kept."""
+    figure.set_size_inches(8.0, 4.4)
+    figure.set_layout_engine("constrained")
+    axes = figure.add_subplot()
+    time = flights.records[0].time
+    pairs = itertools.combinations([record.p_n for record in flights.records], 2)
+    distances = np.array([np.linalg.norm(a - b, axis=1) for a, b in pairs])
+    axes.plot(time, distances.T, color="#c3cad4", lw=1.0)
+    axes.plot(time, distances.min(axis=0), color=line_of(0)["color"], label="Nearest pair")
+    keep = 2.0 * flights.loaded.scenario.avoidance.safety_radius_m
+    axes.axhline(keep, color=line_of(1)["color"], ls="--", label=f"2 r_c = {keep:g} m")
+    axes.set(xlabel="Time [s]", ylabel="Distance [m]", ylim=(0.0, None))
+    axes.set_title("Distances between all pairs")
+    figure.legend(loc="outside lower center", ncols=2)
+
+
+def draw_space(axes: Any, flights: Flights) -> None:
+    """Obstacles, paths, starts and goals in space; axes to one scale."""
+    for surface in surfaces(flights):
+        axes.plot_surface(*surface, color=OBSTACLE, alpha=0.55, lw=0, shade=True)
+    for index, record in enumerate(flights.records):
+        line = line_of(index)
+        axes.plot(*record.p_n.T, **line)
+        axes.scatter(*record.p_n[0], color=line["color"], s=24)
+    low, high = box(flights)
+    for goal, ahead in goals(flights):
+        length = 0.13 * float((high - low).max())
+        axes.scatter(*goal, color=GOAL, s=18)
+        axes.quiver(*goal, *ahead, length=length, color=GOAL, lw=1.8)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    axes.set_box_aspect(high - low, zoom=0.95)
+    axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
+    axes.locator_params(nbins=5)
+    axes.view_init(elev=26, azim=-60)
+
+
+def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
+    """The same seen along y or x: the coordinate `across` to the right, z upward."""
+    for surface in surfaces(flights):
+        seen = np.column_stack((surface[across].ravel(), surface[2].ravel()))
+        axes.fill(*seen[ConvexHull(seen).vertices].T, fc=OBSTACLE, ec=MUTED, lw=0.6, alpha=0.6)
+    for index, record in enumerate(flights.records):
+        line = line_of(index)
+        axes.plot(record.p_n[:, across], record.p_n[:, 2], **line)
+        axes.plot(record.p_n[0, across], record.p_n[0, 2], "o", color=line["color"], ms=5)
+    for goal, _ in goals(flights):
+        axes.plot(goal[across], goal[2], "o", color=GOAL, ms=4, zorder=5)
+    axes.set(xlabel=f"{AXES[across]} [m]", ylabel="z [m]", aspect="equal")
+    axes.set_title(f"Plane {AXES[across]}-z")
+
+
+def goals(flights: Flights) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """The goals that differ, each with its direction."""
+    seen = {}
+    for record in flights.records:
+        for goal in record.vehicle.goals:
+            h, c = goal.heading_deg * DEG, goal.climb_deg * DEG
+            ahead = (np.cos(c) * np.cos(h), np.cos(c) * np.sin(h), -np.sin(c))
+            seen[tuple(goal.position_m)] = np.array(ahead)
+    return ((np.array(position), ahead) for position, ahead in seen.items())
+
+
+def surfaces(flights: Flights) -> Iterator[np.ndarray]:
+    """The surfaces of the obstacles at the start, (3, n, m)."""
+    u, w = np.meshgrid(np.linspace(-np.pi, np.pi, 49), np.linspace(0.0, np.pi, 25))
+    globe = np.stack([np.cos(u) * np.sin(w), np.sin(u) * np.sin(w), np.cos(w)], axis=-1)
+    for entry in flights.loaded.scenario.obstacles:
+        obstacle = obstacle_of(entry)
+        rays = (globe * obstacle.shape.semi_axes).reshape(-1, 3)
+        points = np.array([onto_surface(obstacle.shape, tuple(map(float, ray))) for ray in rays])
+        points = points @ np.array(rot_z(obstacle.heading)).T + obstacle.p_n
+        yield points.T.reshape(3, *u.shape)
+
+
+def box(flights: Flights) -> tuple[np.ndarray, np.ndarray]:
+    """The lowest and highest corner of all that is drawn, with a margin, not too flat."""
+    paths = [record.p_n for record in flights.records]
+    bodies = [surface.reshape(3, -1).T for surface in surfaces(flights)]
+    points = np.vstack([*paths, *bodies, *(goal for goal, _ in goals(flights))])
+    low, high = points.min(axis=0), points.max(axis=0)
+    longest = float((high - low).max())
+    half = np.maximum(high - low, 0.3 * longest) / 2.0 + 0.05 * longest
+    return (low + high) / 2.0 - half, (low + high) / 2.0 + half

@@ -1,0 +1,38 @@
+"""`vfguide field`."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+
+def field(
+    scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
+    vehicle: Annotated[int, typer.Option(metavar="ID", help="Whose field.")],
+    points: Annotated[
+        Path, typer.Option(metavar="FILE.csv", help="Where: columns x,y,z,vx,vy,vz,t.")
+    ],
+    law: Annotated[
+        Literal["paper", "flight"] | None,
+        typer.Option(help="Whose directions. [default: the law of the scenario]"),
+    ] = None,
+) -> None:
+    """Evaluate the field at points; prints JSON.
+
+    Example: vfguide field paper/example-2 --vehicle 1 --points points.csv
+    """
+    import json
+
+    from vfguide.scenario.field_points import fields_at, read_points
+    from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.plans import vehicle_of
+
+    loaded = load_scenario(scenario)
+    its = vehicle_of(loaded.scenario, vehicle)
+    fields = fields_at(loaded, its, read_points(points), law or loaded.scenario.law)
+    typer.echo(json.dumps([its._asdict() for its in fields], indent=1, allow_nan=False))
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(field)

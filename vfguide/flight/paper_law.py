@@ -1,0 +1,100 @@
+"""The paper's closed loop for a swarm: v_x = k_v |p - p_d|, and Lemma 4 on the composite field.
+
+The paper's law is continuous. Here speed and body rates are held from one step to the next, and
+the gains are those that have the same effect over a step: an error decays as exp(-k t) from step
+to step, at any rate of the steps.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.field.composite_arrays import CompositeArrays
+from vfguide.field.obstacle import Rows
+from vfguide.field.rate_law import rate_law
+from vfguide.field.robots import Spacing
+from vfguide.field.swarm import fields_of_robots
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import mat3
+
+
+class Swarm(NamedTuple):
+    """N robots in the order of their priority."""
+
+    p_n: Rows
+    """(N, 3) positions, NED [m]."""
+    R_nb: Rows
+    """(N, 3, 3) attitudes, body to NED."""
+    moving: NDArray[np.bool_]
+    """(N,) whether the robot flies to its goal; else it stands still."""
+
+
+class PaperGains(NamedTuple):
+    """The law's gains, and the step over which its outputs are held."""
+
+    k_v: float
+    """Speed for each metre from the goal [1/s]."""
+    k_w: float
+    """Decay of the attitude error [1/s]."""
+    dt: float
+    """[s]."""
+
+
+@compiled
+def held_gain(k: float, dt: float) -> float:
+    """(1 - exp(-k dt)) / dt: held for `dt`, it takes away what the gain `k` does meanwhile."""
+    return -math.expm1(-k * dt) / dt
+
+
+def fly_paper_law(
+    goals: Rows,
+    swarm: Swarm,
+    t: float,
+    obstacles: Rows,
+    spacing: Spacing | None,
+    gains: PaperGains,
+) -> tuple[Rows, Rows]:
+    """Speeds (N,) [m/s] and body rates (N, 3) [rad/s] of all robots.
+
+    Args:
+        goals: (N, 12), of `goal_rows`.
+        swarm: the robots.
+        t: time [s], for the motion of the obstacles.
+        obstacles: (M, COLUMNS), of `obstacle_rows`.
+        spacing: r_c and r_d; None: robots take no notice of each other.
+        gains: of the law.
+    """
+    robots, speed = velocities(goals, swarm, held_gain(gains.k_v, gains.dt))
+    fields = fields_of_robots(goals, robots, t, obstacles, spacing)
+    return speed, body_rates(swarm, fields, held_gain(gains.k_w, gains.dt))
+
+
+@compiled
+def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
+    """Positions and velocities v_x R e_x (N, 6), NED, and speeds v_x = k_v |p - p_d| (N,)."""
+    count = len(goals)
+    robots, speed = np.zeros((count, 6)), np.zeros(count)
+    for i in range(count):
+        p = swarm.p_n[i]
+        if swarm.moving[i]:
+            x, y, z = p[0] - goals[i, 0], p[1] - goals[i, 1], p[2] - goals[i, 2]
+            speed[i] = k_v * math.sqrt(x * x + y * y + z * z)
+        for k in range(3):
+            robots[i, k] = p[k]
+            robots[i, 3 + k] = speed[i] * swarm.R_nb[i, k, 0]
+    return robots, speed
+
+
+@compiled
+def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float) -> Rows:
+    """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s]."""
+    omega_b = np.zeros((len(swarm.p_n), 3))
+    for i in range(len(swarm.p_n)):
+        if swarm.moving[i]:
+            w = fields.Omega_a[i]
+            R_nb, R_na = mat3(swarm.R_nb[i]), mat3(fields.R_na[i])
+            rates = rate_law(R_nb, R_na, (w[0], w[1], w[2]), k_w)
+            omega_b[i, 0], omega_b[i, 1], omega_b[i, 2] = rates
+    return omega_b

@@ -1,0 +1,199 @@
+"""The field of a scenario at points of one's own: `vfguide field`, and the same from Python.
+
+>>> loaded = load_scenario("paper/example-3")
+>>> vehicle = vehicle_of(loaded.scenario, 4)
+>>> fields = fields_at(loaded, vehicle, read_points(Path("points.csv")), "paper")
+"""
+
+import csv
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.companion.legs import target_of
+from vfguide.companion.plan import Plan
+from vfguide.field.composite_arrays import composite_fields
+from vfguide.field.goal_frame import GoalFrame, goal_frame
+from vfguide.field.robots import Spacing
+from vfguide.flight.memory import fresh_memory
+from vfguide.flight.state import FlightState
+from vfguide.geometry.so3 import from_euler, from_quaternion, log
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale, sub, transpose
+from vfguide.safety.limits import guide_within_limits
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.plans import plan_of
+from vfguide.scenario.resolved import Goal, Scenario, Vehicle
+
+COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "t")
+"""Of the file: position [m] and velocity [m/s] in the scenario frame, time [s]."""
+LARGEST = 1e9
+"""Of any number in a file of points."""
+MOMENT = 1e-3
+"""Over this long before and after the point the flight law's reference attitude is compared [s]."""
+
+Points = NDArray[np.float64]
+"""(N, 7), see COLUMNS."""
+LawName = Literal["paper", "flight"]
+
+
+class FieldPoint(NamedTuple):
+    """The field at one point, in the scenario frame; what a law does not have is None."""
+
+    F: Vec3
+    """Law paper: F of the composite, not normalised. Law flight: the wanted direction through the
+    air, a unit vector."""
+    G: Vec3 | None
+    H: Vec3 | None
+    """Of the same composite, orthogonal to F and to each other."""
+    R_a: Mat3
+    """The auxiliary attitude; law flight: the reference attitude that is flown. Body to NED."""
+    Omega_a: Vec3
+    """Body rates of R_a on the way through the point [rad/s]."""
+    chi: tuple[float, ...]
+    """One of each obstacle."""
+
+
+def read_points(path: Path) -> Points:
+    """The points of a CSV file.
+
+    Raises:
+        InputError: it cannot be read, or is no table of points.
+    """
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            rows = [[cell.strip() for cell in row] for row in csv.reader(file)]
+    except OSError as error:
+        raise InputError(f"--points {path}: {error.strerror or error}") from error
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"--points {path}: not a CSV file: {error}") from error
+    header = ",".join(COLUMNS)
+    if not rows or rows[0] != list(COLUMNS):
+        first = ",".join(rows[0]) if rows else ""
+        raise InputError(f'--points {path}: its first line is "{first}", allowed is "{header}"')
+    points = [_point(path, line, row) for line, row in enumerate(rows[1:], start=2) if row]
+    if not points:
+        raise InputError(f"--points {path}: no points, at least one line must follow {header}")
+    return np.array(points)
+
+
+def _point(path: Path, line: int, row: Sequence[str]) -> list[float]:
+    if len(row) != len(COLUMNS):
+        rule = f"{len(row)} values, allowed {len(COLUMNS)}: {','.join(COLUMNS)}"
+        raise InputError(f"--points {path}: line {line}: {rule}")
+    return [_number(path, line, *cell) for cell in zip(COLUMNS, row, strict=True)]
+
+
+def _number(path: Path, line: int, column: str, text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not abs(number) <= LARGEST:
+        rule = f"allowed is a number from -{LARGEST:g} to {LARGEST:g}"
+        raise InputError(f'--points {path}: line {line}: {column} = "{text}": {rule}')
+    return number
+
+
+def fields_at(
+    loaded: LoadedScenario, vehicle: Vehicle, points: Points, law: LawName
+) -> list[FieldPoint]:
+    """The field that leads `vehicle` to its first goal, at each of the points.
+
+    Raises:
+        InputError: law flight among obstacles, which it does not avoid yet.
+    """
+    if law == "paper":
+        return paper_fields(loaded.scenario, vehicle, points)
+    if loaded.scenario.obstacles:
+        rule = "not supported yet among obstacles, allowed is paper"
+        raise InputError(f"--law flight: {rule}")
+    plan = plan_of(loaded, vehicle)
+    return [flight_field(plan, point) for point in points]
+
+
+def paper_fields(scenario: Scenario, vehicle: Vehicle, points: Points) -> list[FieldPoint]:
+    """The composite field of the paper among obstacles and the robots to give way to."""
+    avoidance = scenario.avoidance
+    fields = composite_fields(
+        frame_of(vehicle.goals[0]),
+        points[:, :3],
+        points[:, 3:6],
+        points[:, 6],
+        rows_of(scenario.obstacles),
+        others_at(scenario, vehicle, points[:, 6]),
+        Spacing(avoidance.safety_radius_m, avoidance.detection_range_m),
+    )
+    columns = (array.tolist() for array in fields)
+    return [
+        FieldPoint(
+            vec(F), vec(G), vec(H), (vec(R[0]), vec(R[1]), vec(R[2])), vec(Omega_a), tuple(chi)
+        )
+        for F, G, H, R, Omega_a, chi in zip(*columns, strict=True)
+    ]
+
+
+def vec(values: Sequence[float]) -> Vec3:
+    """Three numbers as a vector."""
+    x, y, z = values
+    return (x, y, z)
+
+
+def frame_of(goal: Goal) -> GoalFrame:
+    """The frame of a goal."""
+    return goal_frame(goal.position_m, goal.heading_deg * DEG, goal.climb_deg * DEG)
+
+
+def others_at(scenario: Scenario, vehicle: Vehicle, t: NDArray[np.float64]) -> Points:
+    """The robots that `vehicle` gives way to at times (N,): position and velocity, (N, K, 6).
+
+    Each flies straight on from its start at the velocity that law paper has there.
+    """
+    above = [other for other in scenario.vehicles if other.id < vehicle.id]
+    if not (above and scenario.avoidance.between_vehicles):
+        return np.zeros((len(t), 0, 6))
+    start = np.array([other.position_m for other in above])
+    velocity = np.array([velocity_at_start(scenario, other) for other in above])
+    now = start + t[:, None, None] * velocity
+    return np.concatenate((now, np.broadcast_to(velocity, now.shape)), axis=-1)
+
+
+def velocity_at_start(scenario: Scenario, vehicle: Vehicle) -> Vec3:
+    """k_v |p - p_d| along body x, NED [m/s]."""
+    R_nb = from_euler(*(angle * DEG for angle in vehicle.euler_deg))
+    away = math.dist(vehicle.position_m, vehicle.goals[0].position_m)
+    speed = scenario.guidance.k_v * away
+    return scale(speed, (R_nb[0][0], R_nb[1][0], R_nb[2][0]))
+
+
+def flight_field(plan: Plan, point: NDArray[np.float64]) -> FieldPoint:
+    """What the flight law wants at a point on the way to the first goal, nothing flown before.
+
+    The air is still, the airspeed the one to fly; the law looks at the velocity's direction only.
+    """
+    x, y, z, u, v, w, time = point.tolist()
+    p_n, v_n = (x, y, z), (u, v, w)
+    azimuth, gamma, R_a = flight_reference(plan, p_n, v_n, time)
+    step = scale(MOMENT, v_n)
+    *_, before = flight_reference(plan, sub(p_n, step), v_n, time - MOMENT)
+    *_, after = flight_reference(plan, add(p_n, step), v_n, time + MOMENT)
+    level = math.cos(gamma)
+    F = (level * math.cos(azimuth), level * math.sin(azimuth), -math.sin(gamma))
+    Omega_a = scale(0.5 / MOMENT, log(matmul(transpose(before), after)))
+    return FieldPoint(F, None, None, R_a, Omega_a, ())
+
+
+def flight_reference(plan: Plan, p_n: Vec3, v_n: Vec3, time: float) -> tuple[float, float, Mat3]:
+    """Azimuth and path angle wanted through the air [rad], and the reference attitude."""
+    level = from_euler(0.0, 0.0, math.atan2(v_n[1], v_n[0]))
+    state = FlightState(time, p_n, v_n, level, plan.gains.airspeed, (0.0, 0.0, 0.0))
+    setpoint, _, wish = guide_within_limits(
+        state, target_of(plan.legs, 0), plan.law, fresh_memory()
+    )
+    return wish.azimuth, wish.gamma, from_quaternion(setpoint.q_nb)

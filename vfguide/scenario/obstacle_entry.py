@@ -1,0 +1,86 @@
+"""An obstacle as it is written, and which sizes each shape takes."""
+
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator
+
+from vfguide.scenario.source import Location, Source
+from vfguide.scenario.tables import Angle, Position, Table, Vector, above, listed, rule_broken, word
+
+Size = Annotated[float, above(0, 10_000)]
+
+
+def _sizes(values: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not all(0.0 < value <= 10_000.0 for value in values):
+        raise rule_broken("out of range, allowed above 0, up to 10000 each")
+    return values
+
+
+def _exponents(values: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not all(1.0 <= value <= 50.0 for value in values):
+        raise rule_broken("out of range, allowed 1 to 50 each")
+    return values
+
+
+def _velocity(values: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not all(abs(value) <= 1000.0 for value in values):
+        raise rule_broken("out of range, allowed -1000 to 1000 each")
+    return values
+
+
+Sizes = Annotated[Vector, AfterValidator(_sizes)]
+ShapeName = Annotated[
+    Literal["sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"],
+    word("sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"),
+]
+SIZES: dict[str, tuple[str, ...]] = {
+    "sphere": ("radius_m",),
+    "ellipsoid": ("semi_axes_m",),
+    "superquadric": ("semi_axes_m", "exponents"),
+    "cylinder": ("radius_m", "height_m"),
+    "box": ("size_m",),
+    "cone": ("radius_m", "height_m"),
+}
+"""The keys that give the size of each shape: all of them, and no other."""
+
+
+class ObstacleEntry(Table):
+    """A body to keep out of; U = 1 is its surface."""
+
+    name: str | None = None
+    """None: its index."""
+    shape: ShapeName
+    position_m: Position
+    """Of its centre at time zero."""
+    radius_m: Size | None = None
+    height_m: Size | None = None
+    semi_axes_m: Sizes | None = None
+    exponents: Annotated[Vector, AfterValidator(_exponents)] | None = None
+    size_m: Sizes | None = None
+    heading_deg: Angle = 0.0
+    """Turns it about the vertical."""
+    velocity_mps: Annotated[Vector, AfterValidator(_velocity)] = (0.0, 0.0, 0.0)
+    """North, east, down."""
+    reactive_level: Annotated[float, above(1, 1_000_000)] = 4.0
+    """c-bar of the paper: it acts on the field where U is below this."""
+    visible_from_m: Annotated[float, above(0, 100_000)] | None = None
+    """Farther from its surface nobody knows of it; None: the detection range."""
+
+
+def check_sizes(entry: ObstacleEntry, source: Source, at: Location) -> None:
+    """The sizes are those of the shape.
+
+    Raises:
+        InputError: one is missing, or there is another.
+    """
+    wanted = SIZES[entry.shape]
+    every = sorted({key for keys in SIZES.values() for key in keys})
+    article = "an" if entry.shape[0] in "aeiou" else "a"
+    for key in every:
+        if getattr(entry, key) is not None and key not in wanted:
+            rule = f"not a size of {article} {entry.shape}, allowed {listed(wanted)}"
+            raise source.error((*at, key), rule, getattr(entry, key))
+    for key in wanted:
+        if getattr(entry, key) is None:
+            rule = f"missing, {article} {entry.shape} needs {listed(wanted)}"
+            raise source.error((*at, key), rule)

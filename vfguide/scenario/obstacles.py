@@ -1,0 +1,69 @@
+"""The obstacles of a scenario: for the fields, and what has to hold of them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from vfguide.field import shape
+from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
+from vfguide.field.obstacle_arrays import levels
+from vfguide.field.shape import Shape
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.obstacle_entry import SIZES
+from vfguide.scenario.resolved import Obstacle as ScenarioObstacle
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.source import Source
+
+
+def rows_of(obstacles: Sequence[ScenarioObstacle]) -> Rows:
+    """The obstacles as the array that the fields take."""
+    return obstacle_rows([obstacle_of(obstacle) for obstacle in obstacles])
+
+
+def obstacle_of(obstacle: ScenarioObstacle) -> Obstacle:
+    """An obstacle in SI units and radians."""
+    return Obstacle(
+        shape_of(obstacle),
+        obstacle.position_m,
+        obstacle.heading_deg * DEG,
+        obstacle.velocity_mps,
+        obstacle.reactive_level,
+        obstacle.visible_from_m,
+    )
+
+
+def shape_of(obstacle: ScenarioObstacle) -> Shape:
+    """Its shape; the sizes are those that `SIZES` lists for it."""
+    sizes = [getattr(obstacle, key) for key in SIZES[obstacle.shape]]
+    return getattr(shape, obstacle.shape)(*sizes)
+
+
+def check_obstacles(scenario: Scenario, source: Source) -> None:
+    """No two obstacles of one name; no vehicle starts in one or has to fly into one.
+
+    Raises:
+        InputError: there are.
+    """
+    names = [obstacle.name for obstacle in scenario.obstacles]
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            rule = f"already the name of obstacle[{names.index(name)}], each needs its own"
+            raise source.error(("obstacle", index, "name"), rule, name)
+    moving = np.array([any(obstacle.velocity_mps) for obstacle in scenario.obstacles], bool)
+    rows = rows_of(scenario.obstacles)
+    for index, vehicle in enumerate(scenario.vehicles):
+        if (inside := first_inside(vehicle.position_m, rows)) is not None:
+            rule = f'inside obstacle "{names[inside]}", allowed outside its surface'
+            raise source.error(("vehicle", index, "position_m"), rule, vehicle.position_m)
+        for number, goal in enumerate(vehicle.goals):
+            if (inside := first_inside(goal.position_m, rows[~moving])) is not None:
+                standing = [name for name, moves in zip(names, moving, strict=True) if not moves]
+                rule = f'inside obstacle "{standing[inside]}", allowed outside its surface'
+                raise source.error(("vehicle", index, "goal", number), rule, goal.position_m)
+
+
+def first_inside(p_n: Vec3, rows: Rows) -> int | None:
+    """The first obstacle that holds the point at time zero."""
+    inside = np.flatnonzero(levels(np.array(p_n), 0.0, rows) <= 1.0)
+    return int(inside[0]) if inside.size else None

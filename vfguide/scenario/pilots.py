@@ -1,0 +1,82 @@
+"""What steers the rigid bodies of plant `kinematic`: law `paper` or law `flight`."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+
+from vfguide.companion.body_step import step_body
+from vfguide.companion.route_memory import fresh_route, packed_memory
+from vfguide.field.goal_frame import goal_frame
+from vfguide.field.robots import Spacing
+from vfguide.field.swarm import goal_rows
+from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.geometry.units import DEG
+from vfguide.scenario.arrivals import Arrivals
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.plans import plan_of
+from vfguide.scenario.resolved import Goal, Scenario, Vehicle
+from vfguide.sim.kinematic import Bodies, Commands
+
+
+class Pilot(Protocol):
+    """Steers all bodies, in the order of their ids."""
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """What drives the bodies from `time` [s] until the next update."""
+        ...
+
+
+class PaperPilot:
+    """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
+
+    Where a robot is on its way it reads from its legs: its state is known exactly.
+    """
+
+    def __init__(self, scenario: Scenario, legs: Sequence[Arrivals]) -> None:
+        guidance, avoidance = scenario.guidance, scenario.avoidance
+        self._legs = legs
+        self._obstacles = rows_of(scenario.obstacles)
+        self._gains = PaperGains(guidance.k_v, guidance.k_w, 1.0 / guidance.rate_hz)
+        self._spacing = None
+        if avoidance.between_vehicles:
+            self._spacing = Spacing(avoidance.safety_radius_m, avoidance.detection_range_m)
+        self._flown_to = [-1] * len(legs)
+        self._goals = np.zeros((len(legs), 12))
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """Eq. (2)'s inputs, by Theorem 1 and Lemma 4 on the composite field."""
+        moving = np.array([not legs.standing for legs in self._legs])
+        for row, legs in enumerate(self._legs):
+            if moving[row] and self._flown_to[row] != legs.leg:
+                self._flown_to[row] = legs.leg
+                self._goals[row] = goal_row(legs.goals[legs.leg])
+        swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
+        return Commands(
+            *fly_paper_law(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)
+        )
+
+
+class FlightPilot:
+    """Law `flight`: every body flies its own way at its airspeed."""
+
+    def __init__(self, loaded: LoadedScenario, vehicles: Sequence[Vehicle]) -> None:
+        self._plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
+        self._memories = [packed_memory(fresh_route()) for _ in vehicles]
+        self._speed = np.array([plan.gains.airspeed for plan in self._plans])
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """The wanted airspeeds, and body rates towards the wanted directions of flight."""
+        omega_b = np.empty_like(bodies.p_n)
+        for i, plan in enumerate(self._plans):
+            omega_b[i], self._memories[i] = step_body(
+                time, bodies.p_n[i], bodies.R_nb[i], plan.legs, plan.law, self._memories[i]
+            )
+        return Commands(self._speed, omega_b)
+
+
+def goal_row(goal: Goal) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """A goal as the fields of the swarm take it, (12,)."""
+    frame = goal_frame(goal.position_m, goal.heading_deg * DEG, goal.climb_deg * DEG)
+    return goal_rows([frame])[0]

@@ -1,0 +1,138 @@
+"""The fleet of plant `kinematic`: the paper's rigid bodies, and what is noted of their flights."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vfguide.geometry.arrays import euler_angles
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.units import DEG, US
+from vfguide.link.codec import Encoder
+from vfguide.scenario.arrivals import Arrivals
+from vfguide.scenario.crew import start_us
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.passes import Legs, Sample
+from vfguide.scenario.pilots import FlightPilot, PaperPilot, Pilot
+from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.resolve import place_of
+from vfguide.scenario.resolved import Vehicle
+from vfguide.scenario.truth_log import TRUTH_COMPONENT, body_message
+from vfguide.sim.kinematic import Bodies, Commands, advance, sightings
+
+Write = Callable[[int, bytes], None]
+"""Takes a time [us since 1970] and the bytes of one frame."""
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """One vehicle of the fleet."""
+
+    vehicle: Vehicle
+    legs: Legs
+
+
+class RigidBodies:
+    """Rigid bodies that are steered at the guidance rate; inside they are sorted by their ids."""
+
+    def __init__(self, loaded: LoadedScenario, write: Write) -> None:
+        """All at their starts; `write` takes the frames that tell the truth."""
+        scenario = loaded.scenario
+        self._arrive = scenario.law == "paper"
+        self._rate = scenario.guidance.rate_hz
+        self._origin = place_of(scenario.origin)
+        self._start = start_us(scenario)
+        self._write = write
+        self._bodies = bodies_at_start(by_id := sorted(scenario.vehicles, key=lambda its: its.id))
+        self._pilot: Pilot
+        if self._arrive:
+            arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
+            self._pilot, legs = PaperPilot(scenario, arrivals), arrivals
+        else:
+            self._pilot = FlightPilot(loaded, by_id)
+            legs = [Legs(vehicle.goals) for vehicle in by_id]
+        self._sorted = [RigidBody(*its) for its in zip(by_id, legs, strict=True)]
+        self._order = [by_id.index(vehicle) for vehicle in scenario.vehicles]
+        self._encoders = [Encoder(vehicle.id, TRUTH_COMPONENT) for vehicle in by_id]
+        self._updates = 0
+        self._noted: list[tuple[Bodies, Commands, Array]] = []
+        self._commands = self._pilot.steer(0.0, self._bodies)
+        self._note()
+
+    @property
+    def members(self) -> Sequence[RigidBody]:
+        """The vehicles in the order of the scenario."""
+        return [self._sorted[i] for i in self._order]
+
+    @property
+    def period(self) -> float:
+        """Time from one update to the next [s]."""
+        return 1.0 / self._rate
+
+    @property
+    def grounded(self) -> bool:
+        """There is no ground."""
+        return False
+
+    def advance(self) -> None:
+        """Move all bodies on to the next update, then steer them anew.
+
+        What is noted are the speed and the rates that brought them there.
+        """
+        self._bodies = advance(self._bodies, self._commands, self.period)
+        self._updates += 1
+        self._note()
+        self._commands = self._pilot.steer(self._time, self._bodies)
+
+    def records(self) -> tuple[FlightRecord, ...]:
+        """What was noted, in the order of the scenario."""
+        return tuple(self._record(i) for i in self._order)
+
+    @property
+    def _time(self) -> float:
+        return self._updates / self._rate
+
+    def _note(self) -> None:
+        """Note the truth of this instant, in the log too, and show it to the legs."""
+        seen = sightings(self._bodies, self._commands, self._origin)
+        self._noted.append((self._bodies, self._commands, seen[:, 2]))
+        now = self._start + round(self._time / US)
+        rates = self._commands.omega_b.tolist()
+        for encoder, row, omega_b in zip(self._encoders, seen.tolist(), rates, strict=True):
+            self._write(now, encoder.encode(body_message(now, row, omega_b)))
+        nose = self._bodies.R_nb[:, :, 0]
+        course = nose if self._arrive else self._commands.speed[:, None] * nose
+        rows = zip(self._sorted, self._bodies.p_n.tolist(), course.tolist(), strict=True)
+        for body, p_n, v_n in rows:
+            if not body.legs.finished:
+                body.legs.feed(Sample(self._time, tuple(p_n), tuple(v_n)))
+
+    def _record(self, i: int) -> FlightRecord:
+        p_n = np.array([bodies.p_n[i] for bodies, _, _ in self._noted])
+        R_nb = np.array([bodies.R_nb[i] for bodies, _, _ in self._noted])
+        speed = np.array([commands.speed[i] for _, commands, _ in self._noted])
+        omega_b = np.array([commands.omega_b[i] for _, commands, _ in self._noted])
+        none = np.full(len(p_n), np.nan)
+        return FlightRecord(
+            vehicle=self._sorted[i].vehicle,
+            time=np.arange(len(p_n)) / self._rate,
+            p_n=p_n,
+            v_n=speed[:, None] * R_nb[:, :, 0],
+            euler=euler_angles(R_nb),
+            omega_b=omega_b,
+            omega_wanted_b=omega_b,
+            thrust=none,
+            airspeed=none,
+            load_factor=none,
+            wind_n=np.full_like(p_n, np.nan),
+            altitude=np.array([altitude[i] for _, _, altitude in self._noted]),
+            height_above_ground=none,
+            setpoints=self._updates,
+            arrives=self._arrive,
+        )
+
+
+def bodies_at_start(vehicles: Sequence[Vehicle]) -> Bodies:
+    """The bodies at time zero."""
+    attitudes = [from_euler(*(angle * DEG for angle in its.euler_deg)) for its in vehicles]
+    return Bodies(np.array([its.position_m for its in vehicles], float), np.array(attitudes))

@@ -1,0 +1,31 @@
+"""Flights for nothing, so that a timed one finds all its code compiled."""
+
+from functools import cache
+
+from vfguide.scenario.load import LoadedScenario, load_scenario
+from vfguide.scenario.member import Member
+from vfguide.scenario.rigid_bodies import RigidBodies
+
+UPDATES = 100
+"""Long enough for the companion to take over."""
+
+
+def warm_up(loaded: LoadedScenario) -> None:
+    """Compile or load all the compiled code that flies the scenario."""
+    if loaded.scenario.plant == "jsbsim":
+        _fly_an_aeroplane()
+    else:
+        RigidBodies(loaded, _ignore).advance()
+
+
+@cache
+def _fly_an_aeroplane() -> None:
+    """Once in a process."""
+    loaded = load_scenario("first-flight")
+    member = Member(loaded, loaded.scenario.vehicles[0], _ignore, _ignore)
+    for _ in range(UPDATES):
+        member.fly(1)
+
+
+def _ignore(_: int, __: bytes) -> None:
+    pass
