@@ -10,18 +10,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
-from scipy.spatial import ConvexHull
 
-from vfguide.field.distance import onto_surface
-from vfguide.geometry.so3 import rot_z
 from vfguide.geometry.units import DEG
+from vfguide.scenario.bodies import OBSTACLE
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
-from vfguide.scenario.obstacles import obstacle_of
+from vfguide.scenario.surfaces import outline
 
 AXES = "xyz"
-OBSTACLE = "#b8c2cf"
 
 
 def fly(name: str) -> Flights:
@@ -90,8 +87,10 @@ def draw_distances(figure: Figure, flights: Flights) -> None:
 
 def draw_space(axes: Any, flights: Flights) -> None:
     """Obstacles, paths, starts and goals in space; axes to one scale."""
-    for surface in surfaces(flights):
-        axes.plot_surface(*surface, color=OBSTACLE, alpha=0.55, lw=0, shade=True)
+    for body in flights.bodies:
+        axes.plot_surface(
+            *np.moveaxis(body.surface, -1, 0), color=OBSTACLE, alpha=0.55, lw=0, shade=True
+        )
     for index, record in enumerate(flights.records):
         line = line_of(index)
         axes.plot(*record.p_n.T, **line)
@@ -110,16 +109,19 @@ def draw_space(axes: Any, flights: Flights) -> None:
 
 def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
     """The same seen along y or x: the coordinate `across` to the right, z upward."""
-    for surface in surfaces(flights):
-        seen = np.column_stack((surface[across].ravel(), surface[2].ravel()))
-        axes.fill(*seen[ConvexHull(seen).vertices].T, fc=OBSTACLE, ec=MUTED, lw=0.6, alpha=0.6)
+    for body in flights.bodies:
+        axes.fill(
+            *outline(body.surface[..., [across, 2]]).T, fc=OBSTACLE, ec=MUTED, lw=0.6, alpha=0.6
+        )
     for index, record in enumerate(flights.records):
         line = line_of(index)
         axes.plot(record.p_n[:, across], record.p_n[:, 2], **line)
         axes.plot(record.p_n[0, across], record.p_n[0, 2], "o", color=line["color"], ms=5)
     for goal, _ in goals(flights):
         axes.plot(goal[across], goal[2], "o", color=GOAL, ms=4, zorder=5)
-    axes.set(xlabel=f"{AXES[across]} [m]", ylabel="z [m]", aspect="equal")
+    low, high = box(flights)
+    axes.set(xlim=(low[across], high[across]), ylim=(low[2], high[2]), aspect="equal")
+    axes.set(xlabel=f"{AXES[across]} [m]", ylabel="z [m]")
     axes.set_title(f"Plane {AXES[across]}-z")
 
 
@@ -134,22 +136,10 @@ def goals(flights: Flights) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     return ((np.array(position), ahead) for position, ahead in seen.items())
 
 
-def surfaces(flights: Flights) -> Iterator[np.ndarray]:
-    """The surfaces of the obstacles at the start, (3, n, m)."""
-    u, w = np.meshgrid(np.linspace(-np.pi, np.pi, 49), np.linspace(0.0, np.pi, 25))
-    globe = np.stack([np.cos(u) * np.sin(w), np.sin(u) * np.sin(w), np.cos(w)], axis=-1)
-    for entry in flights.loaded.scenario.obstacles:
-        obstacle = obstacle_of(entry)
-        rays = (globe * obstacle.shape.semi_axes).reshape(-1, 3)
-        points = np.array([onto_surface(obstacle.shape, tuple(map(float, ray))) for ray in rays])
-        points = points @ np.array(rot_z(obstacle.heading)).T + obstacle.p_n
-        yield points.T.reshape(3, *u.shape)
-
-
 def box(flights: Flights) -> tuple[np.ndarray, np.ndarray]:
     """The lowest and highest corner of all that is drawn, with a margin, not too flat."""
     paths = [record.p_n for record in flights.records]
-    bodies = [surface.reshape(3, -1).T for surface in surfaces(flights)]
+    bodies = [body.surface.reshape(-1, 3) for body in flights.bodies]
     points = np.vstack([*paths, *bodies, *(goal for goal, _ in goals(flights))])
     low, high = points.min(axis=0), points.max(axis=0)
     longest = float((high - low).max())

@@ -2,7 +2,8 @@
 
 The paper's law is continuous. Here speed and body rates are held from one step to the next, and
 the gains are those that have the same effect over a step: an error decays as exp(-k t) from step
-to step, at any rate of the steps.
+to step, at any rate of the steps. Beside the goal's axis R_a may roll by any angle in one step: fed
+forward, that would keep a robot whose nose is off the axis circling round it (TURN).
 """
 
 import math
@@ -17,7 +18,11 @@ from vfguide.field.rate_law import rate_law
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import fields_of_robots
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import mat3
+from vfguide.geometry.vector import mat3, norm, scale, vec3
+
+
+TURN = 0.3
+"""Omega_a is fed forward up to this turn of R_a in one step [rad]."""
 
 
 class Swarm(NamedTuple):
@@ -68,7 +73,7 @@ def fly_paper_law(
     """
     robots, speed = velocities(goals, swarm, held_gain(gains.k_v, gains.dt))
     fields = fields_of_robots(goals, robots, t, obstacles, spacing)
-    return speed, body_rates(swarm, fields, held_gain(gains.k_w, gains.dt))
+    return speed, body_rates(swarm, fields, held_gain(gains.k_w, gains.dt), TURN / gains.dt)
 
 
 @compiled
@@ -88,13 +93,16 @@ def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
 
 
 @compiled
-def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float) -> Rows:
-    """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s]."""
+def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float, most: float) -> Rows:
+    """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s].
+
+    Omega_a is shortened to `most` [rad/s].
+    """
     omega_b = np.zeros((len(swarm.p_n), 3))
     for i in range(len(swarm.p_n)):
         if swarm.moving[i]:
-            w = fields.Omega_a[i]
-            R_nb, R_na = mat3(swarm.R_nb[i]), mat3(fields.R_na[i])
-            rates = rate_law(R_nb, R_na, (w[0], w[1], w[2]), k_w)
+            R_nb, R_na, Omega_a = mat3(swarm.R_nb[i]), mat3(fields.R_na[i]), vec3(fields.Omega_a[i])
+            Omega_a = scale(most / max(norm(Omega_a), most), Omega_a)
+            rates = rate_law(R_nb, R_na, Omega_a, k_w)
             omega_b[i, 0], omega_b[i, 1], omega_b[i, 2] = rates
     return omega_b

@@ -1,0 +1,62 @@
+"""Flights of the paper's robots without files or logs: for tables of thousands of them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vfguide.field.obstacle import Rows
+from vfguide.field.robots import Spacing
+from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.sim.kinematic import Bodies, Commands, advance
+
+DT = 0.02
+"""Between two evaluations of the law [s], as in a run."""
+ARRIVED = 0.05
+"""[m], as in a run."""
+GAINS = PaperGains(0.25, 3.5, DT)
+
+
+@dataclass(frozen=True)
+class Flight:
+    """N robots, from their starts until all stand or the time is over."""
+
+    p_n: Rows
+    """(T, N, 3) [m]."""
+    R_nb: Rows
+    """(T, N, 3, 3)."""
+    standing: np.ndarray
+    """(N,) whether each is at its goal."""
+
+    def headings(self, goals: Rows) -> Rows:
+        """Angles between body x and the goal's direction at the end, (N,) [rad]."""
+        nose, wanted = self.R_nb[-1, :, :, 0], goals[:, 3::3]
+        cosine = np.sum(nose * wanted, axis=1)
+        return np.arctan2(np.linalg.norm(np.cross(nose, wanted), axis=1), cosine)
+
+
+def fly(
+    goals: Rows,
+    start: Bodies,
+    obstacles: Rows,
+    spacing: Spacing | None = None,
+    seconds: float = 120.0,
+    gains: PaperGains = GAINS,
+    arrived: float = ARRIVED,
+) -> Flight:
+    """Law `paper` and the kinematic plant, exactly as a run flies them.
+
+    `goals` are (N, 12), of `goal_rows`; the order of the robots is that of their priority. Nearer
+    than `arrived` to its goal [m] a robot stands still.
+    """
+    bodies, moving = start, np.ones(len(goals), bool)
+    path = [bodies]
+    for step in range(round(seconds / gains.dt)):
+        swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
+        speed, omega = fly_paper_law(goals, swarm, step * gains.dt, obstacles, spacing, gains)
+        bodies = advance(bodies, Commands(speed, omega), gains.dt)
+        path.append(bodies)
+        moving &= np.linalg.norm(bodies.p_n - goals[:, :3], axis=1) > arrived
+        if not moving.any():
+            break
+    p_n = np.array([at.p_n for at in path])
+    return Flight(p_n, np.array([at.R_nb for at in path]), ~moving)

@@ -1,0 +1,121 @@
+"""Random starts, worlds of superquadrics and swarms for the kinematic plant, each from its seed."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from vfguide.field import shape
+from vfguide.field.goal_frame import goal_frame
+from vfguide.field.obstacle import REACH, Obstacle, Rows, obstacle_rows
+from vfguide.field.obstacle_arrays import levels
+from vfguide.field.swarm import goal_rows
+from vfguide.sim.kinematic import Bodies
+
+WORLD = 100.0
+"""Half the edge of the cube that starts, goals and obstacles are drawn from [m]."""
+ROOM = 1.0
+"""Between two reactive areas, and between them and starts and goals [m]."""
+
+
+@dataclass(frozen=True)
+class World:
+    """One robot among obstacles."""
+
+    goals: Rows
+    """(1, 12)."""
+    start: Bodies
+    obstacles: Rows
+
+
+def random_bodies(rng: np.random.Generator, p_n: Rows) -> Bodies:
+    """Bodies at these places (N, 3), of any attitude."""
+    return Bodies(
+        p_n, np.ascontiguousarray(Rotation.random(len(p_n), random_state=rng).as_matrix())
+    )
+
+
+def random_goals(rng: np.random.Generator, p_n: Rows) -> Rows:
+    """Goals at these places (N, 3), of any heading and of climbs up to 60 degrees."""
+    headings, climbs = rng.uniform(-math.pi, math.pi, len(p_n)), rng.uniform(-1.05, 1.05, len(p_n))
+    places = [(float(x), float(y), float(z)) for x, y, z in p_n]
+    return goal_rows([goal_frame(*its) for its in zip(places, headings, climbs, strict=True)])
+
+
+def starts_in_free_space(seed: tuple[int, int], count: int) -> tuple[Rows, Bodies]:
+    """Goals and starts, every one drawn anew."""
+    rng = np.random.default_rng(seed)
+    goals = random_goals(rng, rng.uniform(-WORLD, WORLD, (count, 3)))
+    return goals, random_bodies(rng, rng.uniform(-WORLD, WORLD, (count, 3)))
+
+
+def random_obstacle(rng: np.random.Generator) -> Obstacle:
+    """A superquadric of 5 to 20 m; its reactive level makes the reactive area 1.5 to 2 times it."""
+    exponents = rng.uniform(1.0, 4.0, 3)
+    level = rng.uniform(1.5, 2.0) ** (2.0 * float(exponents.min()))
+    return Obstacle(
+        shape.superquadric(tuple(rng.uniform(5.0, 20.0, 3)), tuple(exponents)),
+        tuple(map(float, rng.uniform(-0.8 * WORLD, 0.8 * WORLD, 3))),
+        rng.uniform(-math.pi, math.pi),
+        reactive_level=level,
+    )
+
+
+def random_world(seed: int, number: int) -> World:
+    """A world that respects the paper's assumptions.
+
+    3 to 8 obstacles whose reactive areas are apart (assum_dist_ob, by the balls that hold them),
+    start and goal outside of them (assum_p_d).
+    """
+    rng = np.random.default_rng((seed, number))
+    wanted = rng.integers(3, 9)
+    obstacles: list[Obstacle] = []
+    while len(obstacles) < wanted:
+        new = random_obstacle(rng)
+        rows = obstacle_rows([*obstacles, new])
+        gaps = np.linalg.norm(rows[:-1, 1:4] - rows[-1, 1:4], axis=1) - rows[:-1, REACH]
+        if (gaps > rows[-1, REACH] + ROOM).all():
+            obstacles.append(new)
+    rows = obstacle_rows(obstacles)
+    goals = random_goals(rng, free_place(rng, rows)[None])
+    return World(goals, random_bodies(rng, free_place(rng, rows)[None]), rows)
+
+
+def free_place(rng: np.random.Generator, obstacles: Rows) -> Rows:
+    """A place outside the balls of all reactive areas, (3,)."""
+    while True:
+        p_n = rng.uniform(-WORLD, WORLD, 3)
+        away = np.linalg.norm(obstacles[:, 1:4] - p_n, axis=1)
+        if (away > obstacles[:, REACH] + ROOM).all():
+            return p_n
+
+
+def random_swarm(seed: int, count: int, apart: float) -> tuple[Rows, Bodies]:
+    """Goals and starts of a swarm: in cubes of one density, no two nearer than `apart` [m].
+
+    The cube of the goals stands beside that of the starts, all goals point the same way.
+    """
+    rng = np.random.default_rng((seed, count))
+    size = 2.0 * apart * count ** (1.0 / 3.0)
+    starts, ends = spread(rng, count, size, apart), spread(rng, count, size, apart)
+    heading = rng.uniform(-math.pi, math.pi)
+    ends += 2.0 * size * np.array([math.cos(heading), math.sin(heading), 0.0])
+    goals = goal_rows([goal_frame(tuple(map(float, p)), heading, 0.0) for p in ends])
+    attitude = Rotation.from_euler("z", heading).as_matrix()
+    return goals, Bodies(starts, np.tile(attitude, (count, 1, 1)))
+
+
+def spread(rng: np.random.Generator, count: int, size: float, apart: float) -> Rows:
+    """Places in a cube of this edge, each pair farther apart than `apart` [m], (count, 3)."""
+    places = np.empty((0, 3))
+    while len(places) < count:
+        p_n = rng.uniform(0.0, size, 3)
+        if not len(places) or np.linalg.norm(places - p_n, axis=1).min() > apart:
+            places = np.vstack((places, p_n))
+    return places
+
+
+def level_at(p_n: Rows, obstacles: Rows) -> Rows:
+    """U of every obstacle at time zero, (..., M)."""
+    return levels(p_n, 0.0, obstacles)
