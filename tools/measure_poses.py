@@ -15,13 +15,18 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from dubins import dubins_length
 
-from vfguide.scenario.load import load_scenario
+from vfguide.geometry.units import G0
+from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.result import judge
 
 GOAL = (0.0, 0.0, -150.0)
 HEADING_DEG = 30.0
+BANK_DEG = 50.0
+"""Of the turns of the reference path."""
 STALL_MPS = 17.6
 """Slowest level flight of the Aerosonde, taken as its 1-g stall."""
 
@@ -41,6 +46,8 @@ class Outcome:
     bank_deg: float
     load: tuple[float, float]
     airspeed: tuple[float, float]
+    length: float
+    """Of the path to the goal, over the reference."""
     below_m: float
     """Depth below the lower of start and goal."""
     rate_hz: float
@@ -91,9 +98,27 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
         vehicle.max_bank_deg or nan,
         (vehicle.load_factor[0] or nan, vehicle.load_factor[1] or nan),
         (vehicle.airspeed_mps[0] or nan, vehicle.airspeed_mps[1] or nan),
+        math.nan if goal.time_s is None else length_over_reference(loaded, record, goal.time_s),
         float(record.p_n[:, 2].max() - lowest),
         vehicle.setpoint_rate_hz or nan,
     )
+
+
+def length_over_reference(loaded: LoadedScenario, record: FlightRecord, time: float) -> float:
+    """Length of the path until `time` [s] over the longer of Dubins' and what the height needs."""
+    vehicle = loaded.scenario.vehicles[0]
+    speed, performance = loaded.scenario.airspeed_of(vehicle), loaded.performance(vehicle)
+    radius = speed**2 / (G0 * math.tan(math.radians(BANK_DEG)))
+    start, goal = record.p_n[0], vehicle.goals[0]
+    level = dubins_length(
+        (start[0], start[1], math.radians(vehicle.euler_deg[2])),
+        (*goal.position_m[:2], math.radians(goal.heading_deg)),
+        radius,
+    )
+    climb = float(start[2]) - goal.position_m[2]
+    steepest = performance.climb_max if climb > 0.0 else performance.descent_max
+    flown = np.linalg.norm(np.diff(record.p_n[record.time <= time], axis=0), axis=1).sum()
+    return float(flown) / max(level, abs(climb) / math.tan(steepest))
 
 
 def spread(values: list[float]) -> str:
@@ -117,6 +142,7 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     print(f"course [deg] {spread([o.course_deg for o in outcomes])}")
     print(f"climb [deg] {spread([o.climb_deg for o in outcomes])}")
     print(f"time [s]    {spread([o.time_s for o in outcomes])}")
+    print(f"length / reference {spread([o.length for o in outcomes])}")
     print(f"bank [deg]  most {max(o.bank_deg for o in outcomes):.1f}")
     least, most = min(o.load[0] for o in outcomes), max(o.load[1] for o in outcomes)
     print(f"load factor {least:.2f} to {most:.2f}")
@@ -129,8 +155,9 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     for o in worst:
         print(
             f"  start {o.number}: reached {o.reached} passes {o.passes} time {o.time_s:.1f} "
-            f"miss {o.miss_m:.3f} course {o.course_deg:.2f} climb {o.climb_deg:.2f} "
-            f"bank {o.bank_deg:.0f} n {o.load[0]:.2f}..{o.load[1]:.2f} below {o.below_m:.1f}"
+            f"length {o.length:.2f} miss {o.miss_m:.3f} course {o.course_deg:.2f} "
+            f"climb {o.climb_deg:.2f} bank {o.bank_deg:.0f} n {o.load[0]:.2f}..{o.load[1]:.2f} "
+            f"below {o.below_m:.1f}"
         )
 
 

@@ -18,11 +18,10 @@ from vfguide.field.rate_law import rate_law
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import fields_of_robots
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import mat3, norm, scale, vec3
-
+from vfguide.geometry.vector import mat3, vec3
 
 TURN = 0.3
-"""Omega_a is fed forward up to this turn of R_a in one step [rad]."""
+"""The roll of Omega_a is fed forward up to this turn in one step [rad]."""
 
 
 class Swarm(NamedTuple):
@@ -96,13 +95,13 @@ def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
 def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float, most: float) -> Rows:
     """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s].
 
-    Omega_a is shortened to `most` [rad/s].
+    The roll of Omega_a is taken as `most` [rad/s] at the most.
     """
     omega_b = np.zeros((len(swarm.p_n), 3))
     for i in range(len(swarm.p_n)):
         if swarm.moving[i]:
             R_nb, R_na, Omega_a = mat3(swarm.R_nb[i]), mat3(fields.R_na[i]), vec3(fields.Omega_a[i])
-            Omega_a = scale(most / max(norm(Omega_a), most), Omega_a)
-            rates = rate_law(R_nb, R_na, Omega_a, k_w)
+            roll = max(-most, min(most, Omega_a[0]))
+            rates = rate_law(R_nb, R_na, (roll, Omega_a[1], Omega_a[2]), k_w)
             omega_b[i, 0], omega_b[i, 1], omega_b[i, 2] = rates
     return omega_b

@@ -1,0 +1,46 @@
+"""Dubins' shortest path between two poses in the plane, the yardstick for the length of approaches.
+
+L. E. Dubins, "On curves of minimal length with a constraint on average curvature", 1957; the six
+words in the normalised form of Shkel and Lumelsky, 2001.
+"""
+
+import math
+from collections.abc import Iterator
+
+Pose = tuple[float, float, float]
+"""North, east [m], course [rad]."""
+FULL = 2.0 * math.pi
+
+
+def dubins_length(start: Pose, end: Pose, radius: float) -> float:
+    """Length of the shortest path of curvature up to 1 / radius [m]."""
+    north, east = end[0] - start[0], end[1] - start[1]
+    d, bearing = math.hypot(north, east) / radius, math.atan2(east, north)
+    return radius * min(words(d, start[2] - bearing, end[2] - bearing))
+
+
+def words(d: float, alpha: float, beta: float) -> Iterator[float]:
+    """Lengths of the words that exist, in radii; `d` the distance, the courses off its bearing."""
+    ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
+    cab = math.cos(alpha - beta)
+    for side in (1.0, -1.0):  # the same turns at both ends
+        square = 2.0 + d * d - 2.0 * cab + 2.0 * side * d * (sa - sb)
+        if square >= 0.0:
+            middle = math.atan2(side * (cb - ca), d + side * (sa - sb))
+            first, last = side * (middle - alpha), side * (beta - middle)
+            yield first % FULL + math.sqrt(square) + last % FULL
+    for side in (1.0, -1.0):  # opposite turns
+        square = d * d - 2.0 + 2.0 * cab + 2.0 * side * d * (sa + sb)
+        if square >= 0.0:
+            p = math.sqrt(square)
+            middle = math.atan2(-side * (ca + cb), d + side * (sa + sb))
+            middle -= math.atan2(-2.0 * side, p)
+            first, last = side * (middle - alpha), side * (middle - beta)
+            yield first % FULL + p + last % FULL
+    for side in (1.0, -1.0):  # three turns, the middle one the longer way
+        cosine = (6.0 - d * d + 2.0 * cab + 2.0 * side * d * (sa - sb)) / 8.0
+        if abs(cosine) <= 1.0:
+            p = FULL - math.acos(cosine)
+            turned = math.atan2(side * (ca - cb), d - side * (sa - sb))
+            first = side * (alpha - turned) + 0.5 * p
+            yield first % FULL + p + (side * (alpha - beta) - first + p) % FULL
