@@ -10,13 +10,13 @@ from types import NoneType, UnionType
 from typing import Annotated, get_args, get_origin
 
 import pytest
-from pages import DOCS, PAGES, ROOT, names_in, rows_of
+from pages import DOCS, PAGES, ROOT, names_in, rows_of, tables
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
 from vfguide.link.messages import RECORDS
-from vfguide.scenario import aircraft_file, result, scenario_file
+from vfguide.scenario import aircraft_file, obstacle_entry, result, scenario_file
 from vfguide.scenario.bench import Bench
 from vfguide.scenario.tables import Table
 from vfguide.sim.parameters import Parameters
@@ -42,6 +42,7 @@ PLACES = [
     (SCENARIO, "[avoidance]", scenario_file.Avoidance),
     (SCENARIO, "[[vehicle]]", scenario_file.VehicleEntry),
     (SCENARIO, "[[vehicle.goal]]", scenario_file.GoalEntry),
+    (SCENARIO, "[[obstacle]]", obstacle_entry.ObstacleEntry),
     (AIRCRAFT, "Top level", aircraft_file.Aircraft),
     (AIRCRAFT, "[airspeed]", aircraft_file.Airspeed),
     (AIRCRAFT, "[limits]", aircraft_file.Limits),
@@ -49,10 +50,17 @@ PLACES = [
     (AIRCRAFT, "[thrust]", aircraft_file.Thrust),
     (AIRCRAFT, "[response]", aircraft_file.Response),
 ]
+
+
+def first_rows(page, heading):
+    """The rows of the first table under a heading."""
+    return next(rows for its, rows in tables(page) if its == heading)
+
+
 DOCUMENTED = [
     pytest.param(model, *row[:3], id=f"{page.stem} {heading} {row[0]}")
     for page, heading, model in PLACES
-    for row in rows_of(page, heading)
+    for row in first_rows(page, heading)
 ]
 
 
@@ -83,13 +91,13 @@ def takes(field: FieldInfo, value: object) -> bool:
 
 @pytest.mark.parametrize(("page", "heading", "model"), PLACES)
 def test_every_key_is_documented_and_no_other(page, heading, model):
-    keys = [key for row in rows_of(page, heading) for key in names_in(row[0])]
+    keys = [key for row in first_rows(page, heading) for key in names_in(row[0])]
     assert keys == [key for key, field in model.model_fields.items() if not is_table(field)]
 
 
 def test_every_table_of_the_files_is_documented():
     documented = {model for _, _, model in PLACES}
-    modules = (scenario_file, aircraft_file)
+    modules = (scenario_file, obstacle_entry, aircraft_file)
     tables = {
         kind
         for module in modules
@@ -104,9 +112,9 @@ def test_default(model, key, default, _):
     field = model.model_fields[key.strip("`")]
     if default == "required":
         assert field.is_required()
-    elif names_in(default):
+    elif re.fullmatch("`[^`]+`", default):
         (written,) = tomllib.loads(f"value = {names_in(default)[0]}").values()
-        assert field.default == written
+        assert TypeAdapter(field.annotation).validate_python(written) == field.default
     else:
         assert field.default is None
 
@@ -144,15 +152,13 @@ def test_positions_reach_as_far_as_documented():
 
 def test_what_is_not_supported_yet_is_listed():
     listed = {name for row in rows_of(SCENARIO, "Not supported yet") for name in names_in(row[1])}
-    models = (scenario_file.ScenarioFile, scenario_file.VehicleEntry)
-    keys = {key for model in models for key in model.not_yet}
-    assert {name.strip("[]") for name in listed if "=" not in name} == keys
-    for assignment in (name for name in listed if "=" in name):
-        ((key, value),) = tomllib.loads(assignment).items()
-        with pytest.raises(ValidationError, match="not supported yet"):
-            TypeAdapter(
-                Annotated[str, *scenario_file.ScenarioHead.model_fields[key].metadata]
-            ).validate_python(value)
+    assert {name.strip("[]") for name in listed} == set(scenario_file.ScenarioFile.not_yet)
+
+
+def test_the_sizes_of_every_shape_are_documented():
+    _, rows = (rows for its, rows in tables(SCENARIO) if its == "[[obstacle]]")
+    told = {names_in(shape)[0].strip('"'): tuple(names_in(sizes)) for shape, sizes, _ in rows}
+    assert told == obstacle_entry.SIZES
 
 
 @pytest.mark.parametrize(

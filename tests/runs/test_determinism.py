@@ -84,8 +84,13 @@ def test_replay_writes_what_it_received_and_sent(flown, tmp_path):
     assert again.returncode == 0, again.stderr
 
 
-@pytest.mark.parametrize("name", shipped_scenarios())
-def test_every_shipped_scenario_is_good_and_replays(name, tmp_path):
+AEROPLANES = [
+    name for name in shipped_scenarios() if load_scenario(name).scenario.plant == "jsbsim"
+]
+
+
+@pytest.mark.parametrize("name", AEROPLANES)
+def test_every_shipped_flight_of_aeroplanes_is_good_and_replays(name, tmp_path):
     done = vfguide("run", name, "--out", "run", "--no-report", cwd=tmp_path)
     assert done.returncode == 0, done.stderr + done.stdout
     result = json.loads((tmp_path / "run" / "result.json").read_text())

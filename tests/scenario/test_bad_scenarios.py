@@ -46,17 +46,17 @@ def instead_of_goal(lines: str) -> str:
         (
             in_vehicle("airspeed = 25.0"),
             "vehicle[0].airspeed: unknown key, did you mean airspeed_mps?; allowed: "
-            "id, position_m, heading_deg, airspeed_mps, aircraft, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, goal",
         ),
         (
             MINIMAL.replace("id = 1", "Id = 1"),
             "vehicle[0].Id: unknown key; allowed: "
-            "id, position_m, heading_deg, airspeed_mps, aircraft, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, goal",
         ),
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
-            "start_time, origin, wind, guidance, avoidance, vehicle",
+            "start_time, origin, wind, guidance, avoidance, vehicle, obstacle",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),
@@ -160,18 +160,6 @@ def instead_of_goal(lines: str) -> str:
             'name = "": allowed are letters, digits, - _ . and spaces, a letter or digit first',
         ),
         # What cannot be flown yet.
-        (
-            at_top('plant = "kinematic"'),
-            'plant = "kinematic": not supported yet: the paper\'s rigid body; allowed "jsbsim"',
-        ),
-        (
-            at_top('law = "paper"'),
-            'law = "paper": not supported yet: the law as printed; allowed "flight"',
-        ),
-        (
-            MINIMAL + '[[obstacle]]\nshape = "box"',
-            "obstacle: not supported yet: flight among obstacles",
-        ),
         (
             MINIMAL + "[vary]\nseed = [1, 2]",
             "vary: not supported yet: values drawn at random, for campaigns",

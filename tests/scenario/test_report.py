@@ -92,7 +92,7 @@ def page(run: Run) -> Iterator[Page]:
 
 def test_the_report_needs_nothing_beside_it(run: Run, page: Page) -> None:
     assert page.open == []
-    assert len(page.references) == 7
+    assert len(page.references) == 8
     assert all(re.match("data:image/png;base64,", its) for its in page.references)
     text = (run.folder / "report.html").read_text()
     assert "<script" not in text
@@ -109,6 +109,7 @@ def test_the_report_holds_the_figures_that_lie_beside_it(run: Run, page: Page) -
             "path-3d",
             "path-plan",
             "path-side",
+            "separation",
             "position",
             "attitude",
             "envelope",

@@ -139,6 +139,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                 "id": 1,
                 "position_m": (-500.0, 0.0, -100.0),
                 "heading_deg": 0.0,
+                "attitude_deg": None,
                 "airspeed_mps": 25.0,
                 "aircraft": "aerosonde",
                 "goals": (
@@ -152,6 +153,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                 ),
             },
         ),
+        "obstacles": (),
     }
 
 

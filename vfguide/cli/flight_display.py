@@ -9,6 +9,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from vfguide.cli.console import err, out
+from vfguide.scenario.closest import closest
 from vfguide.scenario.fleet import Flown
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.result import Result
@@ -74,9 +75,22 @@ def print_result(result: Result, folder: Path) -> None:
     out.print(table)
     factor = f", {result.realtime_factor:.0f} x real time" if result.realtime_factor else ""
     out.print(f"{result.sim_s:.1f} s flown in {result.wall_s:.2f} s{factor}")
+    if distances := least_distances(result):
+        out.print(f"least {', '.join(distances)}")
     for reason in result.reasons:
         out.print(f"  {reason}", style="red")
     good = result.verdict == "good"
     out.print(f"verdict: {result.verdict}", style="bold green" if good else "bold red")
     report = folder / "report.html"
     out.print(f"results: {report if report.exists() else folder}")
+
+
+def least_distances(result: Result) -> list[str]:
+    """How near obstacles came, and vehicles to each other, where there are any."""
+    distances: list[str] = []
+    if nearest := closest(result):
+        where = f"vehicle {nearest.vehicle}, {nearest.obstacle}"
+        distances.append(f"clearance {nearest.clearance:.2f} m ({where})")
+    if result.min_separation_m is not None:
+        distances.append(f"separation {result.min_separation_m:.2f} m")
+    return distances

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from vfguide.scenario.fleet import Ending
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.logs import Logs
 from vfguide.scenario.member import Member
@@ -37,9 +38,9 @@ class Aeroplanes:
         return self._steps * STEP
 
     @property
-    def grounded(self) -> bool:
-        """Whether a vehicle touched the ground."""
-        return any(member.grounded for member in self._members)
+    def ending(self) -> Ending | None:
+        """A vehicle touched the ground."""
+        return Ending.GROUND if any(member.grounded for member in self._members) else None
 
     def advance(self) -> None:
         """Every vehicle flies on to the next update."""

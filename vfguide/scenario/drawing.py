@@ -1,7 +1,9 @@
 """How figures look: colours that the colour-blind can tell apart, sizes, PNG."""
 
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from io import BytesIO
 from typing import Any
 
@@ -12,6 +14,7 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.scenario.bodies import Body, body_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.record import Array, FlightRecord
 
@@ -56,6 +59,17 @@ class Flights:
         """There is more than one vehicle, so that lines need a legend."""
         return len(self.records) > 1
 
+    @property
+    def kinematic(self) -> bool:
+        """The vehicles are rigid bodies without air, engine or ground."""
+        return self.loaded.scenario.plant == "kinematic"
+
+    @cached_property
+    def bodies(self) -> tuple[Body, ...]:
+        """The obstacles over the time of the flights."""
+        seconds = float(self.records[0].time[-1])
+        return tuple(body_of(its, seconds) for its in self.loaded.scenario.obstacles)
+
 
 def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
     """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed.
@@ -63,7 +77,8 @@ def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
     Figures that leave the layout to matplotlib are cut to what they show; those that set it
     themselves take a third of the time.
     """
-    with mpl.rc_context(_LOOK):
+    with mpl.rc_context(_LOOK), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing")
         figure = Figure()
         draw(figure, flights)
         png = BytesIO()

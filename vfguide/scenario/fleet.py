@@ -1,11 +1,27 @@
 """The vehicles of a run as its loop sees them, whatever they are made of."""
 
 from collections.abc import Sequence
+from enum import Enum
 from typing import Protocol
 
 from vfguide.scenario.passes import Legs
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.resolved import Vehicle
+
+
+class Ending(Enum):
+    """Why a flight ended."""
+
+    REACHED = "reached"
+    """5 s after every vehicle reached its last goal."""
+    TIME = "time"
+    """The time allowed is over."""
+    GROUND = "ground"
+    """A vehicle touched the ground."""
+    AWAY = "away"
+    """A vehicle has left for ever."""
+    STOPPED = "interrupted"
+    """Somebody stopped it."""
 
 
 class Flown(Protocol):
@@ -36,8 +52,8 @@ class Fleet(Protocol):
         ...
 
     @property
-    def grounded(self) -> bool:
-        """Whether a flight has ended on the ground."""
+    def ending(self) -> Ending | None:
+        """Why no vehicle can fly on, if that is so."""
         ...
 
     def advance(self) -> None:

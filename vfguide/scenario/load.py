@@ -87,7 +87,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     source = Source(find_scenario(name_or_path), tuple(map(parse_override, overrides)))
     entry = source.parse(ScenarioFile)
     checks.check_law(entry, source)
-    files = _find_all(entry, source) if entry.law == "flight" else {}
+    files = _find_all(entry, source)
     aircraft = {name: load_aircraft(its) for name, its in files.items()}
     scenario = resolve(entry, aircraft, source)
     checks.check_ids(scenario, source)

@@ -4,11 +4,10 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 
 from vfguide.scenario.aeroplanes import Aeroplanes
-from vfguide.scenario.fleet import Fleet, Flown
+from vfguide.scenario.fleet import Ending, Fleet, Flown
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.logs import Logs
 from vfguide.scenario.record import FlightRecord
@@ -22,19 +21,6 @@ NEARLY = 1e-9
 
 Progress = Callable[[float, Sequence[Flown]], None]
 """Told the simulated time [s] and the vehicles, after every update."""
-
-
-class Ending(Enum):
-    """Why a flight ended."""
-
-    REACHED = "reached"
-    """5 s after every vehicle reached its last goal."""
-    TIME = "time"
-    """The time allowed is over."""
-    GROUND = "ground"
-    """A vehicle touched the ground."""
-    STOPPED = "interrupted"
-    """Somebody stopped it."""
 
 
 @dataclass(frozen=True)
@@ -125,11 +111,9 @@ class Lockstep:
         """Why the flight is over, if it is."""
         if self._finished_at is not None and self.sim_s + NEARLY >= self._finished_at + AFTERWARDS:
             return Ending.REACHED
-        if self._fleet.grounded:
-            return Ending.GROUND
-        if self.sim_s + NEARLY >= self._duration:
-            return Ending.TIME
-        return None
+        if (ending := self._fleet.ending) is not None:
+            return ending
+        return Ending.TIME if self.sim_s + NEARLY >= self._duration else None
 
     def advance(self) -> None:
         """Every vehicle flies on to the next update."""

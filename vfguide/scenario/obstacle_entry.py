@@ -10,6 +10,13 @@ from vfguide.scenario.tables import Angle, Position, Table, Vector, above, liste
 Size = Annotated[float, above(0, 10_000)]
 
 
+def _label(text: str) -> str:
+    """A name for one line of a message."""
+    if not text.isprintable() or not text.strip() or len(text) > 100:
+        raise rule_broken("allowed are 1 to 100 printable characters")
+    return text
+
+
 def _sizes(values: tuple[float, float, float]) -> tuple[float, float, float]:
     if not all(0.0 < value <= 10_000.0 for value in values):
         raise rule_broken("out of range, allowed above 0, up to 10000 each")
@@ -47,7 +54,7 @@ SIZES: dict[str, tuple[str, ...]] = {
 class ObstacleEntry(Table):
     """A body to keep out of; U = 1 is its surface."""
 
-    name: str | None = None
+    name: Annotated[str, AfterValidator(_label)] | None = None
     """None: its index."""
     shape: ShapeName
     position_m: Position

@@ -8,6 +8,7 @@ import numpy as np
 from vfguide.companion.body_step import step_body
 from vfguide.companion.route_memory import fresh_route, packed_memory
 from vfguide.field.goal_frame import goal_frame
+from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import goal_rows
 from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
@@ -27,6 +28,10 @@ class Pilot(Protocol):
         """What drives the bodies from `time` [s] until the next update."""
         ...
 
+    def courses(self, bodies: Bodies) -> Rows:
+        """(N, 3) vectors that point along the courses: velocities, where the bodies never stop."""
+        ...
+
 
 class PaperPilot:
     """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
@@ -44,6 +49,10 @@ class PaperPilot:
             self._spacing = Spacing(avoidance.safety_radius_m, avoidance.detection_range_m)
         self._flown_to = [-1] * len(legs)
         self._goals = np.zeros((len(legs), 12))
+
+    def courses(self, bodies: Bodies) -> Rows:
+        """The noses: a robot that stands has a course too."""
+        return bodies.R_nb[:, :, 0]
 
     def steer(self, time: float, bodies: Bodies) -> Commands:
         """Eq. (2)'s inputs, by Theorem 1 and Lemma 4 on the composite field."""
@@ -65,6 +74,10 @@ class FlightPilot:
         self._plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
         self._memories = [packed_memory(fresh_route()) for _ in vehicles]
         self._speed = np.array([plan.gains.airspeed for plan in self._plans])
+
+    def courses(self, bodies: Bodies) -> Rows:
+        """The velocities."""
+        return self._speed[:, None] * bodies.R_nb[:, :, 0]
 
     def steer(self, time: float, bodies: Bodies) -> Commands:
         """The wanted airspeeds, and body rates towards the wanted directions of flight."""

@@ -47,20 +47,17 @@ class FlightRecord:
     setpoints: int
     """How many were sent."""
 
+    R_nb: Array | None = None
+    """(n, 3, 3) attitude of a rigid body, whose speed and body rates are held from one sample to
+    the next: those that brought it to the later one. None: an aeroplane."""
     arrives: bool = False
     """It slows down towards its goals, and stands still at the last one."""
 
     def legs(self) -> Legs:
         """The legs that were flown."""
         legs = Arrivals(self.vehicle.goals) if self.arrives else Legs(self.vehicle.goals)
-        directions = self.nose() if self.arrives else self.v_n
+        directions = self.R_nb[:, :, 0] if self.arrives and self.R_nb is not None else self.v_n
         rows = zip(self.time.tolist(), self.p_n.tolist(), directions.tolist(), strict=True)
         for time, p_n, v_n in rows:
             legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
         return legs
-
-    def nose(self) -> Array:
-        """(n, 3) the body's x axis in the scenario frame."""
-        _, pitch, yaw = self.euler.T
-        level = np.cos(pitch)
-        return np.column_stack((level * np.cos(yaw), level * np.sin(yaw), -np.sin(pitch)))

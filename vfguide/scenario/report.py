@@ -7,6 +7,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from vfguide.scenario.atomic import write_atomically
+from vfguide.scenario.closest import closest
 from vfguide.scenario.drawing import Flights
 from vfguide.scenario.figures import Picture, draw_figures
 from vfguide.scenario.load import LoadedScenario
@@ -51,6 +52,7 @@ def render(
         lstrip_blocks=True,
     )
     environment.filters["number"] = number
+    environment.filters["level"] = level
     environment.filters["range"] = span
     environment.filters["data_uri"] = data_uri
     return environment.get_template("report.html.j2").render(
@@ -58,6 +60,8 @@ def render(
         resolved=loaded.scenario.to_toml(),
         result=result,
         pictures=pictures,
+        closest=closest(result),
+        kinematic=loaded.scenario.plant == "kinematic",
         command=command,
     )
 
@@ -67,8 +71,15 @@ def number(value: float | None, digits: int = 2) -> str:
     return NONE if value is None else f"{value:.{digits}f}"
 
 
+def level(value: float | None) -> str:
+    """A level U for a table; it grows without bound."""
+    return NONE if value is None else f"{value:.4g}"
+
+
 def span(values: tuple[float | None, float | None], digits: int = 1) -> str:
-    """A range for a table."""
+    """A range for a table; a dash where there is none."""
+    if values == (None, None):
+        return NONE
     return f"{number(values[0], digits)} to {number(values[1], digits)}"
 
 

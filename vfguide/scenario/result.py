@@ -21,6 +21,9 @@ from vfguide.scenario.resolved import Scenario
 
 TOUCH = 0.3
 """An aircraft whose centre is this low has touched the ground [m]."""
+FAR_AWAY = 1e7
+"""Beyond this from the origin on an axis a flight ends [m]. On the far side of the goal the paper's
+field leads away, and the speed grows with the distance."""
 
 Range = tuple[float | None, float | None]
 
@@ -197,6 +200,9 @@ def _reasons(
         low = np.flatnonzero(record.height_above_ground <= TOUCH)
         if low.size:
             reasons.append(f"ground: vehicle {record.vehicle.id} after {record.time[low[0]]:.1f} s")
+        away = np.flatnonzero((np.abs(record.p_n) > FAR_AWAY).any(axis=1))
+        if away.size:
+            reasons.append(f"away: vehicle {record.vehicle.id} after {record.time[away[0]]:.1f} s")
         if not (np.isfinite(record.p_n).all() and np.isfinite(record.v_n).all()):
             reasons.append(f"numbers: the state of vehicle {record.vehicle.id} is not finite")
     apart = 2.0 * scenario.avoidance.safety_radius_m

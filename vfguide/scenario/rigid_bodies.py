@@ -11,12 +11,14 @@ from vfguide.geometry.units import DEG, US
 from vfguide.link.codec import Encoder
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.crew import start_us
+from vfguide.scenario.fleet import Ending
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.pilots import FlightPilot, PaperPilot, Pilot
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
+from vfguide.scenario.result import FAR_AWAY
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, body_message
 from vfguide.sim.kinematic import Bodies, Commands, advance, sightings
 
@@ -38,14 +40,13 @@ class RigidBodies:
     def __init__(self, loaded: LoadedScenario, write: Write) -> None:
         """All at their starts; `write` takes the frames that tell the truth."""
         scenario = loaded.scenario
-        self._arrive = scenario.law == "paper"
         self._rate = scenario.guidance.rate_hz
         self._origin = place_of(scenario.origin)
         self._start = start_us(scenario)
         self._write = write
         self._bodies = bodies_at_start(by_id := sorted(scenario.vehicles, key=lambda its: its.id))
         self._pilot: Pilot
-        if self._arrive:
+        if scenario.law == "paper":
             arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
             self._pilot, legs = PaperPilot(scenario, arrivals), arrivals
         else:
@@ -56,6 +57,7 @@ class RigidBodies:
         self._encoders = [Encoder(vehicle.id, TRUTH_COMPONENT) for vehicle in by_id]
         self._updates = 0
         self._noted: list[tuple[Bodies, Commands, Array]] = []
+        self._look()
         self._commands = self._pilot.steer(0.0, self._bodies)
         self._note()
 
@@ -70,9 +72,9 @@ class RigidBodies:
         return 1.0 / self._rate
 
     @property
-    def grounded(self) -> bool:
-        """There is no ground."""
-        return False
+    def ending(self) -> Ending | None:
+        """A body is far away."""
+        return Ending.AWAY if np.abs(self._bodies.p_n).max() > FAR_AWAY else None
 
     def advance(self) -> None:
         """Move all bodies on to the next update, then steer them anew.
@@ -81,54 +83,60 @@ class RigidBodies:
         """
         self._bodies = advance(self._bodies, self._commands, self.period)
         self._updates += 1
+        self._look()
         self._note()
         self._commands = self._pilot.steer(self._time, self._bodies)
 
     def records(self) -> tuple[FlightRecord, ...]:
         """What was noted, in the order of the scenario."""
-        return tuple(self._record(i) for i in self._order)
+        bodies, commands, altitude = zip(*self._noted, strict=True)
+        flown = Bodies(*map(np.array, zip(*bodies, strict=True)))
+        driven = Commands(*map(np.array, zip(*commands, strict=True)))
+        heights = np.array(altitude)
+        return tuple(self._record(i, flown, driven, heights) for i in self._order)
 
     @property
     def _time(self) -> float:
         return self._updates / self._rate
 
+    def _look(self) -> None:
+        """Show the legs where their bodies are."""
+        courses = self._pilot.courses(self._bodies).tolist()
+        rows = zip(self._sorted, self._bodies.p_n.tolist(), courses, strict=True)
+        for body, p_n, course in rows:
+            if not body.legs.finished:
+                body.legs.feed(Sample(self._time, tuple(p_n), tuple(course)))
+
     def _note(self) -> None:
-        """Note the truth of this instant, in the log too, and show it to the legs."""
+        """Note the truth of this instant, in the log too."""
         seen = sightings(self._bodies, self._commands, self._origin)
         self._noted.append((self._bodies, self._commands, seen[:, 2]))
         now = self._start + round(self._time / US)
         rates = self._commands.omega_b.tolist()
         for encoder, row, omega_b in zip(self._encoders, seen.tolist(), rates, strict=True):
             self._write(now, encoder.encode(body_message(now, row, omega_b)))
-        nose = self._bodies.R_nb[:, :, 0]
-        course = nose if self._arrive else self._commands.speed[:, None] * nose
-        rows = zip(self._sorted, self._bodies.p_n.tolist(), course.tolist(), strict=True)
-        for body, p_n, v_n in rows:
-            if not body.legs.finished:
-                body.legs.feed(Sample(self._time, tuple(p_n), tuple(v_n)))
 
-    def _record(self, i: int) -> FlightRecord:
-        p_n = np.array([bodies.p_n[i] for bodies, _, _ in self._noted])
-        R_nb = np.array([bodies.R_nb[i] for bodies, _, _ in self._noted])
-        speed = np.array([commands.speed[i] for _, commands, _ in self._noted])
-        omega_b = np.array([commands.omega_b[i] for _, commands, _ in self._noted])
-        none = np.full(len(p_n), np.nan)
+    def _record(self, i: int, flown: Bodies, driven: Commands, altitude: Array) -> FlightRecord:
+        """What was noted of body `i`; the leading axes of the arrays are samples and bodies."""
+        R_nb, omega_b = flown.R_nb[:, i].copy(), driven.omega_b[:, i].copy()
+        none = np.full(len(R_nb), np.nan)
         return FlightRecord(
             vehicle=self._sorted[i].vehicle,
-            time=np.arange(len(p_n)) / self._rate,
-            p_n=p_n,
-            v_n=speed[:, None] * R_nb[:, :, 0],
+            time=np.arange(len(R_nb)) / self._rate,
+            p_n=flown.p_n[:, i].copy(),
+            v_n=driven.speed[:, i, None] * R_nb[:, :, 0],
             euler=euler_angles(R_nb),
             omega_b=omega_b,
             omega_wanted_b=omega_b,
             thrust=none,
             airspeed=none,
             load_factor=none,
-            wind_n=np.full_like(p_n, np.nan),
-            altitude=np.array([altitude[i] for _, _, altitude in self._noted]),
+            wind_n=np.full_like(omega_b, np.nan),
+            altitude=altitude[:, i],
             height_above_ground=none,
             setpoints=self._updates,
-            arrives=self._arrive,
+            R_nb=R_nb,
+            arrives=isinstance(self._pilot, PaperPilot),
         )
 
 

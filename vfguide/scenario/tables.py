@@ -64,14 +64,11 @@ def above(low: float, high: float) -> AfterValidator:
     return AfterValidator(check)
 
 
-def word(*names: str, not_yet: dict[str, str] | None = None) -> BeforeValidator:
-    """One of `names`; those in `not_yet` belong to the format but cannot be flown yet."""
-    later = not_yet or {}
-    allowed = "allowed " + ", ".join(f'"{name}"' for name in names if name not in later)
+def word(*names: str) -> BeforeValidator:
+    """One of `names`."""
+    allowed = "allowed " + ", ".join(f'"{name}"' for name in names)
 
     def check(value: object) -> object:
-        if isinstance(value, str) and value in later:
-            raise rule_broken(f"not supported yet: {later[value]}; {allowed}")
         if value not in names:
             raise rule_broken(f"unknown{close_match(str(value), names)}; {allowed}")
         return value

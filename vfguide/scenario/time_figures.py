@@ -1,32 +1,12 @@
-"""Figures over time: position, attitude, flight envelope, body rates."""
-
-import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any
+"""Figures over time: position, attitude, speed, flight envelope, body rates."""
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
-from vfguide.scenario.drawing import COLUMNS, GOAL, MUTED, Flights, broken, line_of, vehicle_lines
-from vfguide.scenario.record import Array, FlightRecord
-
-_LIMIT: dict[str, Any] = {"color": MUTED, "linestyle": (0, (4, 3)), "linewidth": 1.2}
-_WANTED: dict[str, Any] = {"color": GOAL, "linewidth": 0.9}
-
-
-@dataclass(frozen=True)
-class Panel:
-    """One pair of axes: what is drawn over time, and the limits it should keep."""
-
-    label: str
-    values: Callable[[FlightRecord], Array]
-    limits: Sequence[float] = ()
-    wanted: Callable[[FlightRecord], Array] | None = None
-    """What was commanded, drawn beside what was flown."""
+from vfguide.scenario.drawing import GOAL, Flights, broken, line_of
+from vfguide.scenario.panels import LIMIT, WANTED, Panel, draw_panels
 
 
 def draw_position(figure: Figure, flights: Flights) -> None:
@@ -37,7 +17,7 @@ def draw_position(figure: Figure, flights: Flights) -> None:
         Panel("Above the origin [m]", lambda its: -its.p_n[:, 2]),
     ]
     mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
-    grid = _draw(figure, flights, "Position", panels, [mark])
+    grid = draw_panels(figure, flights, "Position", panels, [mark])
     for record in flights.records:
         for goal, best in zip(record.vehicle.goals, record.legs().best(), strict=True):
             if best is None or not best.reaches:
@@ -54,7 +34,7 @@ def draw_attitude(figure: Figure, flights: Flights) -> None:
         Panel("Pitch [°]", lambda its: its.euler[:, 1] / DEG),
         Panel("Yaw [°]", lambda its: broken(its.euler[:, 2] / DEG % 360.0)),
     ]
-    _draw(figure, flights, "Attitude (Euler angles)", panels, [])
+    draw_panels(figure, flights, "Attitude (Euler angles)", panels, [])
 
 
 def draw_envelope(figure: Figure, flights: Flights) -> None:
@@ -82,52 +62,33 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
         ),
         Panel("Thrust setpoint", lambda record: record.thrust, (0.0, 1.0)),
     ]
-    _draw(figure, flights, "Flight envelope", panels, [Line2D([], [], **_LIMIT, label="Limit")])
+    draw_panels(
+        figure, flights, "Flight envelope", panels, [Line2D([], [], **LIMIT, label="Limit")]
+    )
+
+
+def draw_speed(figure: Figure, flights: Flights) -> None:
+    """The speed of vehicles that do not fly through air."""
+    panel = Panel("Speed [m/s]", lambda its: np.linalg.norm(its.v_n, axis=1))
+    draw_panels(figure, flights, "Speed", [panel], [])
 
 
 def draw_rates(figure: Figure, flights: Flights) -> None:
-    """Body rates, commanded and flown."""
+    """Body rates, commanded and flown; a rigid body of plant `kinematic` flies what it is told."""
     panels = [
         Panel(
             label,
             lambda its, axis=axis: its.omega_b[:, axis] / DEG,
-            wanted=lambda its, axis=axis: its.omega_wanted_b[:, axis] / DEG,
+            wanted=None
+            if flights.kinematic
+            else lambda its, axis=axis: its.omega_wanted_b[:, axis] / DEG,
         )
         for axis, label in enumerate(
             ("Roll rate p [°/s]", "Pitch rate q [°/s]", "Yaw rate r [°/s]")
         )
     ]
     flown = [] if flights.several else [Line2D([], [], **line_of(0), label="Flown")]
-    wanted = Line2D([], [], **_WANTED, label="Commanded")
-    _draw(figure, flights, "Body rates", panels, [*flown, wanted])
-
-
-def _draw(
-    figure: Figure, flights: Flights, title: str, panels: Sequence[Panel], marks: Sequence[Line2D]
-) -> Sequence[Axes]:
-    """Panels under each other over one time axis, and the legend with `marks` below."""
-    legend = [*(vehicle_lines(flights) if flights.several else ()), *marks]
-    bottom = 0.55 + 0.24 * math.ceil(len(legend) / COLUMNS)
-    height = 0.4 + 1.75 * len(panels) + bottom
-    figure.set_size_inches(8.6, height)
-    figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
-    grid: Sequence[Axes] = figure.subplots(len(panels), 1, sharex=True)
-    for axes, panel in zip(grid, panels, strict=True):
-        _draw_panel(axes, panel, flights)
-    grid[0].set_title(title)
-    grid[-1].set_xlabel("Time [s]")
-    if legend:
-        figure.legend(handles=legend, loc="lower center", ncols=min(len(legend), COLUMNS))
-    return grid
-
-
-def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
-    for limit in panel.limits:
-        axes.axhline(limit, **_LIMIT)
-    for index, record in enumerate(flights.records):
-        axes.plot(record.time, panel.values(record), **line_of(index))
-        if panel.wanted is not None:
-            axes.plot(record.time, panel.wanted(record), **_WANTED)
-    axes.set_ylabel(panel.label)
-    axes.yaxis.set_label_coords(-0.075, 0.5)
-    axes.margins(x=0.01, y=0.12)
+    wanted = Line2D([], [], **WANTED, label="Commanded")
+    draw_panels(
+        figure, flights, "Body rates", panels, [] if flights.kinematic else [*flown, wanted]
+    )

@@ -10,7 +10,8 @@ from vfguide.sim.truth import Truth
 
 TRUTH_COMPONENT = 25
 """MAV_COMP_ID_USER1: a component of the vehicle's system that is nobody else's."""
-MOST = 2**15 - 1
+SHORT, WHOLE = 2**15 - 1, 2**31 - 1
+"""The largest numbers of fields of 16 and of 32 bits."""
 
 
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
@@ -56,7 +57,7 @@ def body_message(now: int, seen: Sequence[float], omega_b: Sequence[float]) -> H
         r,
         round(lat / DEG_E7),
         round(lon / DEG_E7),
-        round(altitude / MM),
+        fitting(altitude / MM, WHOLE),
         short(north / CM_S),
         short(east / CM_S),
         short(down / CM_S),
@@ -70,4 +71,9 @@ def body_message(now: int, seen: Sequence[float], omega_b: Sequence[float]) -> H
 
 def short(value: float) -> int:
     """As a 16-bit integer, the nearest one that fits."""
-    return round(value) if -MOST < value < MOST else (MOST if value > 0.0 else -MOST)
+    return fitting(value, SHORT)
+
+
+def fitting(value: float, most: int) -> int:
+    """The nearest integer from -`most` to `most`."""
+    return round(value) if -most < value < most else (most if value > 0.0 else -most)

@@ -1,0 +1,50 @@
+"""The arrow of the wind in a plan."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.transforms import ScaledTranslation, Transform
+
+from vfguide.geometry.units import DEG
+from vfguide.scenario.drawing import MUTED
+from vfguide.scenario.record import Array
+from vfguide.scenario.scenario_file import Wind
+
+
+def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
+    """An arrow that points where the wind blows, with its numbers, in the emptiest corner.
+
+    `drawn` are the points (n, 2) to keep away from, east and north.
+    """
+    corner = _emptiest_corner(axes, drawn)
+    centre = np.array((42.0, 52.0)) * (1.0 - 2.0 * np.array(corner)) + (0.0, 12.0 * corner[1])
+    toward = (wind.from_deg + 180.0) * DEG
+    half = 17.0 * np.array((np.sin(toward), np.cos(toward)))
+    axes.annotate(
+        "",
+        corner,
+        corner,
+        xycoords=_points_from(figure, axes, centre + half),
+        textcoords=_points_from(figure, axes, centre - half),
+        arrowprops={"arrowstyle": "-|>", "color": MUTED, "lw": 2.2, "mutation_scale": 16},
+    )
+    text = f"Wind {wind.speed_mps:g} m/s\nfrom {wind.from_deg % 360.0:03.0f}°"
+    below = _points_from(figure, axes, centre - (0.0, 20.0))
+    axes.annotate(text, corner, xycoords=below, ha="center", va="top", color=MUTED, fontsize=9)
+
+
+def _points_from(figure: Figure, axes: Axes, offset: Array) -> Transform:
+    """Fractions of the axes, moved by an offset in points, 1/72 inch."""
+    x, y = offset / 72.0
+    return axes.transAxes + ScaledTranslation(x, y, figure.dpi_scale_trans)
+
+
+def _emptiest_corner(axes: Axes, drawn: Array) -> tuple[float, float]:
+    """The corner that is farthest from the points, as fractions of the axes."""
+    (west, east), (south, north) = axes.get_xlim(), axes.get_ylim()
+    seen = (drawn - (west, south)) / (east - west, north - south)
+
+    def room(corner: tuple[float, float]) -> float:
+        return float(np.nanmin(np.hypot(*(seen - corner).T)))
+
+    return max(((x, y) for x in (0.0, 1.0) for y in (0.0, 1.0)), key=room)
