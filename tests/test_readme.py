@@ -14,6 +14,8 @@ from programs import VFGUIDE, Program
 PAGES = [README, DOCS / "first-flight.md"]
 SET_UP = {"./tools/first-flight", "./tools/test", ". .venv/bin/activate"}
 """What CI runs itself, and what a test cannot."""
+BROUGHT = {"points.csv": "x,y,z,vx,vy,vz,t\n-20,5,10,12,3,2,0\n"}
+"""Files of their own that users need for the examples of --help."""
 FOR_EVER = {"sim", "fly"}
 """Commands that end when they are told to."""
 
@@ -56,7 +58,7 @@ def test_a_page_gives_only_commands_of_ours():
 @pytest.mark.parametrize("source", [*PAGES, "help"], ids=["readme", "first-flight", "help"])
 def test_commands_run_as_written(source, tmp_path):
     lines = examples() if source == "help" else lines_of(source)
-    for name, text in {} if source == "help" else files_in(source).items():
+    for name, text in (BROUGHT if source == "help" else files_in(source)).items():
         (tmp_path / name).write_text(text)
     for line in lines:
         words = shlex.split(line)[1:]
