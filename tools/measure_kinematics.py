@@ -121,7 +121,8 @@ def print_worlds(options: argparse.Namespace, gains: PaperGains) -> None:
         outcomes = pool.map(job, range(options.worlds), chunksize=10)
     inside = [its.number for its in outcomes if its.level <= 1.0]
     print(f"\n{options.worlds} worlds of 3 to 8 static superquadrics, one robot of any attitude")
-    row("at the goal", f"{sum(its.reached for its in outcomes)}")
+    lost = [its.number for its in outcomes if not its.reached]
+    row("not at the goal", f"{len(lost)}, in worlds {lost}")
     row("direction error [deg]", spread_of([its.heading / DEG for its in outcomes]))
     row("least U", f"{min(its.level for its in outcomes):.4f}")
     row("penetrations", f"{len(inside)}, in worlds {inside}")

@@ -5,11 +5,12 @@ import numpy as np
 import pytest
 from frame_jumps import Jumps, count_jumps
 from kinematic_flights import GAINS, fly
-from kinematic_worlds import random_world, starts_in_free_space
+from kinematic_worlds import level_at, random_world, starts_in_free_space
 
 from vfguide.field import shape
 from vfguide.field.goal_frame import goal_frame
 from vfguide.field.obstacle import REACH, Obstacle, obstacle_rows
+from vfguide.field.swarm import fields_of_robots
 from vfguide.flight.paper_law import PaperGains
 
 FINE = PaperGains(GAINS.k_v, GAINS.k_w, 0.005)
@@ -48,6 +49,22 @@ def test_worlds_that_respect_the_assumptions_are_flown_without_penetration(numbe
     assert np.degrees(outcome.heading) < 1.0
     assert outcome.jumps is not None
     assert outcome.jumps.elsewhere == 0
+
+
+def test_a_start_that_points_at_an_obstacle_close_by_gets_inside_and_stays():
+    """Theorem 3 speaks of a robot that flies along F: this one starts 178 degrees off R_a.
+
+    It has 0.9 s at 65 m/s to the surface. Inside chi is zero, and nothing leads out. With R_a from
+    the start it passes.
+    """
+    world = random_world(1, 403)
+    astray = fly(world.goals, world.start, world.obstacles, None, 20.0, FINE)
+    assert level_at(astray.p_n[:, 0], world.obstacles).min() < 1.0
+    robots = np.hstack([world.start.p_n, np.zeros((1, 3))])
+    R_na = fields_of_robots(world.goals, robots, 0.0, world.obstacles, None).R_na
+    aligned = fly(world.goals, world.start._replace(R_nb=R_na), world.obstacles, None, 120.0, FINE)
+    assert level_at(aligned.p_n[:, 0], world.obstacles).min() > 1.0
+    assert aligned.standing.all()
 
 
 @pytest.mark.parametrize("number", range(20))

@@ -4,8 +4,6 @@ Two kinds of error, by whose fault it is: a record of ours that the wire cannot 
 `EncodeError`; what a peer sends never raises, it is counted by the `Parser`.
 """
 
-import struct
-
 from fastcrc.crc16 import mcrf4xx
 
 from vfguide.link.frame import MAGIC_2, Frame, LinkCounters, Parser
@@ -15,9 +13,6 @@ from vfguide.link.messages import Message
 __all__ = ["EncodeError", "Encoder", "Frame", "LinkCounters", "Parser", "decode"]
 
 _MAGIC = bytes((MAGIC_2,))
-_HEADER = struct.Struct("<6B")
-"""What stands between the magic byte and the id of the message."""
-NO_FLAGS = 0
 _LAYOUTS_BY_ID = {record.MSGID: layout for record, layout in LAYOUTS.items()}
 
 
@@ -39,9 +34,7 @@ class Encoder:
             EncodeError: a field does not fit, or `message` is none of the records.
         """
         layout = _layout(message)
-        payload = layout.pack(message).rstrip(b"\0") or b"\0"
-        header = _HEADER.pack(len(payload), NO_FLAGS, NO_FLAGS, self.seq, self.sysid, self.compid)
-        body = header + layout.msgid + payload
+        body = layout.body(self.seq, self.sysid, self.compid, message)
         checksum = mcrf4xx(body + layout.crc_extra)
         self.seq = (self.seq + 1) & 0xFF
         return _MAGIC + body + checksum.to_bytes(2, "little")

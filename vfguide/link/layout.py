@@ -24,6 +24,11 @@ _MISFITS = (struct.error, ValueError, OverflowError, TypeError, AttributeError)
 """What `struct` and the conversions raise at a value that does not fit."""
 
 
+_HEADER_CODES = "<6B3s"
+"""Length, flags that change the frame, other flags, sequence, system, component, message id."""
+HEADER_BYTES = 9
+
+
 class EncodeError(ValueError):
     """We asked for bytes that MAVLink cannot carry."""
 
@@ -32,12 +37,13 @@ class Layout:
     """Turns one class of records to payloads and back."""
 
     def __init__(self, record: type[Message]) -> None:
-        self.msgid = record.MSGID.to_bytes(3, "little")
-        """As a MAVLink 2 header has it."""
         self.crc_extra = CRC_EXTRA[record.MSGID]
         fields = _fields_of(record)
         self._fields = {field.name: field for field in fields}
-        self._struct = struct.Struct("<" + "".join(field.code for field in fields))
+        codes = "".join(field.code for field in fields)
+        self._struct = struct.Struct("<" + codes)
+        self._body = struct.Struct(_HEADER_CODES + codes)
+        self._msgid = record.MSGID.to_bytes(3, "little")
         self._make = record._make
         self._to_wire = itemgetter(*(record._fields.index(field.name) for field in fields))
         self._to_record = itemgetter(*_slots(record, fields))
@@ -54,21 +60,28 @@ class Layout:
                 values[i] = values[i].partition(b"\0")[0].decode(errors="replace")
         return self._make(values)
 
-    def pack(self, message: Message) -> bytes:
-        """The whole payload of a record of this class.
+    def body(self, seq: int, sysid: int, compid: int, message: Message) -> bytes:
+        """What stands between magic byte and checksum of a frame: header and payload.
+
+        No flags; zeros are cut off the end of the payload, but for its first byte.
 
         Raises:
             EncodeError: a field does not fit.
         """
+        size = self._struct.size
         try:
             values = self._to_wire(message)
             if self._texts:
                 values = self._with_bytes(values)
-            for i, size in self._arrays:  # from the last: places before it stay
-                values = values[:i] + _elements(values[i], size) + values[i + 1 :]
-            return self._struct.pack(*values)
+            for i, length in self._arrays:  # from the last: places before it stay
+                values = (*values[:i], *_elements(values[i], length), *values[i + 1 :])
+            body = self._body.pack(size, 0, 0, seq, sysid, compid, self._msgid, *values)
         except _MISFITS as error:
             raise self._misfit(message) from error
+        if body[-1]:
+            return body
+        kept = max(len(body.rstrip(b"\0")), HEADER_BYTES + 1)
+        return bytes((kept - HEADER_BYTES,)) + body[1:kept]
 
     def _with_bytes(self, values: tuple[Any, ...]) -> tuple[Any, ...]:
         """The values with every text as its bytes."""
@@ -106,10 +119,10 @@ def _slots(record: type[Message], fields: list[WireField]) -> list[int | slice]:
     return [slots[name] for name in record._fields]
 
 
-def _elements(array: Any, size: int) -> tuple[Any, ...]:
+def _elements(array: Any, size: int) -> Any:
     if len(array) != size:
         raise ValueError
-    return tuple(array)
+    return array
 
 
 def _text_bytes(text: str, size: int) -> bytes:

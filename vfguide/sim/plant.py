@@ -106,22 +106,22 @@ class Plant:
         """The whole state."""
         load_x, load_y, load_up = self._load_factors()
         return Truth(
-            time=self.time,
-            latitude=self._latitude(),
-            longitude=self._longitude(),
-            altitude=FT * self._altitude(),
-            v_n=self._v_n(),
-            roll=self._roll(),
-            pitch=self._pitch(),
-            yaw=self._yaw(),
-            omega_b=(self._p(), self._q(), self._r()),
-            airspeed=FT * self._airspeed(),
-            alpha=self._alpha(),
-            beta=self._beta(),
-            wind_n=self._wind_n(),
-            force_b=(G0 * load_x, G0 * load_y, -G0 * load_up),
-            density=SLUG_FT3 * self._density(),
-            height_above_ground=FT * self._height(),
+            self._steps * self._dt,
+            self._latitude(),
+            self._longitude(),
+            FT * self._altitude(),
+            self._v_n(),
+            self._roll(),
+            self._pitch(),
+            self._yaw(),
+            (self._p(), self._q(), self._r()),
+            FT * self._airspeed(),
+            self._alpha(),
+            self._beta(),
+            self._wind_n(),
+            (G0 * load_x, G0 * load_y, -G0 * load_up),
+            SLUG_FT3 * self._density(),
+            FT * self._height(),
         )
 
     def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
