@@ -1,6 +1,7 @@
 """One vehicle of a run: the aircraft, its companion, and what is noted of its flight."""
 
 import math
+from array import array
 from collections.abc import Callable
 
 import numpy as np
@@ -28,6 +29,8 @@ Write = Callable[[int, bytes], None]
 
 ROUNDS = 4
 """Messages go back and forth at most this often at one instant; the rest waits for the next."""
+COLUMNS = 24
+"""Numbers that are noted of one instant, see `_row`."""
 NOTHING_YET = (math.nan, math.nan, math.nan, math.nan)
 
 
@@ -58,7 +61,7 @@ class Member:
         self._write_truth = write_truth
         self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
         self._waiting: list[bytes] = []
-        self._noted: list[tuple[Truth, Sample, SetAttitudeTarget | None]] = []
+        self._noted = array("d")  # records by the thousand would crowd the caches
         self.exchange()
         self.note()
 
@@ -95,11 +98,11 @@ class Member:
         )
         sample = Sample(truth.time, p_n, v_n)
         self.legs.feed(sample)
-        self._noted.append((truth, sample, self.sim.autopilot.setpoint))
+        self._noted.extend(_row(truth, sample, self.sim.autopilot.setpoint))
 
     def record(self) -> FlightRecord:
         """What was noted."""
-        rows = np.array([_row(*noted) for noted in self._noted])
+        rows = np.array(self._noted).reshape(-1, COLUMNS)
         time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
             np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
         )
