@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from vfguide.geometry.geodesy import place_in_plane
@@ -85,11 +86,18 @@ class Program:
 
     def says(self, text: str, within: float = COMPILING) -> None:
         """Wait until it has printed `text`."""
+        self.until(lambda: text in self.text, f"saying {text!r}", within)
+
+    def writes(self, path: Path, within: float = COMPILING) -> None:
+        """Wait until there is something in a file."""
+        self.until(lambda: path.exists() and path.stat().st_size > 0, f"writing {path}", within)
+
+    def until(self, condition: Callable[[], bool], what: str, within: float) -> None:
+        """Wait, while it runs, until a condition holds."""
         end = time.monotonic() + within
-        while text not in self.text:
-            alive = self.process.poll() is None
-            assert alive, f"ended without saying {text!r}:\n{self.text}"
-            assert time.monotonic() < end, f"did not say {text!r} in {within} s:\n{self.text}"
+        while not condition():
+            assert self.process.poll() is None, f"ended without {what}:\n{self.text}"
+            assert time.monotonic() < end, f"no {what} in {within} s:\n{self.text}"
             time.sleep(0.02)
 
     def send(self, number: int) -> None:

@@ -10,6 +10,10 @@ from collections.abc import Iterator
 Pose = tuple[float, float, float]
 """North, east [m], course [rad]."""
 FULL = 2.0 * math.pi
+ROUNDING = 1e-12
+"""A square that is negative by no more than this is zero."""
+CLOSED = 1e-6
+"""A turn that lacks no more than this to a full circle is none, but for rounding [rad]."""
 
 
 def dubins_length(start: Pose, end: Pose, radius: float) -> float:
@@ -25,22 +29,28 @@ def words(d: float, alpha: float, beta: float) -> Iterator[float]:
     cab = math.cos(alpha - beta)
     for side in (1.0, -1.0):  # the same turns at both ends
         square = 2.0 + d * d - 2.0 * cab + 2.0 * side * d * (sa - sb)
-        if square >= 0.0:
+        if square >= -ROUNDING:
             middle = math.atan2(side * (cb - ca), d + side * (sa - sb))
             first, last = side * (middle - alpha), side * (beta - middle)
-            yield first % FULL + math.sqrt(square) + last % FULL
+            yield turn(first) + math.sqrt(max(square, 0.0)) + turn(last)
     for side in (1.0, -1.0):  # opposite turns
         square = d * d - 2.0 + 2.0 * cab + 2.0 * side * d * (sa + sb)
-        if square >= 0.0:
-            p = math.sqrt(square)
+        if square >= -ROUNDING:
+            p = math.sqrt(max(square, 0.0))
             middle = math.atan2(-side * (ca + cb), d + side * (sa + sb))
             middle -= math.atan2(-2.0 * side, p)
             first, last = side * (middle - alpha), side * (middle - beta)
-            yield first % FULL + p + last % FULL
+            yield turn(first) + p + turn(last)
     for side in (1.0, -1.0):  # three turns, the middle one the longer way
         cosine = (6.0 - d * d + 2.0 * cab + 2.0 * side * d * (sa - sb)) / 8.0
         if abs(cosine) <= 1.0:
             p = FULL - math.acos(cosine)
             turned = math.atan2(side * (ca - cb), d - side * (sa - sb))
             first = side * (alpha - turned) + 0.5 * p
-            yield first % FULL + p + (side * (alpha - beta) - first + p) % FULL
+            yield turn(first) + p + turn(side * (alpha - beta) - first + p)
+
+
+def turn(angle: float) -> float:
+    """A turn by `angle` as 0 to a full circle [rad]."""
+    turned = angle % FULL
+    return 0.0 if turned > FULL - CLOSED else turned

@@ -3,12 +3,11 @@
 import json
 import math
 import signal
-import subprocess
-import time
 
 import numpy as np
 import pytest
-from flights import VFGUIDE, vfguide
+from flights import vfguide
+from programs import Program
 from scipy.spatial.transform import Rotation
 
 from vfguide.field.obstacle_arrays import distances, levels
@@ -410,18 +409,13 @@ def test_check_and_set_on_the_command_line(world):
 
 def test_ctrl_c_in_real_time_keeps_what_was_flown(tmp_path):
     path = scenario_file(tmp_path, WORLD)
-    command = [*VFGUIDE, "run", str(path), "--out", "out", "--no-report", "--realtime"]
-    process = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    flight = ("run", path, "--out", "out", "--no-report", "--realtime")
     log = tmp_path / "out" / "flight.tlog"
-    deadline = time.monotonic() + 240.0
-    while not (log.exists() and log.stat().st_size > 0):
-        assert time.monotonic() < deadline
-        assert process.poll() is None
-        time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=30.0)
-    assert process.returncode == 130, errors
-    assert "Traceback" not in errors
+    with Program(*flight, cwd=tmp_path) as program:
+        program.writes(log)
+        program.send(signal.SIGINT)
+        assert program.status(30.0) == 130, program.text
+    assert "Traceback" not in program.text
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     assert result["reasons"][0] == "interrupted"
     assert 0.0 < result["sim_s"] < 30.0

@@ -3,11 +3,10 @@
 import json
 import resource
 import signal
-import subprocess
-import time
 
 import pytest
-from flights import VFGUIDE, scenario_file, vfguide
+from flights import scenario_file, vfguide
+from programs import Program
 
 from vfguide.link.tlog import TlogReader
 from vfguide.scenario.data import find_aircraft
@@ -109,18 +108,13 @@ def test_a_disk_that_fills_up(tmp_path):
 
 def test_ctrl_c_in_flight_keeps_what_was_flown(tmp_path):
     path = scenario_file(tmp_path)
-    command = [*VFGUIDE, "run", str(path), "--out", "out", "--no-report", "--realtime"]
-    process = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    flight = ("run", path, "--out", "out", "--no-report", "--realtime")
     log = tmp_path / "out" / "vehicle-7.tlog"
-    deadline = time.monotonic() + 240.0
-    while not (log.exists() and log.stat().st_size > 0):
-        assert time.monotonic() < deadline
-        assert process.poll() is None
-        time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=30.0)
-    assert process.returncode == 130, errors
-    assert "Traceback" not in errors
+    with Program(*flight, cwd=tmp_path) as program:
+        program.writes(log)
+        program.send(signal.SIGINT)
+        assert program.status(30.0) == 130, program.text
+    assert "Traceback" not in program.text
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     assert result["reasons"][0] == "interrupted"
     for name in ("flight.tlog", "vehicle-7.tlog"):

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from vfguide.companion.legs import target_of
 from vfguide.companion.plan import Plan
 from vfguide.field.composite_arrays import composite_fields
-from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.field.robots import Spacing
 from vfguide.flight.memory import fresh_memory
 from vfguide.flight.state import FlightState
@@ -28,8 +27,8 @@ from vfguide.safety.limits import guide_within_limits
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
-from vfguide.scenario.plans import plan_of
-from vfguide.scenario.resolved import Goal, Scenario, Vehicle
+from vfguide.scenario.plans import frame_of, plan_of
+from vfguide.scenario.resolved import Scenario, Vehicle
 
 COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "t")
 """Of the file: position [m] and velocity [m/s] in the scenario frame, time [s]."""
@@ -143,11 +142,6 @@ def vec(values: Sequence[float]) -> Vec3:
     """Three numbers as a vector."""
     x, y, z = values
     return (x, y, z)
-
-
-def frame_of(goal: Goal) -> GoalFrame:
-    """The frame of a goal."""
-    return goal_frame(goal.position_m, goal.heading_deg * DEG, goal.climb_deg * DEG)
 
 
 def others_at(scenario: Scenario, vehicle: Vehicle, t: NDArray[np.float64]) -> Points:

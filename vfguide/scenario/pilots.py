@@ -7,17 +7,15 @@ import numpy as np
 
 from vfguide.companion.body_step import step_body
 from vfguide.companion.route_memory import fresh_route, packed_memory
-from vfguide.field.goal_frame import goal_frame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import goal_rows
 from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
-from vfguide.geometry.units import DEG
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
-from vfguide.scenario.plans import plan_of
-from vfguide.scenario.resolved import Goal, Scenario, Vehicle
+from vfguide.scenario.plans import frame_of, plan_of
+from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.kinematic import Bodies, Commands
 
 
@@ -60,7 +58,7 @@ class PaperPilot:
         for row, legs in enumerate(self._legs):
             if moving[row] and self._flown_to[row] != legs.leg:
                 self._flown_to[row] = legs.leg
-                self._goals[row] = goal_row(legs.goals[legs.leg])
+                self._goals[row] = goal_rows([frame_of(legs.goals[legs.leg])])[0]
         swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
         return Commands(
             *fly_paper_law(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)
@@ -87,9 +85,3 @@ class FlightPilot:
                 time, bodies.p_n[i], bodies.R_nb[i], plan.legs, plan.law, self._memories[i]
             )
         return Commands(self._speed, omega_b)
-
-
-def goal_row(goal: Goal) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """A goal as the fields of the swarm take it, (12,)."""
-    frame = goal_frame(goal.position_m, goal.heading_deg * DEG, goal.climb_deg * DEG)
-    return goal_rows([frame])[0]

@@ -2,6 +2,7 @@
 
 from vfguide.companion.legs import Goal
 from vfguide.companion.plan import Plan
+from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.geometry.units import DEG
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
@@ -50,3 +51,8 @@ def goal_of(goal: ScenarioGoal) -> Goal:
         goal.tolerance_m,
         goal.tolerance_deg * DEG,
     )
+
+
+def frame_of(goal: ScenarioGoal) -> GoalFrame:
+    """The frame of a goal, for the paper's fields."""
+    return goal_frame(goal.position_m, goal.heading_deg * DEG, goal.climb_deg * DEG)
