@@ -14,6 +14,7 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import note_passage, passage_of, passage_since, step, step_on
+from vfguide.flight.leg import FIELD, WAY, new_leg
 from vfguide.flight.performance import Gains, packed
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler
@@ -38,11 +39,12 @@ def state(p_n, course=0.0, climb=0.0, time=1.0):
     return FlightState(time, p_n, v_n, from_euler(0.0, 0.05, course), 25.0, (0.0, 0.0, 0.0))
 
 
-def passed(offset, course=0.0, climb=0.0):
+def passed(offset, course=0.0, climb=0.0, phase=FIELD):
     """The memory after passing the first goal at some offset to the side."""
     before = state((-0.3, offset, -150.0), course, climb)
     after = state((0.2, offset, -150.0), course, climb, time=1.02)
-    memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n)
+    flight = fresh_route().flight._replace(leg=new_leg()._replace(phase=phase))
+    memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n, flight=flight)
     return note_passage(passage_since(memory, after, LEGS), LEGS, memory)
 
 
@@ -59,6 +61,12 @@ def test_a_goal_that_is_missed_is_flown_to_again(how):
     assert memory.goal == 0
     assert not memory.begun
     assert memory.flight.leg == fresh_route().flight.leg
+    on_the_way = passed(**how, phase=WAY)
+    assert (on_the_way.goal, on_the_way.begun) == (0, True)
+
+
+def test_a_goal_that_is_reached_on_the_way_counts():
+    assert passed(4.9, phase=WAY).goal == 1
 
 
 def between(before, after):

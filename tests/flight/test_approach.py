@@ -1,4 +1,4 @@
-"""Courses in the plane: the paper's field, the goal circles, the loiter circle."""
+"""Courses in the plane: the paper's field, lines, the loiter circle."""
 
 import math
 
@@ -9,11 +9,10 @@ from hypothesis import strategies as st
 
 from vfguide.field.navigation import navigation_field
 from vfguide.flight.approach import (
-    LINEAR,
     Planar,
     arc_to_goal,
-    circle_course,
     field_course,
+    line_course,
     loiter_course,
 )
 from vfguide.geometry.angles import wrap
@@ -64,35 +63,16 @@ def test_the_remaining_path_is_the_arc_of_the_field(x, y):
     assert np.allclose(arc[:, -1], (x, abs(y)), atol=1e-6)
 
 
-@given(PLACE, PLACE, SIDE, COURSE)
-def test_away_from_a_goal_circle_the_course_is_its_tangent(x, y, side, course):
-    centre = np.array([0.0, side * RADIUS])
-    away = centre - (x, y)
-    assume(np.linalg.norm(away) > (1.0 + LINEAR) * RADIUS)
-    chi = circle_course(at(x, y, course), side, RADIUS).chi
-    ahead = np.array([math.cos(chi), math.sin(chi)])
-    assert ahead[0] * away[1] - ahead[1] * away[0] == pytest.approx(side * RADIUS, abs=1e-6)
-    assert ahead @ away > 0.0
-
-
-@given(PLACE, PLACE, SIDE, COURSE)
-def test_the_two_circles_are_mirror_images(x, y, side, course):
-    one = circle_course(at(x, y, course), side, RADIUS)
-    other = circle_course(at(x, -y, -course), -side, RADIUS)
-    assert wrap(one.chi + other.chi) == pytest.approx(0.0, abs=1e-9)
-    assert one.chi_rate == pytest.approx(-other.chi_rate, abs=1e-9)
-    assume(min(one.remaining, other.remaining) > 10.0)
-    assert one.remaining == pytest.approx(other.remaining, abs=1e-6)
-
-
-@given(SIDE, st.floats(0.3, 5.5))
-def test_on_a_goal_circle_the_turn_rate_is_its_own_and_the_rest_its_arc(side, angle):
-    x = -RADIUS * math.sin(angle)
-    y = side * RADIUS * (1.0 - math.cos(angle))
-    found = circle_course(at(x, y, -side * angle), side, RADIUS)
-    assert wrap(found.chi + side * angle) == pytest.approx(0.0, abs=1e-6)
-    assert found.chi_rate == pytest.approx(side * SPEED / RADIUS, rel=1e-3)
-    assert found.remaining == pytest.approx(RADIUS * angle, abs=0.1)
+@given(PLACE, PLACE, COURSE, COURSE)
+def test_the_course_onto_a_line_leads_to_it_and_ends_along_it(x, y, along, course):
+    here, through = at(x, y, course), (30.0, -20.0)
+    found = line_course(here, through, along, RADIUS)
+    off = math.cos(along) * (y - through[1]) - math.sin(along) * (x - through[0])
+    onto = math.sin(wrap(found.chi - along))
+    assert onto * off <= 0.0
+    assert abs(onto) == pytest.approx(1.25 * abs(off) / math.hypot(RADIUS, 1.25 * off), abs=1e-9)
+    expected = rate(lambda place: line_course(place, through, along, RADIUS), here)
+    assert found.chi_rate == pytest.approx(expected, rel=1e-4, abs=1e-6)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])

@@ -8,117 +8,134 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from vfguide.flight.approach import Planar
-from vfguide.flight.planner import (
-    CIRCLE,
-    FIELD,
-    GAIN_HEIGHT,
-    NEW,
-    SWITCH_GAIN,
-    Leg,
-    choose_side,
-    circle_here,
-    circle_length,
-    fly_leg,
-    keep_radius,
-    leg_course,
-    new_leg,
-    turn_radius,
-)
+from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, keep_radius, new_leg, turn_radius
+from vfguide.flight.planner import BREAK_OFF, SETTLING, fly_leg, leg_course
+from vfguide.flight.shortest import FULL, is_hasty, length_of, shortest_word
+from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 
 RADIUS, SPEED = 80.0, 25.0
 FINAL = GAINS.final * RADIUS
 PLACE = st.floats(-600.0, 600.0)
 COURSE = st.floats(-math.pi, math.pi)
-SIDE = st.sampled_from([1.0, -1.0])
 
 
 def at(x, y, course=0.0):
     return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
-def leg(phase=NEW, side=1.0, radius=RADIUS):
-    return Leg(phase, side, 0.0, 0.0, radius)
+def leg(phase=NEW):
+    return new_leg()._replace(phase=phase, radius=RADIUS, final=FINAL)
 
 
-@given(PLACE, PLACE, COURSE, st.sampled_from([NEW, FIELD, CIRCLE, GAIN_HEIGHT]), SIDE)
-def test_every_leg_leads_on(x, y, course, phase, side):
-    for climb_needed in (0.0, 500.0):
-        after = fly_leg(leg(phase, side), at(x, y, course), climb_needed, GAINS)
-        wanted = leg_course(after, at(x, y, course), GAINS)
-        assert after.phase in (FIELD, CIRCLE, GAIN_HEIGHT)
+def ahead(here, final):
+    """Where a way begins, seen from the beginning of the straight end."""
+    return here.x + final + 0.37 * here.vx, here.y + 0.37 * here.vy
+
+
+def begun(x, y, course=0.0, path_needed=0.0):
+    return fly_leg(leg(), at(x, y, course), path_needed, GAINS)
+
+
+@given(PLACE, PLACE, COURSE, st.sampled_from([0.0, 300.0, 800.0, 5000.0]))
+def test_every_leg_leads_on(x, y, course, path_needed):
+    here, after = at(x, y, course), leg()
+    for _ in range(3):
+        after = fly_leg(after, here, path_needed, GAINS)
+        wanted = leg_course(after, here, GAINS)
+        assert after.phase in (FIELD, WAY, AWAY)
         assert after.radius == RADIUS
         assert math.isfinite(wanted.chi)
         assert wanted.remaining >= min(0.0, -x) - 1e-9
 
 
-@given(st.floats(-1200.0, -300.0), st.floats(-0.5, 0.5))
+@given(st.floats(-1200.0, -400.0), st.floats(-0.4, 0.4))
 def test_far_before_the_goal_on_its_course_the_field_is_flown(x, share):
     y = share * x
-    after = fly_leg(leg(), at(x, y, 2.0 * math.atan2(-y, -x)), 0.0, GAINS)
-    assert after.phase == FIELD
+    assert begun(x, y, 2.0 * math.atan2(-y, -x)).phase == FIELD
 
 
 @given(st.floats(0.0, 1000.0), st.floats(-300.0, 300.0), COURSE)
-def test_from_beyond_the_goal_a_circle_is_flown(x, y, course):
-    assert fly_leg(leg(), at(x + 1.0, y, course), 0.0, GAINS).phase == CIRCLE
+def test_from_beyond_the_goal_a_way_is_flown(x, y, course):
+    assert begun(x + 1.0, y, course).phase == WAY
 
 
 @given(st.floats(-0.99 * FINAL, -0.01), st.floats(-0.7, 0.7), st.floats(-0.04, 0.04))
 def test_on_the_straight_end_it_goes_straight_on(x, y, course):
-    after = fly_leg(leg(), at(x, y, course), 0.0, GAINS)
+    after = begun(x, y, course)
     assert after.phase == FIELD
     assert abs(leg_course(after, at(x, y, course), GAINS).chi) < 0.1
 
 
 @pytest.mark.parametrize("where", [(-20.0, 1.5, 0.0), (-20.0, 0.0, 0.1), (0.5, 0.0, 0.0)])
 def test_beside_the_straight_end_or_behind_it_a_new_approach_is_flown(where):
-    assert fly_leg(leg(), at(*where), 0.0, GAINS).phase == CIRCLE
+    assert begun(*where).phase == WAY
 
 
-@given(PLACE, PLACE, COURSE, SIDE)
-def test_the_other_goal_circle_is_taken_only_when_it_saves_enough(x, y, course, side):
+def test_behind_the_goal_the_field_is_left():
+    assert fly_leg(leg(FIELD), at(-0.5, 0.0), 0.0, GAINS).phase == FIELD
+    assert fly_leg(leg(FIELD), at(0.5, 0.0), 0.0, GAINS).phase == WAY
+
+
+@given(PLACE, PLACE, COURSE)
+def test_a_way_is_as_long_as_the_shortest_word(x, y, course):
+    after = begun(x, y, course)
+    assume(after.phase == WAY)
     here = at(x, y, course)
-    own, other = (circle_length(here, course, each, RADIUS) for each in (side, -side))
-    assume(abs(own - other - SWITCH_GAIN * RADIUS) > 1e-6 and abs(own - other) > 1e-6)
-    changed = choose_side(leg(CIRCLE, side), here, course) == -side
-    assert changed == (own - other > SWITCH_GAIN * RADIUS)
-    assert choose_side(leg(), here, course) == (side if own < other else -side)
+    word, final = shortest_word(*ahead(here, FINAL), course, RADIUS), FINAL
+    if is_hasty(word):
+        final = SETTLING * RADIUS
+        word = shortest_word(*ahead(here, final), course, RADIUS)
+    assert after.final == final
+    shortest = RADIUS * length_of(word) + final
+    assert leg_course(after, at(x, y, course), GAINS).remaining == pytest.approx(shortest)
 
 
-@given(PLACE, PLACE, COURSE, SIDE)
-def test_a_circle_for_height_touches_the_present_path(x, y, course, side):
-    found = circle_here(leg(CIRCLE, side), at(x, y, course))
-    assert found.phase == GAIN_HEIGHT
-    to_centre = (found.x - x, found.y - y)
-    assert math.hypot(*to_centre) == pytest.approx(RADIUS)
-    ahead = (math.cos(course), math.sin(course))
-    assert ahead[0] * to_centre[1] - ahead[1] * to_centre[0] == pytest.approx(side * RADIUS)
-    wanted = leg_course(found, at(x, y, course), GAINS)
-    assert wanted.chi_rate == pytest.approx(side * SPEED / RADIUS)
+@given(PLACE, PLACE, COURSE, st.floats(0.0, 6000.0))
+def test_a_way_is_long_enough_for_the_height_or_the_vehicle_flies_away_first(
+    x, y, course, path_needed
+):
+    after, here = begun(x, y, course, path_needed), at(x, y, course)
+    remaining = leg_course(after, here, GAINS).remaining
+    if after.phase == AWAY:
+        begin = ahead(here, after.final)
+        toward = math.atan2(-begin[1], -begin[0])
+        assert abs(wrap(after.away - toward)) >= 1.6 - 1e-9
+    elif after.phase == WAY:
+        assert remaining >= path_needed - 1e-6
+        assert remaining < max(path_needed, 15.0 * RADIUS) + 1e-6
+    else:
+        assert remaining + 0.5 * RADIUS >= path_needed
 
 
-def test_height_is_flown_off_before_the_goal_and_not_close_to_it():
+def test_of_the_missing_path_only_what_is_no_full_circle_is_flown_away_from_the_goal():
+    here = at(-500.0, 0.0)
+    word = length_of(shortest_word(*ahead(here, FINAL), 0.0, RADIUS)) * RADIUS
+    needed = FINAL + word + 1.5 * FULL * RADIUS
+    away = begun(-500.0, 0.0, 0.0, needed)
+    assert (away.phase, away.circles) == (AWAY, 1.0)
+    short = 0.4 * FULL * RADIUS
+    assert fly_leg(away, here, needed - short, GAINS).phase == AWAY
+    short = 0.6 * FULL * RADIUS
+    after = fly_leg(away, here, needed - short, GAINS)
+    assert after.phase == WAY
+    assert after.way.word.arc >= FULL
+
+
+def test_a_path_that_became_too_short_for_the_height_is_planned_anew_but_not_close_to_the_goal():
     far, close = at(-300.0, 0.0), at(-100.0, 0.0)
-    assert fly_leg(leg(FIELD), far, 310.0, GAINS).phase == GAIN_HEIGHT
-    assert fly_leg(leg(FIELD), far, 290.0, GAINS).phase == FIELD
+    assert fly_leg(leg(FIELD), far, 320.0 / BREAK_OFF, GAINS).phase == AWAY
+    assert fly_leg(leg(FIELD), far, 300.0, GAINS).phase == FIELD
     assert fly_leg(leg(FIELD), close, 310.0, GAINS).phase == FIELD
-    assert fly_leg(leg(NEW), close, 310.0, GAINS).phase == GAIN_HEIGHT
-
-
-def test_a_circle_for_height_is_left_with_a_margin_so_that_it_is_not_begun_again_at_once():
-    here = at(-300.0, 0.0)
-    assert fly_leg(leg(GAIN_HEIGHT), here, 280.0, GAINS).phase == GAIN_HEIGHT
-    left = fly_leg(leg(GAIN_HEIGHT), here, 260.0, GAINS)
-    assert left.phase == FIELD
-    assert fly_leg(left, here, 260.0, GAINS).phase == FIELD
+    assert begun(-100.0, 0.0, 0.0, 310.0).phase == AWAY
 
 
 @pytest.mark.parametrize(
     ("radius", "kept"), [(84.0, True), (69.0, True), (85.0, False), (67.0, False)]
 )
-def test_the_radius_changes_only_for_a_reason(radius, kept):
-    assert keep_radius(leg(FIELD), radius) == leg(FIELD, radius=RADIUS if kept else radius)
+def test_the_radius_changes_only_for_a_reason_and_then_a_way_is_planned_anew(radius, kept):
+    assert keep_radius(leg(FIELD), radius) == leg(FIELD)._replace(radius=RADIUS if kept else radius)
+    assert keep_radius(leg(WAY), radius).phase == (WAY if kept else NEW)
 
 
 def test_a_new_leg_takes_the_radius_that_is_flyable():

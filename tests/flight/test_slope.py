@@ -14,6 +14,7 @@ from vfguide.flight.vertical import (
     SLOPE_RATE,
     STANDOFF,
     airspeed_over_ground,
+    descent_at_airspeed,
     goal_slope,
     path_angle,
     plan_slope,
@@ -40,9 +41,10 @@ def flown(height, slope, whole=400.0):
 def test_the_last_metres_lead_to_the_goal_with_its_slope_too(slope):
     """Within the standoff as well: a profile that turns round there costs the climb angle."""
     path = flown(30.0, slope)
+    steady = (30.0 - profile_height(400.0, slope)) / (400.0 - 0.5 * LINE_UP)
     assert path[-1][1] == pytest.approx(0.0, abs=0.15)
     for remaining, height in path[-round(STANDOFF / STEP) :: 50]:
-        own = slope * (1.0 - remaining / LINE_UP)
+        own = slope * (1.0 - remaining / LINE_UP) - steady * remaining / LINE_UP
         assert goal_slope(height, remaining, slope) == pytest.approx(own, abs=0.02)
 
 
@@ -84,8 +86,8 @@ def test_on_a_loiter_height_comes_back_over_its_horizon(height):
     circle = GOAL._replace(circle=1.0, radius=100.0, slope=0.0)
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)
     slope = plan_slope(here, circle, AEROSONDE, math.inf, 25.0, 0.0, 100.0)
-    most = math.sin(10.0 * DEG)
-    wanted = max(-most, min(most, -2.0 * height / LOITER_HORIZON))
+    up, down = math.sin(10.0 * DEG), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
+    wanted = max(-down, min(up, -2.0 * height / LOITER_HORIZON))
     assert slope == pytest.approx(wanted)
 
 
@@ -94,20 +96,31 @@ def test_no_dive_past_the_fastest_and_no_climb_below_the_slowest_airspeed():
     fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
     full = math.sin(AEROSONDE.climb_max)
     for airspeed in (slowest + AIRSPEED_BAND, 25.0, fastest - AIRSPEED_BAND):
-        assert steepest_path(airspeed, -0.1, AEROSONDE) == full
-        assert steepest_path(airspeed, 0.1, AEROSONDE) == full
-    assert steepest_path(fastest + AIRSPEED_BAND, -0.1, AEROSONDE) == 0.0
-    assert steepest_path(slowest - AIRSPEED_BAND, 0.1, AEROSONDE) == 0.0
+        assert steepest_path(airspeed, -0.1, -1.0, AEROSONDE) == full
+        assert steepest_path(airspeed, 0.1, 0.0, AEROSONDE) == full
+    assert steepest_path(fastest + AIRSPEED_BAND, -0.1, -1.0, AEROSONDE) == 0.0
+    assert steepest_path(slowest - AIRSPEED_BAND, 0.1, 0.0, AEROSONDE) == 0.0
+
+
+def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_for_it():
+    """On a descent of 10 degrees it reached 31 m/s and left the turns that were planned for 25."""
+    glide = math.asin(1.2 * AEROSONDE.thrust_trim / AEROSONDE.thrust_per_climb)
+    assert 6.0 * DEG < glide < 7.5 * DEG
+    assert descent_at_airspeed(AEROSONDE, 0.0) == pytest.approx(glide)
+    assert descent_at_airspeed(AEROSONDE, 0.15) == pytest.approx(glide)
+    assert descent_at_airspeed(AEROSONDE, -math.tan(9.0 * DEG)) == pytest.approx(9.0 * DEG)
+    assert descent_at_airspeed(AEROSONDE, -1.0) == AEROSONDE.descent_max
+    assert steepest_path(25.0, -0.1, 0.0, AEROSONDE) == pytest.approx(math.sin(glide))
 
 
 def test_at_the_limits_of_the_airspeed_height_can_still_be_changed():
     """They may be commanded; and away from a limit the airspeed is free to return."""
     fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
     full = math.sin(AEROSONDE.climb_max)
-    assert steepest_path(fastest, -0.1, AEROSONDE) == pytest.approx(0.5 * full)
-    assert steepest_path(slowest, 0.1, AEROSONDE) == pytest.approx(0.5 * full)
-    assert steepest_path(fastest + 5.0, 0.1, AEROSONDE) == full
-    assert steepest_path(slowest - 5.0, -0.1, AEROSONDE) == full
+    assert steepest_path(fastest, -0.1, -1.0, AEROSONDE) == pytest.approx(0.5 * full)
+    assert steepest_path(slowest, 0.1, 0.0, AEROSONDE) == pytest.approx(0.5 * full)
+    assert steepest_path(fastest + 5.0, 0.1, 0.0, AEROSONDE) == full
+    assert steepest_path(slowest - 5.0, -0.1, -1.0, AEROSONDE) == full
 
 
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])

@@ -5,8 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.flight.leg import Leg, new_leg
 from vfguide.flight.memory import Memory, fresh_memory
-from vfguide.flight.planner import Leg, new_leg
+from vfguide.flight.shortest import Word
+from vfguide.flight.way import Way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
@@ -41,7 +43,7 @@ def begin_leg(goal: int, flight: Memory) -> RouteMemory:
 
 
 PackedMemory = NDArray[np.float64]
-"""(30,), the numbers of a RouteMemory in their order: an array crosses into compiled code and
+"""(42,), the numbers of a RouteMemory in their order: an array crosses into compiled code and
 back in a fraction of the time of nested records."""
 
 
@@ -50,9 +52,12 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     """The memory as an array."""
     f = memory.flight
     head = (float(memory.goal), 1.0 if memory.begun else 0.0, *memory.p_n, *memory.v_n)
-    leg = (float(f.leg.phase), f.leg.side, f.leg.x, f.leg.y, f.leg.radius)
+    way, word = f.leg.way, f.leg.way.word
+    plan = (float(f.leg.phase), f.leg.radius, f.leg.final, f.leg.away, f.leg.circles)
+    turns = (word.first, word.arc, word.middle, word.reach, word.last, word.end)
+    path = (way.x, way.y, way.course, *turns, way.radius, float(way.piece), way.left)
     R, reference = f.R_na, f.omega_a
-    law = (f.time, *leg, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
+    law = (f.time, *plan, *path, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
     return np.array((*head, *law, f.thrust_integral, f.alpha_bias))
 
 
@@ -64,7 +69,9 @@ def goal_in(memory: PackedMemory) -> int:
 @compiled
 def unpacked_memory(a: PackedMemory) -> RouteMemory:
     """What `packed_memory` packed."""
-    leg = Leg(int(a[9]), a[10], a[11], a[12], a[13])
-    R_na = ((a[16], a[17], a[18]), (a[19], a[20], a[21]), (a[22], a[23], a[24]))
-    flight = Memory(a[8], leg, a[14], a[15], R_na, (a[25], a[26], a[27]), a[28], a[29])
+    word = Word(a[17], a[18], a[19], a[20], a[21], a[22])
+    way = Way(a[14], a[15], a[16], word, a[23], int(a[24]), a[25])
+    leg = Leg(int(a[9]), a[10], a[11], a[12], a[13], way)
+    R_na = ((a[28], a[29], a[30]), (a[31], a[32], a[33]), (a[34], a[35], a[36]))
+    flight = Memory(a[8], leg, a[26], a[27], R_na, (a[37], a[38], a[39]), a[40], a[41])
     return RouteMemory(int(a[0]), a[1] != 0.0, (a[2], a[3], a[4]), (a[5], a[6], a[7]), flight)

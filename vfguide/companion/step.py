@@ -16,6 +16,7 @@ from vfguide.companion.route_memory import (
     packed_memory,
     unpacked_memory,
 )
+from vfguide.flight.leg import FIELD
 from vfguide.flight.memory import Wish
 from vfguide.flight.performance import Law
 from vfguide.flight.state import FlightState, RateSetpoint
@@ -23,9 +24,6 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.safety.limits import guide_within_limits
-
-GATE = 200.0
-"""A goal is passed only closer than this [m]; farther away it is not yet approached."""
 
 Quaternion = tuple[float, float, float, float]
 
@@ -81,20 +79,31 @@ def step_on(
 @compiled
 def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemory:
     """Go on to the next goal when this one was reached, begin the leg anew when it was missed."""
-    if passage.miss > GATE:
+    if math.isinf(passage.miss):
         return memory
-    goal = goal_of(legs, memory.goal)
-    reached = passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
-    return begin_leg(memory.goal + 1 if reached else memory.goal, memory.flight)
+    reaches = is_reached(passage, goal_of(legs, memory.goal))
+    return begin_leg(memory.goal + 1 if reaches else memory.goal, memory.flight)
+
+
+@compiled
+def is_reached(passage: Passage, goal: Goal) -> bool:
+    """Whether the goal counts as reached."""
+    return passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
 
 
 @compiled
 def passage_since(memory: RouteMemory, state: FlightState, legs: Legs) -> Passage:
-    """How the goal that is flown to was passed since the last step."""
+    """How the goal that is flown to was passed since the last step.
+
+    A vehicle that is still on its way there passes it only by reaching it.
+    """
+    nothing = Passage(math.inf, math.inf)
     if not memory.begun or memory.goal == len(legs) - 1:
-        return Passage(math.inf, math.inf)
+        return nothing
     goal = goal_of(legs, memory.goal)
-    return passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
+    passage = passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
+    counts = memory.flight.leg.phase == FIELD or is_reached(passage, goal)
+    return passage if counts else nothing
 
 
 @compiled

@@ -4,7 +4,7 @@ Everything here is in the horizontal plane of the goal frame: x along the goal's
 y to its right, courses measured from the goal's. The paper's field leads through the goal
 along circles that are tangent to the x axis there; within the two circles of the smallest
 flyable radius it turns too tightly, and beyond the goal it leads far away. There the
-vehicle flies along the tangent onto one of those two circles instead.
+vehicle flies along a way of turns and straights instead (`way`).
 """
 
 import math
@@ -14,10 +14,8 @@ from vfguide.field.navigation import navigation_field, navigation_field_rate
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
-ROLL_IN = 0.5
-"""Time that the aircraft takes to roll into a turn [s]."""
-LINEAR = 0.03
-"""Where the attraction to a circle is linear, in radii."""
+CONVERGENCE = 1.25
+"""Slope of the course onto a circle or a line, per radius of distance from it."""
 
 
 class Planar(NamedTuple):
@@ -68,36 +66,12 @@ def arc_to_goal(x: float, y: float) -> float:
 
 
 @compiled
-def circle_course(at: Planar, side: float, radius: float) -> Course:
-    """Tangent onto the goal circle of `side` (+1: a right-hand turn), then round it.
-
-    The turn rate is that of the circle; it sets in on the last `ROLL_IN` of the tangent,
-    since the roll takes that long.
-    """
-    dx, dy = -at.x, side * radius - at.y
-    distance = max(math.hypot(dx, dy), 1e-3)
-    tangent = math.sqrt(max(distance * distance - radius * radius, 0.0))
-    speed = max(math.hypot(at.vx, at.vy), 1e-3)
-    onset = max(0.0, 1.0 - tangent / (speed * ROLL_IN))
-    chi = wrap(math.atan2(dy, dx) - side * (0.5 * math.pi - inward_angle(distance, radius)))
-    arc = (-side * chi) % (2.0 * math.pi)
-    along = max(0.0, at.vx * math.cos(chi) + at.vy * math.sin(chi))
-    return Course(chi, side * onset * along / radius, tangent + radius * arc)
-
-
-@compiled
-def inward_angle(distance: float, radius: float) -> float:
-    """Angle of the wanted course inward from the circle's own direction [rad].
-
-    Outside it is that of the tangent, next to the circle linear: the tangent's has no bound
-    on its slope there.
-    """
-    near = (1.0 + LINEAR) * radius
-    if distance >= near:
-        return math.acos(radius / distance)
-    if distance >= radius:
-        return math.acos(radius / near) * (distance - radius) / (near - radius)
-    return max(-1.0, 2.0 * (distance - radius) / radius)
+def line_course(at: Planar, p: tuple[float, float], course: float, width: float) -> Course:
+    """Course onto the line through `p` [m] along `course` [rad], over about `width` [m]."""
+    c, s = math.cos(course), math.sin(course)
+    u = CONVERGENCE * (c * (at.y - p[1]) - s * (at.x - p[0])) / width
+    u_rate = CONVERGENCE * (c * at.vy - s * at.vx) / width
+    return Course(wrap(course - math.atan(u)), -u_rate / (1.0 + u * u), math.inf)
 
 
 @compiled
@@ -107,7 +81,7 @@ def loiter_course(at: Planar, side: float, radius: float) -> Course:
     distance_rate = (at.x * at.vx + at.y * at.vy) / distance
     bearing = math.atan2(-at.y, -at.x)
     bearing_rate = (at.x * at.vy - at.y * at.vx) / (distance * distance)
-    u = 1.25 * (distance - radius) / radius
-    u_rate = 1.25 * distance_rate / radius
+    u = CONVERGENCE * (distance - radius) / radius
+    u_rate = CONVERGENCE * distance_rate / radius
     chi = wrap(bearing - side * (0.5 * math.pi - math.atan(u)))
     return Course(chi, bearing_rate + side * u_rate / (1.0 + u * u), math.inf)

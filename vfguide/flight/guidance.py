@@ -6,9 +6,9 @@ from vfguide.field.rate_law import rate_law
 from vfguide.flight.attitude import attitude_for_lift
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
+from vfguide.flight.leg import keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.planner import keep_radius
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vertical import path_angle, plan_slope
 from vfguide.flight.wind import heading_for_course

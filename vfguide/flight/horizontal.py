@@ -4,17 +4,21 @@ import math
 
 from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, lift_for_turn
+from vfguide.flight.leg import Leg, turn_radius
 from vfguide.flight.memory import Target
 from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.planner import Leg, fly_leg, leg_course, turn_radius
+from vfguide.flight.planner import fly_leg, leg_course
 from vfguide.flight.state import FlightState
-from vfguide.flight.vertical import path_needed
+from vfguide.flight.vertical import descent_at_airspeed, path_needed
 from vfguide.flight.wind import Heading
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
 
 LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
+PLANNED = 0.92
+"""Part of the steepest slope that ways are planned with."""
 OPPOSITE = 2.5
 """Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
 
@@ -51,10 +55,19 @@ def plan_course(
     if target.circle != 0.0:
         return leg, loiter(at, target, leg)
     height = target.p_n[2] - state.p_n[2]
-    steepest = math.tan(aircraft.climb_max if height < 0.0 else aircraft.descent_max)
-    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, 0.8 * steepest)
+    descent = descent_at_airspeed(aircraft, target.slope)
+    steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
+    tail = wind_along(state.wind_n, target.course)
+    slope = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
+    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, max(slope, 1e-6))
     leg = fly_leg(leg, at, needed, gains)
     return leg, leg_course(leg, at, gains)
+
+
+@compiled
+def wind_along(wind_n: Vec3, course: float) -> float:
+    """Wind from behind on a course [m/s]."""
+    return wind_n[0] * math.cos(course) + wind_n[1] * math.sin(course)
 
 
 @compiled

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.flight.planner import Leg, new_leg
+from vfguide.flight.leg import Leg, new_leg
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3
 

@@ -57,11 +57,11 @@ class Gains(NamedTuple):
     """Learning rate of the angle of attack from the error of the path angle [1/s]."""
     bank_max: float = 0.8727
     """Largest bank asked for [rad]."""
-    turn_margin: float = 1.25
+    turn_margin: float = 1.15
     """Radius of the goal circles over the smallest that the bank allows in this wind."""
     core: float = 0.4
     """Radius of the line core of the field, in turn radii."""
-    final: float = 0.5
+    final: float = 0.6
     """Length of the straight end of the approach, in turn radii: field and circles lead to its
     beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08

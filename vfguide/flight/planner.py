@@ -1,171 +1,162 @@
-"""Which of the courses of `approach` to fly: the leg to a goal as a small state machine."""
+"""Which of the courses of `approach` to fly: the leg to a goal as a small state machine.
+
+    NEW -> (AWAY ->) WAY -> FIELD
+
+A leg begins with the paper's field where that is flyable and hardly longer than the shortest way,
+else with that way; from its last turn the field is taken up. Where the way is too short for the
+height it gets full circles, and for what they are too much the vehicle first flies away from the
+goal. What does not lead on any more is planned anew.
+"""
 
 import math
-from typing import NamedTuple
 
-from vfguide.flight.approach import (
-    Course,
-    Planar,
-    arc_to_goal,
-    circle_course,
-    field_course,
-    loiter_course,
+from vfguide.flight.approach import Course, Planar, field_course
+from vfguide.flight.field_phase import (
+    SLACK,
+    begins_in_field,
+    is_lined_up,
+    off_field,
+    stays_in_field,
+    takes_up_field,
 )
+from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, Leg, before_end, in_phase, with_final
 from vfguide.flight.performance import Gains
+from vfguide.flight.shortest import FULL, Word, is_hasty, length_of, shortest_word
+from vfguide.flight.way import (
+    TURN_IN,
+    along,
+    beside,
+    leads_straight_on,
+    new_way,
+    way_course,
+    way_left,
+)
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
-NEW, FIELD, CIRCLE, GAIN_HEIGHT = 0, 1, 2, 3
-"""Phases: nothing flown yet; along the paper's field; onto a goal circle; round a circle to
-change height."""
-
-PENETRATION = 3.0
-"""How far inside a goal circle the field is still flown [m]."""
-COMMITTED = 2.0
-"""The same once the field is being flown close before the goal [m]."""
-AGREEMENT = 0.1
-"""From a goal circle the field is taken up where the course is within this of it [rad]."""
-DETOUR = 1.03
-"""At the beginning of a leg the field may be longer than the goal circle by this factor."""
-ASIDE = 0.01
-"""The straight end is begun between its ends no farther aside than this, in radii, ..."""
-OFF_COURSE = 0.05
-"""... and within this of its course [rad]."""
-SWITCH_GAIN = 0.7
-"""The other goal circle is taken when it is shorter by this many radii."""
-
-
-class Leg(NamedTuple):
-    """Memory of the leg to one goal."""
-
-    phase: int
-    side: float
-    """Goal circle that is flown: +1 right-hand, -1 left-hand."""
-    x: float
-    y: float
-    """Centre of the circle that is flown to change height [m]."""
-    radius: float
-    """Radius of the goal circles [m]: kept, so that they do not move during the approach."""
+SETTLING = 1.3
+"""The straight end is this long [radii] where the turns before it follow in haste."""
+OFF_WAY = 0.5
+"""A way is planned anew where the vehicle is farther beside it than this, in radii."""
+ACROSS = 1.6
+"""Away from the goal means at least so far off the direction towards it [rad]."""
+BREAK_OFF = 0.9
+"""A way is planned anew when it is shorter than this part of what the height needs."""
 
 
 @compiled
-def new_leg() -> Leg:
-    """A leg of which nothing has been flown."""
-    return Leg(NEW, 1.0, 0.0, 0.0, 0.0)
-
-
-@compiled
-def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
-    """Radius over ground that the bank allows flying downwind [m], times `margin`."""
-    return margin * (airspeed + wind) ** 2 / (9.80665 * math.tan(bank))
-
-
-@compiled
-def keep_radius(leg: Leg, radius: float) -> Leg:
-    """The leg with the radius [m] of its circles, changed only if aircraft or wind ask for it."""
-    if 0.85 * leg.radius < radius <= 1.05 * leg.radius:
-        return leg
-    return Leg(leg.phase, leg.side, leg.x, leg.y, radius)
-
-
-@compiled
-def fly_leg(leg: Leg, at: Planar, climb_needed: float, gains: Gains) -> Leg:
+def fly_leg(leg: Leg, at: Planar, path_needed: float, gains: Gains) -> Leg:
     """The memory of the leg after one step: the phase that is flown now.
 
     Args:
         leg: memory of the leg.
         at: the vehicle in the plane of the goal frame.
-        climb_needed: path length that the remaining change of height takes [m].
+        path_needed: path length that the remaining change of height takes [m].
         gains: of the approach.
     """
-    course = math.atan2(at.vy, at.vx)
-    direct = fly_direct(leg, at, course, gains)
-    wanted = leg_course(direct, at, gains)
-    if leg.phase == GAIN_HEIGHT:
-        return leg if climb_needed > 0.9 * wanted.remaining else direct
-    to_go = wanted.remaining + leg.radius * abs(wrap(wanted.chi - course))
-    far = leg.phase == NEW or to_go > 2.0 * leg.radius
-    return circle_here(direct, at) if far and climb_needed > to_go else direct
+    final = gains.final * leg.radius
+    entry = before_end(leg, at)
+    after = go_on(leg, entry)
+    if after.phase in (NEW, AWAY):
+        return begin_here(after, at, path_needed, final)
+    to_go = entry_course(after, entry, gains).remaining
+    if after.phase == FIELD:
+        to_go += leg.radius * off_field(entry)
+    if BREAK_OFF * (path_needed - leg.final) > to_go > 2.0 * leg.radius:
+        return begin_here(in_phase(leg, NEW, leg.way), at, path_needed, final)
+    return after
 
 
 @compiled
 def leg_course(leg: Leg, at: Planar, gains: Gains) -> Course:
-    """The course of the phase that is flown, and the path length to the goal.
+    """The course of the phase that is flown, and the path length to the goal."""
+    toward = entry_course(leg, before_end(leg, at), gains)
+    return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final)
 
-    On the circle for height the goal counts as near, so that the path is as steep as it may be.
+
+@compiled
+def entry_course(leg: Leg, at: Planar, gains: Gains) -> Course:
+    """The same to the beginning of the straight end, which is the origin here.
+
+    Away from the goal the path counts as no longer than the radius, so that it is as steep as it
+    may be.
     """
-    if leg.phase == GAIN_HEIGHT:
-        about = Planar(at.x - leg.x, at.y - leg.y, at.vx, at.vy)
-        around = loiter_course(about, leg.side, leg.radius)
-        return Course(around.chi, around.chi_rate, leg.radius)
-    final = gains.final * leg.radius
-    entry = Planar(at.x + final, at.y, at.vx, at.vy)
+    if leg.phase == WAY:
+        return way_course(leg.way, at)
+    if leg.phase == AWAY:
+        return Course(leg.away, 0.0, leg.radius)
+    return field_course(at, gains.core * leg.radius)
+
+
+@compiled
+def go_on(leg: Leg, entry: Planar) -> Leg:
+    """The leg as far as it leads on, else a new one."""
     if leg.phase == FIELD:
-        toward = field_course(entry, gains.core * leg.radius)
-    else:
-        toward = circle_course(entry, leg.side, leg.radius)
-    return Course(toward.chi, toward.chi_rate, toward.remaining + final)
+        leads_on = stays_in_field(leg, entry) and entry.x < leg.final
+        return in_phase(leg, FIELD if leads_on else NEW, leg.way)
+    if leg.phase == WAY:
+        way = along(leg.way, entry)
+        if leads_straight_on(way) and takes_up_field(leg, entry):
+            return in_phase(leg, FIELD, way)
+        if way_left(way) <= 0.0:
+            return in_phase(leg, FIELD if is_lined_up(leg, entry, SLACK) else NEW, way)
+        return in_phase(leg, WAY if beside(way, entry) < OFF_WAY * leg.radius else NEW, way)
+    return leg
 
 
 @compiled
-def circle_here(leg: Leg, at: Planar) -> Leg:
-    """Round a circle that touches the present path, for height."""
-    offset = leg.side * leg.radius / max(math.hypot(at.vx, at.vy), 1e-3)
-    return Leg(GAIN_HEIGHT, leg.side, at.x - offset * at.vy, at.y + offset * at.vx, leg.radius)
+def begin_here(leg: Leg, at: Planar, path_needed: float, final: float) -> Leg:
+    """The leg from here: straight on, along the field, the shortest way, or away from the goal.
 
-
-@compiled
-def fly_direct(leg: Leg, at: Planar, course: float, gains: Gains) -> Leg:
-    """The field where it is flyable, else a goal circle."""
-    final = gains.final * leg.radius
-    entry = Planar(at.x + final, at.y, at.vx, at.vy)
-    side = choose_side(leg, entry, course)
-    circle = circle_length(entry, course, side, leg.radius)
-    if is_lined_up(leg, entry, course, final) or field_is_flyable(leg, entry, course, circle):
-        return Leg(FIELD, leg.side, leg.x, leg.y, leg.radius)
-    return Leg(CIRCLE, side, leg.x, leg.y, leg.radius)
-
-
-@compiled
-def is_lined_up(leg: Leg, at: Planar, course: float, final: float) -> bool:
-    """Whether the vehicle is on the straight end of the approach, as between goals in line."""
-    return 0.0 < at.x < final and abs(at.y) < ASIDE * leg.radius and abs(course) < OFF_COURSE
-
-
-@compiled
-def choose_side(leg: Leg, at: Planar, course: float) -> float:
-    """The goal circle with the shorter path; once flown it is kept unless much longer."""
-    right = circle_length(at, course, 1.0, leg.radius)
-    left = circle_length(at, course, -1.0, leg.radius)
-    if leg.phase != CIRCLE:
-        return 1.0 if right < left else -1.0
-    shorter = right < left if leg.side < 0.0 else left < right
-    return -leg.side if shorter and abs(right - left) > SWITCH_GAIN * leg.radius else leg.side
-
-
-@compiled
-def circle_length(at: Planar, course: float, side: float, radius: float) -> float:
-    """Length of the path over the goal circle of `side`, the first turn included [m]."""
-    wanted = circle_course(at, side, radius)
-    return wanted.remaining + radius * abs(wrap(wanted.chi - course))
-
-
-@compiled
-def field_is_flyable(leg: Leg, at: Planar, course: float, circle: float) -> bool:
-    """Whether the field leads to the goal without a turn tighter than the leg's radius.
-
-    It is taken up from a goal circle where both agree, and at the beginning of a leg where
-    its path is not much longer than the one over the circle, `circle` [m].
+    Args:
+        leg: new, or flown away from the goal until now.
+        at: the vehicle in the plane of the goal frame.
+        path_needed: path length that the remaining change of height takes [m].
+        final: length of the straight end [m].
     """
-    side = 1.0 if at.y >= 0.0 else -1.0
-    inside = leg.radius - math.hypot(at.x, at.y - side * leg.radius)
-    if leg.phase == FIELD and math.hypot(at.x, at.y) < leg.radius and abs(course) < 1.2:
-        return inside <= PENETRATION + COMMITTED or at.x > 0.0
-    if at.x >= -abs(at.y) or inside > PENETRATION:
-        return False
-    error = abs(wrap(course - 2.0 * math.atan2(at.y, at.x)))
-    if leg.phase == FIELD:
-        return error < 2.0
-    if leg.phase == CIRCLE:
-        return error < AGREEMENT
-    return arc_to_goal(at.x, at.y) + leg.radius * error <= DETOUR * circle
+    fresh = with_final(leg, final)
+    entry = before_end(fresh, at)
+    if is_lined_up(fresh, entry, 1.0) and path_needed <= final - entry.x:
+        return in_phase(fresh, FIELD, leg.way)
+    begin = Planar(entry.x + TURN_IN * at.vx, entry.y + TURN_IN * at.vy, at.vx, at.vy)
+    word = word_from(begin, leg.radius)
+    lead = math.hypot(begin.x - entry.x, begin.y - entry.y)
+    length = leg.radius * length_of(word) + lead
+    if begins_in_field(fresh, entry, length, path_needed - final):
+        return in_phase(fresh, FIELD, leg.way)
+    if is_hasty(word):
+        fresh = with_final(leg, max(final, SETTLING * leg.radius))
+        begin = Planar(begin.x + fresh.final - final, begin.y, at.vx, at.vy)
+        word = word_from(begin, leg.radius)
+    return way_or_away(fresh, begin, word, path_needed - fresh.final)
+
+
+@compiled
+def way_or_away(leg: Leg, begin: Planar, word: Word, path_needed: float) -> Leg:
+    """The leg along a word, with full circles for the height, or away from the goal first."""
+    missing = (path_needed / leg.radius - length_of(word)) / FULL  # in circles
+    circles = float(math.floor(missing)) if missing > 0.0 else 0.0
+    if leg.phase == AWAY:
+        circles = leg.circles
+    if missing <= circles:
+        arc = word.arc + FULL * circles
+        word = Word(word.first, arc, word.middle, word.reach, word.last, word.end)
+        return in_phase(leg, WAY, new_way(begin, word, leg.radius))
+    if leg.phase == AWAY:
+        return leg
+    return Leg(AWAY, leg.radius, leg.final, away_course(begin), circles, leg.way)
+
+
+@compiled
+def word_from(at: Planar, radius: float) -> Word:
+    """The shortest word from here to the origin."""
+    return shortest_word(at.x, at.y, math.atan2(at.vy, at.vx), radius)
+
+
+@compiled
+def away_course(at: Planar) -> float:
+    """The present course, or one across the direction towards the origin [rad]."""
+    toward = math.atan2(-at.y, -at.x)
+    off = wrap(math.atan2(at.vy, at.vx) - toward)
+    side = 1.0 if off >= 0.0 else -1.0
+    return toward + side * max(abs(off), ACROSS)

@@ -15,6 +15,8 @@ LOITER_HORIZON = 150.0
 """Distance over which a loitering vehicle takes away an error of height [m]."""
 AIRSPEED_BAND = 0.75
 """Within this of the limits of the airspeed climbs and descents become flatter [m/s]."""
+IDLE = 1.2
+"""A descent in a turn is steeper than the straight glide without thrust by this factor."""
 SLOPE_RATE = 0.1
 """Fastest change of the wanted slope [1/s]: 2.5 m/s^2 at 25 m/s."""
 
@@ -46,13 +48,25 @@ def plan_slope(
     else:
         wanted = goal_slope(height, remaining, target.slope)
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    steepest = steepest_path(state.airspeed, wanted, aircraft)
+    steepest = steepest_path(state.airspeed, wanted, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     return max(before - SLOPE_RATE * dt, min(before + SLOPE_RATE * dt, wanted))
 
 
 @compiled
-def steepest_path(airspeed: float, slope: float, aircraft: Performance) -> float:
+def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
+    """Steepest angle of a descent that hardly gains airspeed, or the goal's own [rad].
+
+    Without thrust the aeroplane glides at the angle whose sine is trim / per_climb; in a turn,
+    which takes more drag, and a little faster it sinks IDLE times as steeply.
+    """
+    glide = IDLE * aircraft.thrust_trim / aircraft.thrust_per_climb
+    angle = max(math.asin(min(glide, 1.0)), math.atan(-goal_slope))
+    return min(aircraft.descent_max, angle)
+
+
+@compiled
+def steepest_path(airspeed: float, slope: float, goal_slope: float, aircraft: Performance) -> float:
     """Largest sine of the path angle up or down, as the sign of `slope` says.
 
     It is halved where a climb takes the airspeed to its lower limit or a descent to its upper
@@ -60,7 +74,8 @@ def steepest_path(airspeed: float, slope: float, aircraft: Performance) -> float
     """
     if slope > 0.0:
         return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min)
-    return math.sin(aircraft.descent_max) * share(aircraft.airspeed_max - airspeed)
+    steepest = descent_at_airspeed(aircraft, goal_slope)
+    return math.sin(steepest) * share(aircraft.airspeed_max - airspeed)
 
 
 @compiled
@@ -89,11 +104,13 @@ def goal_slope(height: float, remaining: float, goal_slope: float) -> float:
     """Slope dh/ds of a path that ends at the goal's height with the goal's slope.
 
     `height` above the goal [m], `remaining` path over ground [m]. The error of height over the
-    goal's own profile vanishes as a parabola: its slope is -2 error / remaining.
+    goal's own profile falls in a straight line until LINE_UP before the goal, from there as a
+    parabola: its slope is -2 error / remaining.
     """
     error = height - profile_height(remaining, goal_slope)
     own = goal_slope * max(0.0, 1.0 - remaining / LINE_UP)
-    return own - 2.0 * error / max(remaining, STANDOFF)
+    over = 0.5 * remaining if remaining < LINE_UP else remaining - 0.5 * LINE_UP
+    return own - error / max(over, 0.5 * STANDOFF)
 
 
 @compiled

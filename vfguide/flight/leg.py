@@ -1,0 +1,75 @@
+"""The leg to one goal: what is remembered of how it is flown."""
+
+import math
+from typing import NamedTuple
+
+from vfguide.flight.approach import Planar
+from vfguide.flight.shortest import Word
+from vfguide.flight.way import LAST_TURN, Way
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import G0
+
+NEW, FIELD, WAY, AWAY = 0, 1, 2, 3
+"""Phases: nothing flown yet; along the paper's field; along a way; away from the goal."""
+SMALLEST = 1e-3
+"""Radius of turns without any speed, or with one that is no number [m]."""
+
+
+class Leg(NamedTuple):
+    """Memory of the leg to one goal."""
+
+    phase: int
+    radius: float
+    """Of the turns [m]: kept, so that the way does not move during the approach."""
+    final: float
+    """Length of the straight end [m]."""
+    away: float
+    """Course in phase AWAY, from the goal's [rad]."""
+    circles: float
+    """Full circles that the way will have when it is flown after that."""
+    way: Way
+    """That is flown in phase WAY."""
+
+
+@compiled
+def new_leg() -> Leg:
+    """A leg of which nothing has been flown."""
+    word = Word(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    return Leg(NEW, 0.0, 0.0, 0.0, 0.0, Way(0.0, 0.0, 0.0, word, 1.0, LAST_TURN, 0.0))
+
+
+@compiled
+def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
+    """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero."""
+    radius = margin * (airspeed + wind) ** 2 / (G0 * math.tan(bank))
+    return radius if radius > SMALLEST else SMALLEST
+
+
+@compiled
+def keep_radius(leg: Leg, radius: float) -> Leg:
+    """The leg with turns of `radius` [m], changed only if aircraft or wind ask for it.
+
+    A way has to be planned anew then.
+    """
+    if 0.85 * leg.radius < radius <= 1.05 * leg.radius:
+        return leg
+    phase = NEW if leg.phase == WAY else leg.phase
+    return Leg(phase, radius, leg.final, leg.away, leg.circles, leg.way)
+
+
+@compiled
+def in_phase(leg: Leg, phase: int, way: Way) -> Leg:
+    """The leg in another phase."""
+    return Leg(phase, leg.radius, leg.final, leg.away, leg.circles, way)
+
+
+@compiled
+def with_final(leg: Leg, final: float) -> Leg:
+    """The leg with another length of its straight end [m]."""
+    return Leg(leg.phase, leg.radius, final, leg.away, leg.circles, leg.way)
+
+
+@compiled
+def before_end(leg: Leg, at: Planar) -> Planar:
+    """The vehicle in the plane whose origin is the beginning of the straight end."""
+    return Planar(at.x + leg.final, at.y, at.vx, at.vy)
