@@ -57,19 +57,6 @@ class LoadedScenario:
             rule = 'it has no autopilot and no MAVLink, only vfguide run flies it; allowed "jsbsim"'
             raise InputError(f'{self.path}: plant = "{plant}": {rule}')
 
-    def require_models(self) -> None:
-        """Make sure that every aircraft can be simulated.
-
-        Raises:
-            InputError: one has no JSBSim model.
-        """
-        if self.scenario.plant != "jsbsim":
-            return
-        for name, files in self.files.items():
-            if files.model is None:
-                missing = files.root / name / f"{name}.xml"
-                raise InputError(f"{missing}: no such file, the simulation of {name} needs it")
-
     def write_resolved(self, path: Path) -> None:
         """Write the scenario whose flight is the same, and beside it aircraft of the user's own."""
         for files in self.files.values():
