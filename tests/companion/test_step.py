@@ -43,7 +43,7 @@ def passed(offset, course=0.0, climb=0.0):
     before = state((-0.3, offset, -150.0), course, climb)
     after = state((0.2, offset, -150.0), course, climb, time=1.02)
     memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n)
-    return note_passage(passage_since(memory, after, LEGS), LEGS, memory)
+    return note_passage(passage_since(memory, after, LEGS, LAW), LEGS, memory)
 
 
 def test_a_goal_that_is_reached_gives_way_to_the_next():
@@ -96,7 +96,7 @@ def test_a_step_remembers_its_state():
 def test_after_the_last_goal_nothing_is_passed():
     before, after = state((499.7, 100.0, -160.0)), state((500.2, 100.0, -160.0))
     on_circle = begin_leg(2, fresh_route().flight)._replace(begun=True, p_n=before.p_n)
-    assert passage_since(on_circle, after, LEGS).miss == math.inf
+    assert passage_since(on_circle, after, LEGS, LAW).miss == math.inf
 
 
 def test_a_memory_packs_every_number_in_its_own_place():

@@ -2,41 +2,47 @@
 
 import pytest
 
+from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import LINE_UP, STANDOFF, goal_slope, path_needed, profile_height
 
 SLOPES = [0.0, 0.1, -0.12]
+UNIT = turn_length(25.0)
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("height", [60.0, 5.0, -40.0])
 def test_an_error_of_height_vanishes_as_a_parabola(height, slope):
     whole, step = 800.0, 0.05
-    off = height - profile_height(whole, slope)
+    off = height - profile_height(whole, slope, UNIT)
     remaining = whole
-    while remaining > STANDOFF:
-        height += step * goal_slope(height, remaining, slope)
+    while remaining > STANDOFF * UNIT:
+        height += step * goal_slope(height, remaining, slope, UNIT)
         remaining -= step
     left = off * (remaining / whole) ** 2
-    assert height - profile_height(remaining, slope) == pytest.approx(left, abs=0.02)
+    assert height - profile_height(remaining, slope, UNIT) == pytest.approx(left, abs=0.02)
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 def test_the_profile_ends_at_the_goal_with_its_slope_and_is_level_far_away(slope):
-    assert profile_height(0.0, slope) == 0.0
+    assert profile_height(0.0, slope, UNIT) == 0.0
     step = 1e-4
-    assert profile_height(step, slope) / step == pytest.approx(-slope, abs=1e-5)
-    assert profile_height(LINE_UP, slope) == profile_height(5.0 * LINE_UP, slope)
+    assert profile_height(step, slope, UNIT) / step == pytest.approx(-slope, abs=1e-5)
+    assert profile_height(LINE_UP * UNIT, slope, UNIT) == profile_height(
+        5.0 * LINE_UP * UNIT, slope, UNIT
+    )
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("remaining", [35.0, 60.0, 99.0, 400.0])
 def test_on_the_profile_the_slope_is_the_profiles(slope, remaining):
     step = 1e-4
-    rise = profile_height(remaining - step, slope) - profile_height(remaining + step, slope)
-    on_it = profile_height(remaining, slope)
-    assert goal_slope(on_it, remaining, slope) == pytest.approx(rise / (2.0 * step), abs=1e-6)
+    rise = profile_height(remaining - step, slope, UNIT) - profile_height(
+        remaining + step, slope, UNIT
+    )
+    on_it = profile_height(remaining, slope, UNIT)
+    assert goal_slope(on_it, remaining, slope, UNIT) == pytest.approx(rise / (2.0 * step), abs=1e-6)
 
 
 def test_a_change_of_height_at_the_steepest_slope_takes_the_path_needed():
-    assert path_needed(50.0, 1000.0, 0.0, 0.1) == 500.0
-    assert path_needed(-50.0, 1000.0, 0.0, 0.1) == 500.0
+    assert path_needed(50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
+    assert path_needed(-50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
+from vfguide.scenario.models import require_models
 from vfguide.scenario.resolved import Scenario
 
 RICH = """\
@@ -230,7 +231,7 @@ def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None
 def test_shipped_scenarios_can_be_flown(name: str) -> None:
     loaded = load_scenario(name)
     assert loaded.scenario.name == name.replace("/", "-")
-    loaded.require_models()
+    require_models(loaded)
 
 
 def test_first_flight_needs_a_turn() -> None:

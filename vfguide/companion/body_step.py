@@ -36,7 +36,7 @@ def step_body(
     v_n = matvec(R_nb, (gains.airspeed, 0.0, 0.0))
     state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, gains.airspeed, (0.0, 0.0, 0.0))
     before = unpacked_memory(memory)
-    route = note_passage(passage_since(before, state, legs), legs, before)
+    route = note_passage(passage_since(before, state, legs, law), legs, before)
     omega_b, flight = guide_body(state, target_of(legs, route.goal), law, route.flight)
     after = RouteMemory(route.goal, True, state.p_n, state.v_n, flight)
     return limit_rates(omega_b, aircraft.rate_max), packed_memory(after)

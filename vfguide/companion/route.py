@@ -1,10 +1,12 @@
 """The way along the plan: when a step is due, what it remembers of the one before."""
 
+import math
+
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard
 from vfguide.companion.notes import passage_note, route_note
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import begin_leg, fresh_route, goal_in, packed_memory
-from vfguide.companion.step import GATE, step_on
+from vfguide.companion.step import step_on
 from vfguide.flight.memory import fresh_memory
 from vfguide.flight.state import RateSetpoint
 
@@ -40,7 +42,7 @@ class Route:
         )
         if follows:
             self._memory = after
-            if miss <= GATE:
+            if math.isfinite(miss):
                 self.notes.append(passage_note(goal_in(before), goal_in(after), miss, plan))
         return RateSetpoint(omega_b, thrust, q_nb)
 

@@ -17,15 +17,16 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.flight.memory import Wish
-from vfguide.flight.performance import Law
+from vfguide.flight.performance import Law, turn_length, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.safety.limits import guide_within_limits
 
-GATE = 200.0
-"""A goal is passed only closer than this [m]; farther away it is not yet approached."""
+GATE = 3.14
+"""A goal is passed only closer than this; farther away it is not yet approached. In turn lengths
+of the airspeed to fly, as the law's distances are: 200 m at 25 m/s."""
 
 Quaternion = tuple[float, float, float, float]
 
@@ -55,7 +56,7 @@ def step(
         The setpoint, the memory for the next step, what the law wished for, and how the goal
         that was flown to before this step was passed since.
     """
-    passage = passage_since(memory, state, legs)
+    passage = passage_since(memory, state, legs, law)
     memory = note_passage(passage, legs, memory)
     target = target_of(legs, memory.goal)
     setpoint, flight, wish = guide_within_limits(state, target, law, memory.flight)
@@ -81,7 +82,7 @@ def step_on(
 @compiled
 def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemory:
     """Go on to the next goal when this one was reached, begin the leg anew when it was missed."""
-    if passage.miss > GATE:
+    if passage.miss == math.inf:
         return memory
     goal = goal_of(legs, memory.goal)
     reached = passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
@@ -89,12 +90,15 @@ def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemo
 
 
 @compiled
-def passage_since(memory: RouteMemory, state: FlightState, legs: Legs) -> Passage:
-    """How the goal that is flown to was passed since the last step."""
+def passage_since(memory: RouteMemory, state: FlightState, legs: Legs, law: Law) -> Passage:
+    """How the goal that is flown to was passed since the last step, within the gate."""
     if not memory.begun or memory.goal == len(legs) - 1:
         return Passage(math.inf, math.inf)
     goal = goal_of(legs, memory.goal)
-    return passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
+    passage = passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
+    _, gains = unpacked(law)
+    near = passage.miss <= GATE * turn_length(gains.airspeed)
+    return passage if near else Passage(math.inf, math.inf)
 
 
 @compiled

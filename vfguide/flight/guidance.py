@@ -44,7 +44,14 @@ def guide(
     )
 
     slope = plan_slope(
-        state, target, aircraft, course.remaining, heading.groundspeed, memory.slope, dt
+        state,
+        target,
+        aircraft,
+        gains.airspeed,
+        course.remaining,
+        heading.groundspeed,
+        memory.slope,
+        dt,
     )
     gamma_wanted = path_angle(slope, heading.groundspeed, state.wind_n[2], speed, aircraft)
 

@@ -5,7 +5,7 @@ import math
 from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, lift_for_turn
 from vfguide.flight.memory import Target
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.planner import Leg, fly_leg, leg_course, turn_radius
 from vfguide.flight.state import FlightState
 from vfguide.flight.vertical import path_needed
@@ -52,7 +52,8 @@ def plan_course(
         return leg, loiter(at, target, leg)
     height = target.p_n[2] - state.p_n[2]
     steepest = math.tan(aircraft.climb_max if height < 0.0 else aircraft.descent_max)
-    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, 0.8 * steepest)
+    unit = turn_length(gains.airspeed)
+    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, 0.8 * steepest, unit)
     leg = fly_leg(leg, at, needed, gains)
     return leg, leg_course(leg, at, gains)
 

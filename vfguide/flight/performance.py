@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import G0
 
 
 class Performance(NamedTuple):
@@ -66,6 +67,15 @@ class Gains(NamedTuple):
     beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""
+
+
+@compiled
+def turn_length(airspeed: float) -> float:
+    """V^2 / g [m]: the radius of a turn at 45 degrees of bank, to which distances are scaled.
+
+    63.7 m for the Aerosonde at 25 m/s, with which the multiples of it were measured.
+    """
+    return airspeed * airspeed / G0
 
 
 Law = NDArray[np.float64]

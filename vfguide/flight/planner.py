@@ -19,10 +19,10 @@ NEW, FIELD, CIRCLE, GAIN_HEIGHT = 0, 1, 2, 3
 """Phases: nothing flown yet; along the paper's field; onto a goal circle; round a circle to
 change height."""
 
-PENETRATION = 3.0
-"""How far inside a goal circle the field is still flown [m]."""
-COMMITTED = 2.0
-"""The same once the field is being flown close before the goal [m]."""
+PENETRATION = 0.04
+"""How far inside a goal circle the field is still flown, in radii."""
+COMMITTED = 0.03
+"""So much farther once the field is being flown close before the goal."""
 AGREEMENT = 0.1
 """From a goal circle the field is taken up where the course is within this of it [rad]."""
 DETOUR = 1.03
@@ -160,8 +160,8 @@ def field_is_flyable(leg: Leg, at: Planar, course: float, circle: float) -> bool
     side = 1.0 if at.y >= 0.0 else -1.0
     inside = leg.radius - math.hypot(at.x, at.y - side * leg.radius)
     if leg.phase == FIELD and math.hypot(at.x, at.y) < leg.radius and abs(course) < 1.2:
-        return inside <= PENETRATION + COMMITTED or at.x > 0.0
-    if at.x >= -abs(at.y) or inside > PENETRATION:
+        return inside <= (PENETRATION + COMMITTED) * leg.radius or at.x > 0.0
+    if at.x >= -abs(at.y) or inside > PENETRATION * leg.radius:
         return False
     error = abs(wrap(course - 2.0 * math.atan2(at.y, at.x)))
     if leg.phase == FIELD:

@@ -1,6 +1,7 @@
 """Trim: the steady straight flight of a JSBSim model, by least squares on its accelerations."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +71,7 @@ def _solve(residual: Callable[[Vector], Vector], guess: Vector) -> tuple[Vector,
     solution = least_squares(
         residual,
         guess,
-        lambda unknowns: _slopes(residual, unknowns),
+        partial(_slopes, residual),  # pyright: ignore[reportArgumentType], scipy takes functions
         bounds=(_LOWEST, _HIGHEST),
         x_scale=_SCALE,
         xtol=1e-12,
