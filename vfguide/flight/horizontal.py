@@ -30,7 +30,8 @@ def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
 def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
     """Turn radius over ground at the commanded airspeed in this wind [m]."""
     wind = math.hypot(state.wind_n[0], state.wind_n[1])
-    return turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
+    radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
+    return radius + 0.5 * (gains.airspeed + wind) * gains.sluggish
 
 
 @compiled

@@ -20,6 +20,11 @@ from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 
 
+FAST, PROMPT = 0.08, 0.2
+"""Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
+ones get less in proportion, since the inner loop has to be the faster one."""
+
+
 @dataclass(frozen=True)
 class LoadedScenario:
     """A scenario that can be flown, and the aircraft that fly it, by their names."""
@@ -38,12 +43,14 @@ class LoadedScenario:
         """What the flight law of `vehicle` flies with."""
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
+        roll_time = self.aircraft[vehicle.aircraft].response.roll_s
         return Gains(
             airspeed=self.scenario.airspeed_of(vehicle),
-            k_w=guidance.k_w,
-            k_lateral=guidance.k_lateral,
-            k_elevation=guidance.k_elevation,
+            k_w=guidance.k_w * min(1.0, FAST / roll_time),
+            k_lateral=guidance.k_lateral * min(1.0, PROMPT / roll_time),
+            k_elevation=guidance.k_elevation * min(1.0, FAST / roll_time),
             bank_max=bank * DEG,
+            sluggish=max(0.0, roll_time - FAST),
         )
 
     def require_mavlink(self) -> None:
