@@ -25,7 +25,7 @@ from dubins import dubins_length
 
 from vfguide.geometry.units import G0
 from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
-from vfguide.scenario.data import find_aircraft
+from vfguide.scenario.data import find_aircraft, find_scenario
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.models import model_of
@@ -34,6 +34,7 @@ from vfguide.scenario.result import judge
 from vfguide.sim.bench import Bench
 from vfguide.sim.trim import TrimError, trim
 
+FIRST = "first-flight"
 GOAL_HEIGHT = 150.0
 """Above the ground [m], or more for large aircraft."""
 HEADING_DEG = 30.0
@@ -45,10 +46,14 @@ MOST_COURSE_DEG, MOST_BANK_DEG, LOADS, MARGIN, MOST_BELOW = 3.0, 55.0, (0.3, 2.2
 class Frame:
     """The size of the draw for one aircraft."""
 
+    changes: tuple[str, ...]
+    """That put the aircraft into the scenario."""
     airspeed: float
     """Cruise [m/s]."""
     radius: float
     """R of the draw [m]."""
+    scale: float
+    """R over that of the Aerosonde."""
     stall: float
     """Slowest level flight of its model at the goal's altitude, taken as the 1-g stall [m/s]."""
     goal: tuple[float, float, float]
@@ -61,15 +66,18 @@ class Frame:
 
 
 @cache
-def frame_of(name: str) -> Frame:
-    """The frame of an aircraft."""
-    aircraft = load_aircraft(find_aircraft(name))
+def frame_of(name: str, scenario: str = FIRST) -> Frame:
+    """The frame of an aircraft, found as the scenario finds it."""
+    aircraft = load_aircraft(find_aircraft(name, find_scenario(scenario)))
     radius = turn_radius(aircraft)
-    height = GOAL_HEIGHT * max(1.0, radius / turn_radius(load_aircraft(find_aircraft("aerosonde"))))
-    loaded = load_scenario("first-flight", of_aircraft(name, aircraft))
+    scale = radius / turn_radius(load_aircraft(find_aircraft("aerosonde")))
+    height = GOAL_HEIGHT * max(1.0, scale)
+    cruise = aircraft.airspeed.cruise_mps
+    changes = (f'vehicle.0.aircraft="{name}"', f"vehicle.0.airspeed_mps={cruise}")
+    loaded = load_scenario(scenario, changes)
     bench = Bench(model_of(loaded, name), loaded.scenario.origin.altitude_m + height)
-    stall = slowest(bench, aircraft.airspeed.cruise_mps)
-    return Frame(aircraft.airspeed.cruise_mps, radius, stall, (0.0, 0.0, -round(height, 3)))
+    goal = (0.0, 0.0, -round(height, 3))
+    return Frame(changes, cruise, radius, scale, slowest(bench, cruise), goal)
 
 
 def turn_radius(aircraft: Aircraft) -> float:
@@ -90,12 +98,6 @@ def slowest(bench: Bench, cruise: float) -> float:
         except TrimError:
             low = middle
     return high
-
-
-def of_aircraft(name: str, aircraft: Aircraft) -> tuple[str, ...]:
-    """The changes that put another aircraft into the scenario."""
-    cruise = aircraft.airspeed.cruise_mps
-    return (f'vehicle.0.aircraft="{name}"', f"vehicle.0.airspeed_mps={cruise}")
 
 
 @dataclass(frozen=True)
@@ -123,15 +125,15 @@ class Outcome:
 def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
     """The changes to the scenario that make one random start."""
     rng = np.random.default_rng([seed, number])
-    frame = frame_of(args.aircraft)
-    scale = frame.radius / frame_of("aerosonde").radius
+    frame = frame_of(args.aircraft, args.scenario)
+    scale = frame.scale
     distance = scale * rng.uniform(args.nearest, args.farthest)
     bearing, heading, wind_from = rng.uniform(0.0, 360.0, 3)
     height = scale * rng.uniform(-args.height, args.height)
     north = distance * math.cos(math.radians(bearing))
     east = distance * math.sin(math.radians(bearing))
     return (
-        *of_aircraft(args.aircraft, load_aircraft(find_aircraft(args.aircraft))),
+        *frame.changes,
         f"vehicle.0.position_m=[{north:.3f}, {east:.3f}, {frame.goal[2] + height:.3f}]",
         f"vehicle.0.heading_deg={heading:.3f}",
         f"wind.from_deg={wind_from:.3f}",
@@ -148,7 +150,7 @@ def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
 def fly(number: int, args: argparse.Namespace) -> Outcome:
     """Fly one start."""
     changes = draw(args.seed, number, args)
-    loaded = load_scenario("first-flight", changes)
+    loaded = load_scenario(args.scenario, changes)
     with tempfile.TemporaryDirectory() as folder:
         flight = fly_scenario(loaded, Path(folder))
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
@@ -203,9 +205,8 @@ def spread(values: list[float]) -> str:
 def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     """Print the table."""
     reached = sum(outcome.reached for outcome in outcomes)
-    frame = frame_of(args.aircraft)
-    scale = frame.radius / frame_of("aerosonde").radius
-    near, far, height = (scale * size for size in (args.nearest, args.farthest, args.height))
+    frame = frame_of(args.aircraft, args.scenario)
+    near, far, height = (frame.scale * size for size in (args.nearest, args.farthest, args.height))
     print(f"{args.aircraft} at {frame.airspeed:g} m/s, turn radius {frame.radius:.1f} m")
     print(f"seed {args.seed}, {len(outcomes)} starts, {near:.4g} to {far:.4g} m away, ")
     print(f"height +-{height:.3g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
@@ -264,6 +265,7 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--aircraft", default="aerosonde")
+    parser.add_argument("--scenario", default=FIRST, help="beside it are aircraft of your own")
     parser.add_argument("--only", type=int, help="fly this start alone")
     parser.add_argument("--wind", type=float, default=0.0, help="[m/s]")
     parser.add_argument("--turbulence", default="none")
@@ -277,7 +279,7 @@ def main() -> None:
     if args.only is not None:
         numbers = [args.only]
         print(
-            "vfguide run first-flight "
+            f"vfguide run {args.scenario} "
             + " ".join(f"--set '{c}'" for c in draw(args.seed, args.only, args))
         )
     else:

@@ -51,6 +51,15 @@ def test_a_goal_that_is_reached_gives_way_to_the_next():
     assert passed(0.0, course=9.0 * DEG, climb=9.0 * DEG).goal == 1
 
 
+@pytest.mark.parametrize(("airspeed", "gate"), [(25.0, 200.0), (11.0, 38.7), (45.0, 648.0)])
+def test_a_goal_is_passed_only_within_three_turn_lengths(airspeed, gate):
+    law = packed(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(airspeed))
+    for offset, near in ((0.98 * gate, True), (1.02 * gate, False)):
+        before, after = state((-0.3, offset, -150.0)), state((0.2, offset, -150.0), time=1.02)
+        memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n)
+        assert math.isfinite(passage_since(memory, after, LEGS, law).miss) == near
+
+
 @pytest.mark.parametrize(
     "how", [{"offset": 5.1}, {"offset": 0.0, "course": 11.0 * DEG}, {"offset": 0.0, "climb": 0.2}]
 )

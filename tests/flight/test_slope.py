@@ -118,3 +118,10 @@ def test_at_the_limits_of_the_airspeed_height_can_still_be_changed():
 @pytest.mark.parametrize("airspeed", [0.0, 1e-9, 25.0])
 def test_the_ratio_of_the_speeds_is_bounded(airspeed, groundspeed):
     assert 0.0 <= airspeed_over_ground(airspeed, groundspeed) <= 5.0 + 1e-9
+
+
+@pytest.mark.parametrize("airspeed", [11.0, 25.0, 45.0])
+def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspeed):
+    here = state((-100.0, 0.0, GOAL.p_n[2] + 50.0), 0.0)
+    after = plan_slope(here, GOAL, AEROSONDE, airspeed, 100.0, airspeed, 0.0, 0.02)
+    assert after * airspeed / 0.02 == pytest.approx(2.5)

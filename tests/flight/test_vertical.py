@@ -46,3 +46,13 @@ def test_on_the_profile_the_slope_is_the_profiles(slope, remaining):
 def test_a_change_of_height_at_the_steepest_slope_takes_the_path_needed():
     assert path_needed(50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
     assert path_needed(-50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
+
+
+@pytest.mark.parametrize("times", [0.2, 3.0])
+def test_the_profile_of_another_aircraft_is_the_same_in_turn_lengths(times):
+    for height, remaining, slope in ((20.0, 300.0, 0.1), (-8.0, 60.0, 0.0), (1.0, 10.0, -0.12)):
+        large, far, unit = times * height, times * remaining, times * UNIT
+        there = goal_slope(large, far, slope, unit)
+        assert there == pytest.approx(goal_slope(height, remaining, slope, UNIT))
+        needed = path_needed(large, far, slope, 0.1, unit)
+        assert needed == pytest.approx(times * path_needed(height, remaining, slope, 0.1, UNIT))

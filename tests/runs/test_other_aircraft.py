@@ -4,8 +4,14 @@ The whole table is printed by tools/measure_poses.py --aircraft NAME.
 """
 
 import importlib.util
+import json
 import math
+import os
+import re
 import shutil
+import subprocess
+import sys
+import textwrap
 from argparse import Namespace
 from pathlib import Path
 
@@ -17,7 +23,8 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
 
-TOOL = Path(__file__).parents[2] / "tools" / "measure_poses.py"
+ROOT = Path(__file__).parents[2]
+TOOL = ROOT / "tools" / "measure_poses.py"
 THIRD = {"easystar": 3.7, "c172p": 15.0}
 """Wind: a third of the airspeed [m/s]."""
 
@@ -33,6 +40,7 @@ def tool():
 def options(aircraft):
     return Namespace(
         aircraft=aircraft,
+        scenario="first-flight",
         seed=1,
         nearest=100.0,
         farthest=1000.0,
@@ -120,3 +128,28 @@ def test_gains_follow_the_roll_response_of_the_file(tool, tmp_path):
     assert right.load_factor[0] > 0.3
     assert wrong.goals[0].course_error_deg > 3.0
     assert wrong.load_factor[0] < 0.3
+
+
+def test_the_steps_of_the_page_work_as_written(tmp_path):
+    """docs/aircraft.md, Another aircraft: from a stock model to a table of its flights."""
+    text = (ROOT / "docs" / "aircraft.md").read_text().partition("## Another aircraft")[2]
+    blocks = re.findall(r"^ +```(sh|toml)\n(.*?)^ +```", text, re.MULTILINE | re.DOTALL)
+    commands = [textwrap.dedent(body) for kind, body in blocks if kind == "sh"]
+    (scenario,) = [textwrap.dedent(body) for kind, body in blocks if kind == "toml"]
+    (tmp_path / "tools").symlink_to(ROOT / "tools")
+    (tmp_path / "cub.toml").write_text(scenario)
+    where = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    said = ""
+    for block in commands:
+        done = subprocess.run(
+            ["sh", "-ec", block],
+            cwd=tmp_path,
+            env={**os.environ, "PATH": where},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, block + done.stdout + done.stderr
+        said += done.stdout
+    assert "the row holds" in said
+    assert json.loads((tmp_path / "cub" / "result.json").read_text())["verdict"] == "good"

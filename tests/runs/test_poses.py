@@ -23,6 +23,7 @@ def tool():
 def options(wind):
     return Namespace(
         aircraft="aerosonde",
+        scenario="first-flight",
         seed=77,
         nearest=100.0,
         farthest=1000.0,

@@ -33,6 +33,8 @@ _HIGHEST = np.array([30.0 * DEG, 30.0 * DEG, 1.0, 1.0, 1.0, 1.0])
 _SCALE = np.array([0.05, 0.02, 0.05, 0.1, 0.05, 0.2])
 _STEPS = 1e-3 * _SCALE
 """Of the differences: JSBSim's rounding errors drown the answers to much smaller ones."""
+_MOST_STEPS = 40
+"""A trim takes ten; one that is not there would take hundreds."""
 
 
 class TrimError(Exception):
@@ -77,6 +79,7 @@ def _solve(residual: Callable[[Vector], Vector], guess: Vector) -> tuple[Vector,
         xtol=1e-12,
         ftol=1e-14,
         gtol=1e-14,
+        max_nfev=_MOST_STEPS,
     )
     return solution.x, float(np.max(np.abs(solution.fun)))
 
