@@ -145,3 +145,9 @@ def test_an_aircraft_slow_to_roll_turns_wider_and_earlier():
     ahead = np.subtract(soon(here, slow).p_n, here.p_n)
     assert ahead == pytest.approx(0.5 * sluggish * np.array(here.v_n))
     assert soon(here, GAINS) == here
+
+
+def test_no_turn_is_faster_than_an_aircraft_rolls():
+    still = state((-300.0, 20.0, -140.0), 0.4)
+    assert flyable_radius(still, 0.8, GAINS._replace(airspeed=8.0)) == 2.5 * 8.0
+    assert flyable_radius(still, 0.8, GAINS) > 2.6 * 25.0

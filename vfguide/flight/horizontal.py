@@ -15,6 +15,9 @@ from vfguide.geometry.compiled import compiled
 
 LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
+SLOWEST_TURN = 2.5
+"""No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
+the same time for a small aircraft, which could turn faster."""
 OPPOSITE = 2.5
 """Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
 
@@ -31,7 +34,8 @@ def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
     """Turn radius over ground at the commanded airspeed in this wind [m]."""
     wind = math.hypot(state.wind_n[0], state.wind_n[1])
     radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
-    return radius + 0.5 * (gains.airspeed + wind) * gains.sluggish
+    radius += 0.5 * (gains.airspeed + wind) * gains.sluggish
+    return max(radius, SLOWEST_TURN * gains.airspeed)
 
 
 @compiled
