@@ -49,6 +49,7 @@ PLACES = [
     (AIRCRAFT, "[lift]", aircraft_file.Lift),
     (AIRCRAFT, "[thrust]", aircraft_file.Thrust),
     (AIRCRAFT, "[response]", aircraft_file.Response),
+    (AIRCRAFT, "[model]", aircraft_file.ModelTable),
 ]
 
 

@@ -20,7 +20,12 @@ NEEDED = {
     "vfguide/scenario/report.html.j2",
     "vfguide/_data/scenarios/first-flight.toml",
     *(f"vfguide/_data/scenarios/paper/example-{number}.toml" for number in (1, 2, 3)),
+    "vfguide/_data/scenarios/easystar.toml",
+    "vfguide/_data/scenarios/cessna.toml",
     "vfguide/_data/aircraft/aerosonde/aerosonde.toml",
+    "vfguide/_data/aircraft/easystar/easystar.toml",
+    "vfguide/_data/aircraft/easystar/easystar.xml",
+    "vfguide/_data/aircraft/c172p/c172p.toml",
     "vfguide/_data/aircraft/aerosonde/aerosonde.xml",
 }
 

@@ -2,8 +2,14 @@
 """Random starts to one goal pose, flown over MAVLink and judged by the truth.
 
     python tools/measure_poses.py --runs 100 --wind 5
+    python tools/measure_poses.py --runs 50 --aircraft easystar --wind 3.7
 
 Start k of seed S is drawn from (S, k) alone: any row can be flown alone with --only K.
+
+Lengths are drawn in turn radii R = V^2 / (g tan bank), with the cruise and the largest bank of the
+aircraft's file, so that every aircraft gets the same geometry: as many as make 100 to 1000 m of
+distance and 30 m of height for the Aerosonde (R = 53.5 m). The goal is 150 m above the ground,
+or higher by the same ratio.
 """
 
 import argparse
@@ -11,24 +17,87 @@ import math
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
 from dubins import dubins_length
 
 from vfguide.geometry.units import G0
+from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
+from vfguide.scenario.data import find_aircraft, find_scenario
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.models import model_of
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.result import judge
+from vfguide.sim.bench import Bench
+from vfguide.sim.trim import TrimError, trim
 
-GOAL = (0.0, 0.0, -150.0)
+FIRST = "first-flight"
+GOAL_HEIGHT = 150.0
+"""Above the ground [m], or more for large aircraft."""
 HEADING_DEG = 30.0
-BANK_DEG = 50.0
-"""Of the turns of the reference path."""
-STALL_MPS = 17.6
-"""Slowest level flight of the Aerosonde, taken as its 1-g stall."""
+MOST_COURSE_DEG, MOST_BANK_DEG, LOADS, MARGIN, MOST_BELOW = 3.0, 55.0, (0.3, 2.2), 1.2, 50.0
+"""What must hold: course at the goal, bank, load factor, airspeed over stall, depth [m]."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The size of the draw for one aircraft."""
+
+    changes: tuple[str, ...]
+    """That put the aircraft into the scenario."""
+    airspeed: float
+    """Cruise [m/s]."""
+    radius: float
+    """R of the draw [m]."""
+    scale: float
+    """R over that of the Aerosonde."""
+    stall: float
+    """Slowest level flight of its model at the goal's altitude, taken as the 1-g stall [m/s]."""
+    goal: tuple[float, float, float]
+    """North, east, down [m]."""
+
+    @property
+    def most_miss(self) -> float:
+        """2 % of the turn radius and half a metre [m]."""
+        return 0.02 * self.radius + 0.5
+
+
+@cache
+def frame_of(name: str, scenario: str = FIRST) -> Frame:
+    """The frame of an aircraft, found as the scenario finds it."""
+    aircraft = load_aircraft(find_aircraft(name, find_scenario(scenario)))
+    radius = turn_radius(aircraft)
+    scale = radius / turn_radius(load_aircraft(find_aircraft("aerosonde")))
+    height = GOAL_HEIGHT * max(1.0, scale)
+    cruise = aircraft.airspeed.cruise_mps
+    changes = (f'vehicle.0.aircraft="{name}"', f"vehicle.0.airspeed_mps={cruise}")
+    loaded = load_scenario(scenario, changes)
+    bench = Bench(model_of(loaded, name), loaded.scenario.origin.altitude_m + height)
+    goal = (0.0, 0.0, -round(height, 3))
+    return Frame(changes, cruise, radius, scale, slowest(bench, cruise), goal)
+
+
+def turn_radius(aircraft: Aircraft) -> float:
+    """Radius of a level turn in still air at cruise and the largest bank [m]."""
+    return aircraft.airspeed.cruise_mps**2 / (
+        G0 * math.tan(math.radians(aircraft.limits.bank_max_deg))
+    )
+
+
+def slowest(bench: Bench, cruise: float) -> float:
+    """Slowest airspeed at which the model flies level [m/s], to 0.05 m/s."""
+    low, high = 0.2 * cruise, cruise
+    while high - low > 0.05:
+        middle = 0.5 * (low + high)
+        try:
+            trim(bench, middle)
+            high = middle
+        except TrimError:
+            low = middle
+    return high
 
 
 @dataclass(frozen=True)
@@ -56,21 +125,24 @@ class Outcome:
 def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
     """The changes to the scenario that make one random start."""
     rng = np.random.default_rng([seed, number])
-    distance = rng.uniform(args.nearest, args.farthest)
+    frame = frame_of(args.aircraft, args.scenario)
+    scale = frame.scale
+    distance = scale * rng.uniform(args.nearest, args.farthest)
     bearing, heading, wind_from = rng.uniform(0.0, 360.0, 3)
-    height = rng.uniform(-args.height, args.height)
+    height = scale * rng.uniform(-args.height, args.height)
     north = distance * math.cos(math.radians(bearing))
     east = distance * math.sin(math.radians(bearing))
     return (
-        f"vehicle.0.position_m=[{north:.3f}, {east:.3f}, {GOAL[2] + height:.3f}]",
+        *frame.changes,
+        f"vehicle.0.position_m=[{north:.3f}, {east:.3f}, {frame.goal[2] + height:.3f}]",
         f"vehicle.0.heading_deg={heading:.3f}",
         f"wind.from_deg={wind_from:.3f}",
         f"wind.speed_mps={args.wind}",
         f'wind.turbulence="{args.turbulence}"',
-        f"vehicle.0.goal.0.position_m={list(GOAL)}",
+        f"vehicle.0.goal.0.position_m={list(frame.goal)}",
         f"vehicle.0.goal.0.heading_deg={HEADING_DEG}",
         f"seed={number + 1}",
-        "duration_s=300",
+        f"duration_s={300.0 * max(1.0, scale):.0f}",
         *args.set,
     )
 
@@ -78,13 +150,13 @@ def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
 def fly(number: int, args: argparse.Namespace) -> Outcome:
     """Fly one start."""
     changes = draw(args.seed, number, args)
-    loaded = load_scenario("first-flight", changes)
+    loaded = load_scenario(args.scenario, changes)
     with tempfile.TemporaryDirectory() as folder:
         flight = fly_scenario(loaded, Path(folder))
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
     vehicle, record = result.vehicles[0], flight.records[0]
     goal = vehicle.goals[0]
-    lowest = max(record.p_n[0, 2], GOAL[2])
+    lowest = max(record.p_n[0, 2], loaded.scenario.vehicles[0].goals[0].position_m[2])
     nan = math.nan
     return Outcome(
         number,
@@ -108,7 +180,7 @@ def length_over_reference(loaded: LoadedScenario, record: FlightRecord, time: fl
     """Length of the path until `time` [s] over the longer of Dubins' and what the height needs."""
     vehicle = loaded.scenario.vehicles[0]
     speed, performance = loaded.scenario.airspeed_of(vehicle), loaded.performance(vehicle)
-    radius = speed**2 / (G0 * math.tan(math.radians(BANK_DEG)))
+    radius = speed**2 / (G0 * math.tan(performance.bank_max))
     start, goal = record.p_n[0], vehicle.goals[0]
     level = dubins_length(
         (start[0], start[1], math.radians(vehicle.euler_deg[2])),
@@ -133,10 +205,11 @@ def spread(values: list[float]) -> str:
 def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     """Print the table."""
     reached = sum(outcome.reached for outcome in outcomes)
-    print(
-        f"seed {args.seed}, {len(outcomes)} starts, {args.nearest:g} to {args.farthest:g} m away, "
-    )
-    print(f"height +-{args.height:g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
+    frame = frame_of(args.aircraft, args.scenario)
+    near, far, height = (frame.scale * size for size in (args.nearest, args.farthest, args.height))
+    print(f"{args.aircraft} at {frame.airspeed:g} m/s, turn radius {frame.radius:.1f} m")
+    print(f"seed {args.seed}, {len(outcomes)} starts, {near:.4g} to {far:.4g} m away, ")
+    print(f"height +-{height:.3g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
     print(f"reached     {reached} of {len(outcomes)}")
     print(f"miss [m]    {spread([o.miss_m for o in outcomes])}")
     print(f"course [deg] {spread([o.course_deg for o in outcomes])}")
@@ -147,10 +220,11 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     least, most = min(o.load[0] for o in outcomes), max(o.load[1] for o in outcomes)
     print(f"load factor {least:.2f} to {most:.2f}")
     least, most = min(o.airspeed[0] for o in outcomes), max(o.airspeed[1] for o in outcomes)
-    print(f"airspeed    {least:.1f} to {most:.1f} m/s, least {least / STALL_MPS:.2f} x stall")
+    print(f"airspeed    {least:.1f} to {most:.1f} m/s, least {least / frame.stall:.2f} x stall")
     print(f"below the lower of start and goal: most {max(o.below_m for o in outcomes):.1f} m")
     print(f"setpoints   {min(o.rate_hz for o in outcomes):.2f} Hz at least")
     print(f"more than one pass: {sum(o.passes > 1 for o in outcomes)}")
+    show_row(outcomes, frame)
     worst = sorted(outcomes, key=lambda o: (o.reached, -o.miss_m))[: args.worst]
     for o in worst:
         print(
@@ -161,17 +235,43 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
         )
 
 
+def show_row(outcomes: list[Outcome], frame: Frame) -> None:
+    """Print in how many starts each part of the row does not hold."""
+    broken = {
+        "not reached": sum(not o.reached for o in outcomes),
+        f"miss above {frame.most_miss:.2f} m": sum(
+            not o.miss_m <= frame.most_miss for o in outcomes
+        ),
+        f"course above {MOST_COURSE_DEG:g} deg": sum(
+            not o.course_deg <= MOST_COURSE_DEG for o in outcomes
+        ),
+        f"bank above {MOST_BANK_DEG:g} deg": sum(o.bank_deg > MOST_BANK_DEG for o in outcomes),
+        f"load factor outside {LOADS[0]:g} to {LOADS[1]:g}": sum(
+            o.load[0] < LOADS[0] or o.load[1] > LOADS[1] for o in outcomes
+        ),
+        f"airspeed below {MARGIN:g} x {frame.stall:.1f} m/s": sum(
+            o.airspeed[0] < MARGIN * frame.stall for o in outcomes
+        ),
+        f"more than {MOST_BELOW:g} m below": sum(o.below_m > MOST_BELOW for o in outcomes),
+    }
+    for what, count in broken.items():
+        print(f"  {what}: {count} of {len(outcomes)}")
+    print(f"the row {'does not hold' if any(broken.values()) else 'holds'}")
+
+
 def main() -> None:
     """Fly them all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--aircraft", default="aerosonde")
+    parser.add_argument("--scenario", default=FIRST, help="beside it are aircraft of your own")
     parser.add_argument("--only", type=int, help="fly this start alone")
     parser.add_argument("--wind", type=float, default=0.0, help="[m/s]")
     parser.add_argument("--turbulence", default="none")
-    parser.add_argument("--nearest", type=float, default=100.0, help="[m]")
-    parser.add_argument("--farthest", type=float, default=1000.0, help="[m]")
-    parser.add_argument("--height", type=float, default=30.0, help="[m]")
+    parser.add_argument("--nearest", type=float, default=100.0, help="[m] for the Aerosonde")
+    parser.add_argument("--farthest", type=float, default=1000.0, help="[m] for the Aerosonde")
+    parser.add_argument("--height", type=float, default=30.0, help="[m] for the Aerosonde")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--worst", type=int, default=5)
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
@@ -179,7 +279,7 @@ def main() -> None:
     if args.only is not None:
         numbers = [args.only]
         print(
-            "vfguide run first-flight "
+            f"vfguide run {args.scenario} "
             + " ".join(f"--set '{c}'" for c in draw(args.seed, args.only, args))
         )
     else:

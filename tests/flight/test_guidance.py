@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from flight_states import (
     AEROSONDE,
@@ -16,8 +17,8 @@ from flight_states import (
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.flight.guidance import guide
-from vfguide.flight.horizontal import usable_bank
+from vfguide.flight.guidance import guide, soon
+from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.performance import Gains, Performance, packed, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
@@ -134,3 +135,19 @@ def test_the_law_as_one_array_holds_every_number_in_its_place():
     )
     gains = Gains(*(float(next(numbers)) for _ in Gains._fields))
     assert unpacked(packed(aircraft, gains)) == (aircraft, gains)
+
+
+def test_an_aircraft_slow_to_roll_turns_wider_and_earlier():
+    here, sluggish = state((-300.0, 20.0, -140.0), 0.4, wind=(3.0, -4.0, 0.0)), 0.3
+    slow = GAINS._replace(sluggish=sluggish)
+    wider = flyable_radius(here, 0.8, slow) - flyable_radius(here, 0.8, GAINS)
+    assert wider == pytest.approx(0.5 * (25.0 + 5.0) * sluggish)
+    ahead = np.subtract(soon(here, slow).p_n, here.p_n)
+    assert ahead == pytest.approx(0.5 * sluggish * np.array(here.v_n))
+    assert soon(here, GAINS) == here
+
+
+def test_no_turn_is_faster_than_an_aircraft_rolls():
+    still = state((-300.0, 20.0, -140.0), 0.4)
+    assert flyable_radius(still, 0.8, GAINS._replace(airspeed=8.0)) == 2.5 * 8.0
+    assert flyable_radius(still, 0.8, GAINS) > 2.6 * 25.0

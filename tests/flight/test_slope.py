@@ -7,6 +7,7 @@ from flight_states import AEROSONDE, GOAL, state
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import (
     AIRSPEED_BAND,
     LINE_UP,
@@ -26,6 +27,9 @@ from vfguide.geometry.units import DEG
 SLOPES = st.floats(-0.18, 0.18)
 REMAINING = st.floats(0.0, 2000.0)
 STEP = 0.05
+SPEED = 25.0
+UNIT = turn_length(SPEED)
+BAND = AIRSPEED_BAND * SPEED
 
 
 def flown(height, slope, whole=400.0):
@@ -33,7 +37,7 @@ def flown(height, slope, whole=400.0):
     path = [(whole, height)]
     while path[-1][0] > STEP:
         remaining, height = path[-1]
-        path.append((remaining - STEP, height + STEP * goal_slope(height, remaining, slope)))
+        path.append((remaining - STEP, height + STEP * goal_slope(height, remaining, slope, UNIT)))
     return path
 
 
@@ -41,40 +45,41 @@ def flown(height, slope, whole=400.0):
 def test_the_last_metres_lead_to_the_goal_with_its_slope_too(slope):
     """Within the standoff as well: a profile that turns round there costs the climb angle."""
     path = flown(30.0, slope)
-    steady = (30.0 - profile_height(400.0, slope)) / (400.0 - 0.5 * LINE_UP)
+    steady = (30.0 - profile_height(400.0, slope, UNIT)) / (400.0 - 0.5 * LINE_UP * UNIT)
     assert path[-1][1] == pytest.approx(0.0, abs=0.15)
-    for remaining, height in path[-round(STANDOFF / STEP) :: 50]:
-        own = slope * (1.0 - remaining / LINE_UP) - steady * remaining / LINE_UP
-        assert goal_slope(height, remaining, slope) == pytest.approx(own, abs=0.02)
+    for remaining, height in path[-round(STANDOFF * UNIT / STEP) :: 50]:
+        share = remaining / (LINE_UP * UNIT)
+        own = slope * (1.0 - share) - min(steady, 0.06) * share
+        assert goal_slope(height, remaining, slope, UNIT) == pytest.approx(own, abs=0.02)
 
 
 @given(REMAINING, SLOPES)
 def test_on_the_profile_its_own_slope_is_wanted(remaining, slope):
     step = 1e-4
-    height = profile_height(remaining, slope)
-    rise = (height - profile_height(remaining + step, slope)) / step
-    assert goal_slope(height, remaining, slope) == pytest.approx(rise, abs=1e-5)
+    height = profile_height(remaining, slope, UNIT)
+    rise = (height - profile_height(remaining + step, slope, UNIT)) / step
+    assert goal_slope(height, remaining, slope, UNIT) == pytest.approx(rise, abs=1e-5)
 
 
 @given(st.floats(0.0, 200.0), REMAINING, SLOPES)
 def test_too_high_it_is_never_steeper_up(height, remaining, slope):
-    on_it = profile_height(remaining, slope)
-    higher = goal_slope(on_it + height, remaining, slope)
-    assert higher <= goal_slope(on_it, remaining, slope)
+    on_it = profile_height(remaining, slope, UNIT)
+    higher = goal_slope(on_it + height, remaining, slope, UNIT)
+    assert higher <= goal_slope(on_it, remaining, slope, UNIT)
 
 
 @pytest.mark.parametrize("below", [100.0, -100.0])
 @pytest.mark.parametrize("dt", [0.02, 0.1])
 def test_the_slope_changes_no_faster_than_its_rate(below, dt):
     here = state((-100.0, 0.0, GOAL.p_n[2] + below), 0.0)
-    after = plan_slope(here, GOAL, AEROSONDE, 100.0, 25.0, 0.0, dt)
-    assert after == pytest.approx(math.copysign(SLOPE_RATE * dt, below))
+    after = plan_slope(here, GOAL, AEROSONDE, SPEED, 100.0, 25.0, 0.0, dt)
+    assert after == pytest.approx(math.copysign(SLOPE_RATE / SPEED * dt, below))
 
 
 @given(st.floats(-300.0, 300.0), REMAINING, st.floats(-10.0, 45.0), st.floats(18.0, 32.0))
 def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, groundspeed, speed):
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)._replace(airspeed=speed)
-    slope = plan_slope(here, GOAL, AEROSONDE, remaining, groundspeed, 0.0, 100.0)
+    slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, 0.0, 100.0)
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
     gamma = path_angle(slope, groundspeed, 0.0, speed, AEROSONDE)
@@ -85,9 +90,9 @@ def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, gr
 def test_on_a_loiter_height_comes_back_over_its_horizon(height):
     circle = GOAL._replace(circle=1.0, radius=100.0, slope=0.0)
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)
-    slope = plan_slope(here, circle, AEROSONDE, math.inf, 25.0, 0.0, 100.0)
+    slope = plan_slope(here, circle, AEROSONDE, SPEED, math.inf, 25.0, 0.0, 100.0)
     up, down = math.sin(10.0 * DEG), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
-    wanted = max(-down, min(up, -2.0 * height / LOITER_HORIZON))
+    wanted = max(-down, min(up, -2.0 * height / (LOITER_HORIZON * UNIT)))
     assert slope == pytest.approx(wanted)
 
 
@@ -95,11 +100,11 @@ def test_no_dive_past_the_fastest_and_no_climb_below_the_slowest_airspeed():
     """With the engine at rest an Aerosonde gains speed in a dive of 10 degrees: 35.5 m/s."""
     fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
     full = math.sin(AEROSONDE.climb_max)
-    for airspeed in (slowest + AIRSPEED_BAND, 25.0, fastest - AIRSPEED_BAND):
-        assert steepest_path(airspeed, -0.1, -1.0, AEROSONDE) == full
-        assert steepest_path(airspeed, 0.1, 0.0, AEROSONDE) == full
-    assert steepest_path(fastest + AIRSPEED_BAND, -0.1, -1.0, AEROSONDE) == 0.0
-    assert steepest_path(slowest - AIRSPEED_BAND, 0.1, 0.0, AEROSONDE) == 0.0
+    for airspeed in (slowest + BAND, 25.0, fastest - BAND):
+        assert steepest_path(airspeed, -0.1, -1.0, AEROSONDE, BAND) == full
+        assert steepest_path(airspeed, 0.1, 0.0, AEROSONDE, BAND) == full
+    assert steepest_path(fastest + BAND, -0.1, -1.0, AEROSONDE, BAND) == 0.0
+    assert steepest_path(slowest - BAND, 0.1, 0.0, AEROSONDE, BAND) == 0.0
 
 
 def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_for_it():
@@ -110,20 +115,27 @@ def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_f
     assert descent_at_airspeed(AEROSONDE, 0.15) == pytest.approx(glide)
     assert descent_at_airspeed(AEROSONDE, -math.tan(9.0 * DEG)) == pytest.approx(9.0 * DEG)
     assert descent_at_airspeed(AEROSONDE, -1.0) == AEROSONDE.descent_max
-    assert steepest_path(25.0, -0.1, 0.0, AEROSONDE) == pytest.approx(math.sin(glide))
+    assert steepest_path(25.0, -0.1, 0.0, AEROSONDE, BAND) == pytest.approx(math.sin(glide))
 
 
 def test_at_the_limits_of_the_airspeed_height_can_still_be_changed():
     """They may be commanded; and away from a limit the airspeed is free to return."""
     fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
     full = math.sin(AEROSONDE.climb_max)
-    assert steepest_path(fastest, -0.1, -1.0, AEROSONDE) == pytest.approx(0.5 * full)
-    assert steepest_path(slowest, 0.1, 0.0, AEROSONDE) == pytest.approx(0.5 * full)
-    assert steepest_path(fastest + 5.0, 0.1, 0.0, AEROSONDE) == full
-    assert steepest_path(slowest - 5.0, -0.1, -1.0, AEROSONDE) == full
+    assert steepest_path(fastest, -0.1, -1.0, AEROSONDE, BAND) == pytest.approx(0.5 * full)
+    assert steepest_path(slowest, 0.1, 0.0, AEROSONDE, BAND) == pytest.approx(0.5 * full)
+    assert steepest_path(fastest + 5.0, 0.1, 0.0, AEROSONDE, BAND) == full
+    assert steepest_path(slowest - 5.0, -0.1, -1.0, AEROSONDE, BAND) == full
 
 
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])
 @pytest.mark.parametrize("airspeed", [0.0, 1e-9, 25.0])
 def test_the_ratio_of_the_speeds_is_bounded(airspeed, groundspeed):
     assert 0.0 <= airspeed_over_ground(airspeed, groundspeed) <= 5.0 + 1e-9
+
+
+@pytest.mark.parametrize("airspeed", [11.0, 25.0, 45.0])
+def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspeed):
+    here = state((-100.0, 0.0, GOAL.p_n[2] + 50.0), 0.0)
+    after = plan_slope(here, GOAL, AEROSONDE, airspeed, 100.0, airspeed, 0.0, 0.02)
+    assert after * airspeed / 0.02 == pytest.approx(2.5)

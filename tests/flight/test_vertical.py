@@ -2,44 +2,62 @@
 
 import pytest
 
+from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import LINE_UP, STANDOFF, goal_slope, path_needed, profile_height
 
 SLOPES = [0.0, 0.1, -0.12]
+UNIT = turn_length(25.0)
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("height", [60.0, 5.0, -40.0])
 def test_an_error_of_height_falls_in_a_line_and_ends_as_a_parabola(height, slope):
     whole, step = 800.0, 0.05
-    off = height - profile_height(whole, slope)
-    steady = off / (whole - 0.5 * LINE_UP)
+    line_up = LINE_UP * UNIT
+    off = height - profile_height(whole, slope, UNIT)
+    steady = off / (whole - 0.5 * line_up)
     remaining = whole
-    while remaining > STANDOFF:
-        height += step * goal_slope(height, remaining, slope)
+    while remaining > STANDOFF * UNIT:
+        height += step * goal_slope(height, remaining, slope, UNIT)
         remaining -= step
-        left = steady * (remaining - 0.5 * LINE_UP)
-        if remaining < LINE_UP:
-            left = steady * 0.5 * remaining**2 / LINE_UP
-        assert height - profile_height(remaining, slope) == pytest.approx(left, abs=0.02)
+        left = steady * (remaining - 0.5 * line_up)
+        if remaining < line_up:
+            left = steady * 0.5 * remaining**2 / line_up
+        error = height - profile_height(remaining, slope, UNIT)
+        assert min(0.0, left) - 0.02 <= error <= max(0.0, left) + 0.02
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 def test_the_profile_ends_at_the_goal_with_its_slope_and_is_level_far_away(slope):
-    assert profile_height(0.0, slope) == 0.0
+    assert profile_height(0.0, slope, UNIT) == 0.0
     step = 1e-4
-    assert profile_height(step, slope) / step == pytest.approx(-slope, abs=1e-5)
-    assert profile_height(LINE_UP, slope) == profile_height(5.0 * LINE_UP, slope)
+    assert profile_height(step, slope, UNIT) / step == pytest.approx(-slope, abs=1e-5)
+    assert profile_height(LINE_UP * UNIT, slope, UNIT) == profile_height(
+        5.0 * LINE_UP * UNIT, slope, UNIT
+    )
 
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("remaining", [35.0, 60.0, 99.0, 400.0])
 def test_on_the_profile_the_slope_is_the_profiles(slope, remaining):
     step = 1e-4
-    rise = profile_height(remaining - step, slope) - profile_height(remaining + step, slope)
-    on_it = profile_height(remaining, slope)
-    assert goal_slope(on_it, remaining, slope) == pytest.approx(rise / (2.0 * step), abs=1e-6)
+    rise = profile_height(remaining - step, slope, UNIT) - profile_height(
+        remaining + step, slope, UNIT
+    )
+    on_it = profile_height(remaining, slope, UNIT)
+    assert goal_slope(on_it, remaining, slope, UNIT) == pytest.approx(rise / (2.0 * step), abs=1e-6)
 
 
 def test_a_change_of_height_at_the_steepest_slope_takes_the_path_needed():
-    assert path_needed(50.0, 1000.0, 0.0, 0.1) == 500.0
-    assert path_needed(-50.0, 1000.0, 0.0, 0.1) == 500.0
+    assert path_needed(50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
+    assert path_needed(-50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
+
+
+@pytest.mark.parametrize("times", [0.2, 3.0])
+def test_the_profile_of_another_aircraft_is_the_same_in_turn_lengths(times):
+    for height, remaining, slope in ((20.0, 300.0, 0.1), (-8.0, 60.0, 0.0), (1.0, 10.0, -0.12)):
+        large, far, unit = times * height, times * remaining, times * UNIT
+        there = goal_slope(large, far, slope, unit)
+        assert there == pytest.approx(goal_slope(height, remaining, slope, UNIT))
+        needed = path_needed(large, far, slope, 0.1, unit)
+        assert needed == pytest.approx(times * path_needed(height, remaining, slope, 0.1, UNIT))

@@ -22,7 +22,15 @@ def tool():
 
 def options(wind):
     return Namespace(
-        seed=77, nearest=100.0, farthest=1000.0, height=30.0, wind=wind, turbulence="none", set=[]
+        aircraft="aerosonde",
+        scenario="first-flight",
+        seed=77,
+        nearest=100.0,
+        farthest=1000.0,
+        height=30.0,
+        wind=wind,
+        turbulence="none",
+        set=[],
     )
 
 
@@ -36,6 +44,6 @@ def test_random_start(tool, number, wind, miss, course):
     assert flown.bank_deg <= 55.0
     assert flown.load[0] >= 0.3
     assert flown.load[1] <= 2.2
-    assert flown.airspeed[0] >= 1.2 * tool.STALL_MPS
+    assert flown.airspeed[0] >= 1.2 * tool.frame_of("aerosonde").stall
     assert flown.below_m <= 50.0
     assert flown.rate_hz >= 49.5

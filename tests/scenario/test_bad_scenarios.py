@@ -168,11 +168,11 @@ def instead_of_goal(lines: str) -> str:
         (
             in_vehicle('aircraft = "aerosond"'),
             'vehicle[0].aircraft = "aerosond": no such aircraft, did you mean '
-            "aerosonde?; allowed: aerosonde",
+            "aerosonde?; allowed: aerosonde, c172p, easystar",
         ),
         (
             in_vehicle('aircraft = "../x"'),
-            'vehicle[0].aircraft = "../x": no such aircraft; allowed: aerosonde',
+            'vehicle[0].aircraft = "../x": no such aircraft; allowed: aerosonde, c172p, easystar',
         ),
         (
             in_vehicle("airspeed_mps = 12.0"),

@@ -8,6 +8,7 @@ from flight_samples import MINIMAL, loaded_from
 from vfguide.scenario.data import data_folder, find_aircraft, find_scenario, shipped_scenarios
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import check_file
+from vfguide.scenario.models import require_models
 
 
 def test_shipped_names() -> None:
@@ -77,7 +78,7 @@ def test_an_aircraft_without_a_model_cannot_be_simulated(tmp_path: Path) -> None
     (tmp_path / "aircraft" / "aerosonde.toml").write_text(shipped)
     loaded = loaded_from(tmp_path)
     with pytest.raises(InputError) as error:
-        loaded.require_models()
+        require_models(loaded)
     missing = tmp_path / "aircraft" / "aerosonde" / "aerosonde.xml"
     expected = f"{missing}: no such file, the simulation of aerosonde needs it"
     assert str(error.value) == expected

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
+from vfguide.scenario.models import require_models
 from vfguide.scenario.resolved import Scenario
 
 RICH = """\
@@ -208,6 +209,33 @@ def test_speeds_and_bank_to_fly(tmp_path: Path) -> None:
     assert (gains.airspeed, gains.bank_max) == pytest.approx((27.0, math.radians(45.0)))
 
 
+@pytest.mark.parametrize(
+    ("roll_s", "k_w", "k_lateral", "k_elevation", "sluggish"),
+    [
+        (0.04, 3.5, 1.2, 0.5, 0.0),
+        (0.08, 3.5, 1.2, 0.5, 0.0),
+        (0.16, 1.75, 1.2, 0.25, 0.08),
+        (0.4, 0.7, 0.6, 0.1, 0.32),
+    ],
+)
+def test_gains_follow_the_roll_response(
+    tmp_path: Path,
+    roll_s: float,
+    k_w: float,
+    k_lateral: float,
+    k_elevation: float,
+    sluggish: float,
+) -> None:
+    text = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    (tmp_path / "aircraft").mkdir()
+    own = tmp_path / "aircraft" / "aerosonde.toml"
+    own.write_text(text.replace("roll_s = 0.08", f"roll_s = {roll_s}"))
+    loaded = loaded_from(tmp_path)
+    gains = loaded.gains(loaded.scenario.vehicles[0])
+    found = (gains.k_w, gains.k_lateral, gains.k_elevation, gains.sluggish)
+    assert found == pytest.approx((k_w, k_lateral, k_elevation, sluggish))
+
+
 def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None:
     own = tmp_path / "aircraft" / "mine"
     own.mkdir(parents=True)
@@ -230,7 +258,7 @@ def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None
 def test_shipped_scenarios_can_be_flown(name: str) -> None:
     loaded = load_scenario(name)
     assert loaded.scenario.name == name.replace("/", "-")
-    loaded.require_models()
+    require_models(loaded)
 
 
 def test_first_flight_needs_a_turn() -> None:

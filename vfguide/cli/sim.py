@@ -41,12 +41,13 @@ def sim(
     from vfguide.scenario.crew import simulate
     from vfguide.scenario.errors import InputError
     from vfguide.scenario.load import load_scenario
+    from vfguide.scenario.models import require_models
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
 
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
-    loaded.require_models()
+    require_models(loaded)
     with Signals() as signals, ExitStack() as stack:
         sockets = open_sockets(loaded.scenario, stack)
         observe = truth_writer(log, stack)

@@ -34,7 +34,7 @@ def guide(
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     bank_max = usable_bank(aircraft, gains, speed)
     leg = keep_radius(memory.leg, flyable_radius(state, bank_max, gains))
-    leg, course = plan_course(state, target, aircraft, gains, leg)
+    leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
     gamma = math.asin(max(-1.0, min(1.0, -air[2] / speed)))
     heading = heading_for_course(
         target.course + course.chi,
@@ -44,7 +44,14 @@ def guide(
     )
 
     slope = plan_slope(
-        state, target, aircraft, course.remaining, heading.groundspeed, memory.slope, dt
+        state,
+        target,
+        aircraft,
+        gains.airspeed,
+        course.remaining,
+        heading.groundspeed,
+        memory.slope,
+        dt,
     )
     gamma_wanted = path_angle(slope, heading.groundspeed, state.wind_n[2], speed, aircraft)
 
@@ -75,6 +82,13 @@ def guide(
         leg.radius,
     )
     return RateSetpoint(omega, thrust, to_quaternion(R_na)), after, wish
+
+
+@compiled
+def soon(state: FlightState, gains: Gains) -> FlightState:
+    """The state with the position half a roll response later, when a turn will have begun."""
+    p_n = add(state.p_n, scale(0.5 * gains.sluggish, state.v_n))
+    return FlightState(state.time, p_n, state.v_n, state.R_nb, state.airspeed, state.wind_n)
 
 
 @compiled

@@ -6,7 +6,7 @@ from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, lift_for_turn
 from vfguide.flight.leg import Leg, turn_radius
 from vfguide.flight.memory import Target
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.planner import fly_leg, leg_course
 from vfguide.flight.state import FlightState
 from vfguide.flight.vertical import descent_at_airspeed, path_needed
@@ -19,6 +19,9 @@ LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
 PLANNED = 0.92
 """Part of the steepest slope that ways are planned with."""
+SLOWEST_TURN = 2.5
+"""No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
+the same time for a small aircraft, which could turn faster."""
 OPPOSITE = 2.5
 """Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
 
@@ -34,7 +37,9 @@ def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
 def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
     """Turn radius over ground at the commanded airspeed in this wind [m]."""
     wind = math.hypot(state.wind_n[0], state.wind_n[1])
-    return turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
+    radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
+    radius += 0.5 * (gains.airspeed + wind) * gains.sluggish
+    return max(radius, SLOWEST_TURN * gains.airspeed)
 
 
 @compiled
@@ -57,9 +62,10 @@ def plan_course(
     height = target.p_n[2] - state.p_n[2]
     descent = descent_at_airspeed(aircraft, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
-    tail = wind_along(state.wind_n, target.course)
+    tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
     slope = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
-    needed = path_needed(height, math.hypot(at.x, at.y), target.slope, max(slope, 1e-6))
+    distance = math.hypot(at.x, at.y)
+    needed = path_needed(height, distance, target.slope, max(slope, 1e-6), unit)
     leg = fly_leg(leg, at, needed, gains)
     return leg, leg_course(leg, at, gains)
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import G0
 
 
 class Performance(NamedTuple):
@@ -66,10 +67,23 @@ class Gains(NamedTuple):
     beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""
+    sluggish: float = 0.0
+    """How much longer the roll rate takes for 63 % of a step than the 0.08 s for which these
+    defaults are made [s]: the course is planned for half of it ahead, and turns become wider by
+    half the way that is flown meanwhile."""
+
+
+@compiled
+def turn_length(airspeed: float) -> float:
+    """V^2 / g [m]: the radius of a turn at 45 degrees of bank, to which distances are scaled.
+
+    63.7 m for the Aerosonde at 25 m/s, with which the multiples of it were measured.
+    """
+    return airspeed * airspeed / G0
 
 
 Law = NDArray[np.float64]
-"""Performance and gains as one array, (28,): compiled code that is called from Python checks every
+"""Performance and gains as one array, (29,): compiled code that is called from Python checks every
 field of a record at every call, an array at once."""
 
 
@@ -85,5 +99,5 @@ def unpacked(a: Law) -> tuple[Performance, Gains]:
     limits = (a[3], a[4], a[5], a[6], a[7], (a[8], a[9], a[10]))
     lift = (a[11], a[12])
     thrust = (a[13], a[14], a[15], a[16], a[17])
-    gains = (a[18], a[19], a[20], a[21], a[22], a[23], a[24], a[25], a[26], a[27])
+    gains = (a[18], a[19], a[20], a[21], a[22], a[23], a[24], a[25], a[26], a[27], a[28])
     return Performance(*(speeds + limits + lift + thrust)), Gains(*gains)

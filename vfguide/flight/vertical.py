@@ -3,22 +3,27 @@
 import math
 
 from vfguide.flight.memory import Target
-from vfguide.flight.performance import Performance
+from vfguide.flight.performance import Performance, turn_length
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
 
-STANDOFF = 30.0
-"""The distance to the goal is not taken below this in the profile [m]."""
-LINE_UP = 100.0
-"""The slope of the goal is taken up over this distance before it [m]."""
-LOITER_HORIZON = 150.0
-"""Distance over which a loitering vehicle takes away an error of height [m]."""
-AIRSPEED_BAND = 0.75
-"""Within this of the limits of the airspeed climbs and descents become flatter [m/s]."""
+STANDOFF = 0.47
+"""The distance to the goal is not taken below this in the profile, in turn lengths."""
+LINE_UP = 1.57
+"""The slope of the goal is taken up over this distance before it, in turn lengths."""
+LOITER_HORIZON = 2.35
+"""Distance over which a loitering vehicle takes away an error of height, in turn lengths."""
+SOON = 0.785
+"""A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
+GENTLE = 0.06
+"""... a larger one with this slope."""
+AIRSPEED_BAND = 0.03
+"""Within this of the limits of the airspeed climbs and descents become flatter, as a share of
+the airspeed to fly."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
-SLOPE_RATE = 0.1
-"""Fastest change of the wanted slope [1/s]: 2.5 m/s^2 at 25 m/s."""
+SLOPE_RATE = 2.5
+"""Fastest change of the wanted slope times the airspeed to fly [m/s^2]."""
 
 
 @compiled
@@ -26,6 +31,7 @@ def plan_slope(
     state: FlightState,
     target: Target,
     aircraft: Performance,
+    airspeed: float,
     remaining: float,
     groundspeed: float,
     before: float,
@@ -37,6 +43,7 @@ def plan_slope(
         state: of the vehicle.
         target: what it flies to.
         aircraft: its limits.
+        airspeed: true airspeed to fly [m/s]; distances and rates scale with it.
         remaining: path over ground to the target [m].
         groundspeed: along the course [m/s].
         before: the slope of the step before.
@@ -44,15 +51,18 @@ def plan_slope(
     """
     height = target.p_n[2] - state.p_n[2]
     if target.circle != 0.0:
-        wanted = -2.0 * height / LOITER_HORIZON
+        wanted = -2.0 * height / (LOITER_HORIZON * turn_length(airspeed))
     else:
-        wanted = goal_slope(height, remaining, target.slope)
+        wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    steepest = steepest_path(state.airspeed, wanted, target.slope, aircraft)
+    band = AIRSPEED_BAND * airspeed
+    steepest = steepest_path(state.airspeed, wanted, target.slope, aircraft, band)
     wanted = max(-up * steepest, min(up * steepest, wanted))
-    return max(before - SLOPE_RATE * dt, min(before + SLOPE_RATE * dt, wanted))
+    change = SLOPE_RATE / airspeed * dt
+    return max(before - change, min(before + change, wanted))
 
 
+@compiled
 @compiled
 def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
     """Steepest angle of a descent that hardly gains airspeed, or the goal's own [rad].
@@ -66,22 +76,24 @@ def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
 
 
 @compiled
-def steepest_path(airspeed: float, slope: float, goal_slope: float, aircraft: Performance) -> float:
+def steepest_path(
+    airspeed: float, slope: float, goal_slope: float, aircraft: Performance, band: float
+) -> float:
     """Largest sine of the path angle up or down, as the sign of `slope` says.
 
     It is halved where a climb takes the airspeed to its lower limit or a descent to its upper
-    one, and falls to zero beyond.
+    one, begins to fall `band` [m/s] before and is zero as far beyond.
     """
     if slope > 0.0:
-        return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min)
+        return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min, band)
     steepest = descent_at_airspeed(aircraft, goal_slope)
-    return math.sin(steepest) * share(aircraft.airspeed_max - airspeed)
+    return math.sin(steepest) * share(aircraft.airspeed_max - airspeed, band)
 
 
 @compiled
-def share(margin: float) -> float:
+def share(margin: float, band: float) -> float:
     """Part of the path angle that is flown with the airspeed `margin` inside its limit [m/s]."""
-    return max(0.0, min(1.0, 0.5 + 0.5 * margin / AIRSPEED_BAND))
+    return max(0.0, min(1.0, 0.5 + 0.5 * margin / band))
 
 
 @compiled
@@ -100,27 +112,31 @@ def path_angle(
 
 
 @compiled
-def goal_slope(height: float, remaining: float, goal_slope: float) -> float:
+def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) -> float:
     """Slope dh/ds of a path that ends at the goal's height with the goal's slope.
 
-    `height` above the goal [m], `remaining` path over ground [m]. The error of height over the
-    goal's own profile falls in a straight line until LINE_UP before the goal, from there as a
-    parabola: its slope is -2 error / remaining.
+    `height` above the goal [m], `remaining` path over ground [m], `unit` turn length [m]. The
+    error of height over the goal's own profile falls in a straight line until LINE_UP before the
+    goal, from there as a parabola: its slope is -2 error / remaining. Small errors fall sooner.
     """
-    error = height - profile_height(remaining, goal_slope)
-    own = goal_slope * max(0.0, 1.0 - remaining / LINE_UP)
-    over = 0.5 * remaining if remaining < LINE_UP else remaining - 0.5 * LINE_UP
-    return own - error / max(over, 0.5 * STANDOFF)
+    error = height - profile_height(remaining, goal_slope, unit)
+    line_up = LINE_UP * unit
+    own = goal_slope * max(0.0, 1.0 - remaining / line_up)
+    over = 0.5 * remaining if remaining < line_up else remaining - 0.5 * line_up
+    soon = max(SOON * unit, abs(error) / GENTLE)
+    return own - error / max(min(over, soon), 0.5 * STANDOFF * unit)
 
 
 @compiled
-def profile_height(remaining: float, goal_slope: float) -> float:
+def profile_height(remaining: float, goal_slope: float, unit: float) -> float:
     """Height over the goal of the path that is level until LINE_UP before it [m]."""
-    r = min(remaining, LINE_UP)
-    return -goal_slope * r * (1.0 - 0.5 * r / LINE_UP)
+    r = min(remaining, LINE_UP * unit)
+    return -goal_slope * r * (1.0 - 0.5 * r / (LINE_UP * unit))
 
 
 @compiled
-def path_needed(height: float, remaining: float, goal_slope: float, slope_max: float) -> float:
+def path_needed(
+    height: float, remaining: float, goal_slope: float, slope_max: float, unit: float
+) -> float:
     """Shortest path over ground that takes away `height` over the goal's profile [m]."""
-    return abs(height - profile_height(remaining, goal_slope)) / slope_max
+    return abs(height - profile_height(remaining, goal_slope, unit)) / slope_max

@@ -1,12 +1,15 @@
 """What the companion knows of an aircraft: the file `aircraft/NAME.toml`."""
 
 import math
+import re
 from typing import Annotated
+
+from pydantic import AfterValidator
 
 from vfguide.flight.performance import Performance
 from vfguide.scenario.data import AircraftFiles
 from vfguide.scenario.source import Source
-from vfguide.scenario.tables import Table, above, between
+from vfguide.scenario.tables import Table, above, between, rule_broken
 
 Speed = Annotated[float, above(0, 150)]
 PathAngle = Annotated[float, above(0, 45)]
@@ -59,6 +62,19 @@ class Response(Table):
     thrust_s: Annotated[float, between(0, 10)] = 0.5
 
 
+def _folder_name(name: str) -> str:
+    if not re.fullmatch(r"\w[\w-]*", name):
+        raise rule_broken("allowed is the name of a folder: letters, digits, - and _")
+    return name
+
+
+class ModelTable(Table):
+    """What the simulator flies."""
+
+    stock: Annotated[str, AfterValidator(_folder_name)] | None = None
+    """Name of an aircraft that the jsbsim package ships; None: NAME/NAME.xml."""
+
+
 class Aircraft(Table):
     """One aircraft as the companion knows it."""
 
@@ -70,6 +86,7 @@ class Aircraft(Table):
     lift: Lift = Lift()
     thrust: Thrust
     response: Response
+    model: ModelTable = ModelTable()
 
     def performance(self) -> Performance:
         """The same for the flight law, SI units and radians."""

@@ -9,10 +9,11 @@ from vfguide.geometry.units import DEG, US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.models import model_of
 from vfguide.scenario.resolve import plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.bench import Bench
-from vfguide.sim.condition import Model, Start, Turbulence, Weather
+from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.identify import IdentifyError
 from vfguide.sim.trim import TrimError, trim
@@ -43,8 +44,7 @@ def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:
 def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
     """What a simulated vehicle begins with."""
     scenario = loaded.scenario
-    files = loaded.files[vehicle.aircraft]
-    model = Model(files.root, vehicle.aircraft)
+    model = model_of(loaded, vehicle.aircraft)
     latitude, longitude, altitude = ned_to_geodetic(plane_of(scenario.origin), vehicle.position_m)
     condition = trim(Bench(model, altitude), vehicle.airspeed_mps)
     return Setup(

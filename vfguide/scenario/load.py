@@ -19,6 +19,10 @@ from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 
+FAST, PROMPT = 0.08, 0.2
+"""Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
+ones get less in proportion, since the inner loop has to be the faster one."""
+
 
 @dataclass(frozen=True)
 class LoadedScenario:
@@ -38,12 +42,14 @@ class LoadedScenario:
         """What the flight law of `vehicle` flies with."""
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
+        roll_time = self.aircraft[vehicle.aircraft].response.roll_s
         return Gains(
             airspeed=self.scenario.airspeed_of(vehicle),
-            k_w=guidance.k_w,
-            k_lateral=guidance.k_lateral,
-            k_elevation=guidance.k_elevation,
+            k_w=guidance.k_w * min(1.0, FAST / roll_time),
+            k_lateral=guidance.k_lateral * min(1.0, PROMPT / roll_time),
+            k_elevation=guidance.k_elevation * min(1.0, FAST / roll_time),
             bank_max=bank * DEG,
+            sluggish=max(0.0, roll_time - FAST),
         )
 
     def require_mavlink(self) -> None:
@@ -56,19 +62,6 @@ class LoadedScenario:
             plant = self.scenario.plant
             rule = 'it has no autopilot and no MAVLink, only vfguide run flies it; allowed "jsbsim"'
             raise InputError(f'{self.path}: plant = "{plant}": {rule}')
-
-    def require_models(self) -> None:
-        """Make sure that every aircraft can be simulated.
-
-        Raises:
-            InputError: one has no JSBSim model.
-        """
-        if self.scenario.plant != "jsbsim":
-            return
-        for name, files in self.files.items():
-            if files.model is None:
-                missing = files.root / name / f"{name}.xml"
-                raise InputError(f"{missing}: no such file, the simulation of {name} needs it")
 
     def write_resolved(self, path: Path) -> None:
         """Write the scenario whose flight is the same, and beside it aircraft of the user's own."""

@@ -3,6 +3,7 @@
 from vfguide.companion.legs import Goal
 from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
+from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
@@ -11,8 +12,9 @@ from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle
 
 SIDES = {"right": 1.0, "left": -1.0}
-LOITER_RADIUS = 100.0
-"""Of the circle after the last goal [m]; more where wind and bank ask for it."""
+LOITER_RADIUS = 1.57
+"""Of the circle after the last goal, in turn lengths (100 m at 25 m/s); more where wind and bank
+ask for it."""
 
 
 def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
@@ -35,7 +37,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         place_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
         SIDES[guidance.loiter],
-        LOITER_RADIUS,
+        LOITER_RADIUS * turn_length(loaded.scenario.airspeed_of(vehicle)),
         guidance.rate_hz,
         loaded.performance(vehicle),
         loaded.gains(vehicle),

@@ -8,6 +8,7 @@ from vfguide.link.tlog import TlogError
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.lockstep import Ending, Progress, fly_scenario
+from vfguide.scenario.models import require_models
 from vfguide.scenario.report import write_report
 from vfguide.scenario.result import Result, judge, write_result
 
@@ -39,7 +40,7 @@ def run_scenario(
         InputError: the folder is not empty, cannot be written or is full, or an aircraft's
             model cannot be flown.
     """
-    loaded.require_models()
+    require_models(loaded)
     prepare_folder(folder)
     try:
         loaded.write_resolved(folder / "scenario.toml")

@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+from pathlib import Path
 from typing import Any
 
 os.environ.setdefault("JSBSIM_DEBUG", "0")
@@ -17,6 +18,11 @@ JsbsimError = jsbsim.BaseError
 
 class ModelError(Exception):
     """A JSBSim model cannot be flown; the message names its file and what is wrong with it."""
+
+
+def stock_root() -> Path:
+    """The folder of the aircraft that the jsbsim package ships."""
+    return Path(jsbsim.get_default_root_dir()) / "aircraft"
 
 
 def load(model: Model, dt: float) -> Fdm:

@@ -3,15 +3,16 @@
 import math
 
 from vfguide.flight.memory import Memory, Target, fresh_memory
-from vfguide.flight.performance import Gains, Performance, packed
+from vfguide.flight.performance import Gains, Performance, packed, turn_length
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.geometry.so3 import from_euler
 from vfguide.safety.limits import guide_within_limits
 from vfguide.sim.estimate import Estimate, Origin
 
-RADIUS = 100.0
-"""Of the circle [m], as PX4's NAV_LOITER_RAD; more where wind and speed ask for it."""
+RADIUS = 1.57
+"""Of the circle, in turn lengths: 100 m at 25 m/s; more where wind and bank ask for it. On PX4
+the operator sets NAV_LOITER_RAD for his aircraft."""
 
 
 class Hold:
@@ -21,7 +22,8 @@ class Hold:
         """A hold for `aircraft` at the true `airspeed` [m/s]."""
         self._law = packed(aircraft, Gains(airspeed))
         self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
-        self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, RADIUS)
+        self._radius = RADIUS * turn_length(airspeed)
+        self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
         self._memory: Memory = fresh_memory()
 
     def begin_here(self, estimate: Estimate) -> None:
@@ -32,7 +34,9 @@ class Hold:
 
     def begin_about(self, origin: Origin) -> None:
         """Fly to a circle about `origin`, at its height."""
-        self._begin((origin.latitude, origin.longitude, origin.altitude), (0.0, -RADIUS, 0.0), 0.0)
+        self._begin(
+            (origin.latitude, origin.longitude, origin.altitude), (0.0, -self._radius, 0.0), 0.0
+        )
 
     def _begin(
         self,
@@ -41,7 +45,7 @@ class Hold:
         course: float,
     ) -> None:
         self._plane = tangent_plane(*place)
-        self._target = Target(p_n, course, 0.0, 1.0, RADIUS)
+        self._target = Target(p_n, course, 0.0, 1.0, self._radius)
         self._memory = fresh_memory()
 
     def step(self, estimate: Estimate) -> RateSetpoint:

@@ -1,5 +1,8 @@
 """Trim: the steady straight flight of a JSBSim model, by least squares on its accelerations."""
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
@@ -9,16 +12,29 @@ from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
 from vfguide.sim.signals import Controls
 
+Vector = NDArray[np.float64]
+
 _WEIGHTS = np.array([1.0, 1.0, 1.0, 5.0, 5.0, 5.0])
 """By these, 1 m/s^2 and 0.2 rad/s^2 count alike."""
 _RESIDUAL_MAX = 1e-4
 """Largest weighted acceleration that still is a trim: 1e-5 g."""
 
 # The unknowns: alpha, bank, aileron, elevator, rudder, throttle.
-_GUESS = np.array([3.0 * DEG, 0.0, 0.0, 0.0, 0.0, 0.5])
+_GUESSES = np.array(
+    [
+        [3.0 * DEG, 0.0, 0.0, 0.0, 0.0, 0.5],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.8],
+        [8.0 * DEG, 0.0, 0.0, -0.2, 0.0, 0.7],
+    ]
+)
+"""Tried one after the other: middle, fast and slow flight."""
 _LOWEST = np.array([-20.0 * DEG, -30.0 * DEG, -1.0, -1.0, -1.0, 0.0])
 _HIGHEST = np.array([30.0 * DEG, 30.0 * DEG, 1.0, 1.0, 1.0, 1.0])
 _SCALE = np.array([0.05, 0.02, 0.05, 0.1, 0.05, 0.2])
+_STEPS = 1e-3 * _SCALE
+"""Of the differences: JSBSim's rounding errors drown the answers to much smaller ones."""
+_MOST_STEPS = 40
+"""A trim takes ten; one that is not there would take hundreds."""
 
 
 class TrimError(Exception):
@@ -37,29 +53,49 @@ def trim(bench: Bench, airspeed: float, climb: float = 0.0) -> FlightCondition:
         TrimError: thrust or surfaces do not suffice.
     """
 
-    def residual(unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+    def residual(unknowns: Vector) -> Vector:
         return _WEIGHTS * bench.accelerations(_condition(airspeed, climb, unknowns))
 
+    worst = np.inf
+    for guess in _GUESSES:
+        unknowns, remaining = _solve(residual, guess)
+        if remaining < _RESIDUAL_MAX:
+            return _condition(airspeed, climb, unknowns)
+        worst = min(worst, remaining)
+    raise TrimError(
+        f"{bench.model.name}: no steady flight at {airspeed:.1f} m/s, climbing "
+        f"{climb / DEG:.1f} deg; at best {worst:.2g} m/s^2 remain"
+    )
+
+
+def _solve(residual: Callable[[Vector], Vector], guess: Vector) -> tuple[Vector, float]:
+    """The unknowns of least residual from one guess, and the largest of the six that remains."""
     solution = least_squares(
         residual,
-        _GUESS,
+        guess,
+        partial(_slopes, residual),  # pyright: ignore[reportArgumentType], scipy takes functions
         bounds=(_LOWEST, _HIGHEST),
         x_scale=_SCALE,
-        diff_step=1e-4,
         xtol=1e-12,
         ftol=1e-14,
         gtol=1e-14,
+        max_nfev=_MOST_STEPS,
     )
-    worst = float(np.max(np.abs(solution.fun)))
-    if not worst < _RESIDUAL_MAX:
-        raise TrimError(
-            f"{bench.model.name}: no steady flight at {airspeed:.1f} m/s, climbing "
-            f"{climb / DEG:.1f} deg; at best {worst:.2g} m/s^2 remain"
-        )
-    return _condition(airspeed, climb, solution.x)
+    return solution.x, float(np.max(np.abs(solution.fun)))
 
 
-def _condition(airspeed: float, climb: float, unknowns: NDArray[np.float64]) -> FlightCondition:
+def _slopes(residual: Callable[[Vector], Vector], unknowns: Vector) -> Vector:
+    """Derivatives of the residual by the unknowns, from differences into the bounds; (6, 6)."""
+    middle = residual(unknowns)
+    steps = np.where(unknowns + _STEPS <= _HIGHEST, _STEPS, -_STEPS)
+    rows = [
+        (residual(unknowns + moved) - middle) / step
+        for moved, step in zip(np.diag(steps), steps, strict=True)
+    ]
+    return np.column_stack(rows)
+
+
+def _condition(airspeed: float, climb: float, unknowns: Vector) -> FlightCondition:
     alpha, bank, aileron, elevator, rudder, throttle = map(float, unknowns)
     controls = Controls(aileron, elevator, rudder, throttle)
     return FlightCondition(airspeed, alpha, bank=bank, climb=climb, controls=controls)

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""An aircraft file for a JSBSim model: flight tests on the model, printed as TOML.
+
+    python tools/measure_aircraft.py aircraft/easystar --cruise 11
+    python tools/measure_aircraft.py J3Cub --cruise 30
+
+The first word is the folder of a model, FOLDER/NAME/NAME.xml, or an aircraft that the jsbsim
+package ships. docs/aircraft.md tells how each number is measured, on a real aircraft as well.
+"""
+
+import argparse
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from vfguide.geometry.units import DEG, G0
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import Model, Start
+from vfguide.sim.fdm import stock_root
+from vfguide.sim.identify import identify
+from vfguide.sim.inner_loop import inner_loop
+from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.trim import TrimError, trim
+
+STEADY = (0.0, 0.0, 0.0)
+RATES_DPS = (100.0, 80.0, 60.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0)
+"""Body rates that are tried, the fastest that is followed is taken [deg/s]."""
+
+
+@dataclass(frozen=True)
+class FlightTest:
+    """One model at one altitude [m] and cruise [m/s]."""
+
+    model: Model
+    cruise: float
+    altitude: float
+
+    def trims(self, airspeed: float, climb: float = 0.0) -> bool:
+        """Whether it flies steadily so."""
+        try:
+            trim(Bench(self.model, self.altitude), airspeed, climb)
+        except TrimError:
+            return False
+        return True
+
+    def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> np.ndarray:
+        """Body rates [rad/s] and thrust [N] from a step at cruise on, (N, 4)."""
+        its = identify(self.model, self.cruise, self.altitude)
+        plant = Plant(self.model, Start(0.8, 0.1, self.altitude, 0.0, its.cruise))
+        wanted, memory = (*omega_b, its.cruise_thrust + thrust), STEADY
+        rows = [(*plant.inner()[:3], plant.thrust())]
+        for _ in range(round(seconds / STEP)):
+            controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
+            plant.advance(controls)
+            rows.append((*plant.inner()[:3], plant.thrust()))
+        return np.array(rows)
+
+    def share(self, axis: int, rate: float) -> np.ndarray:
+        """Body rate after a step of `rate` [rad/s] about one axis, as a share of it."""
+        omega_b = tuple(rate if axis == i else 0.0 for i in range(3))
+        return self.responses(omega_b, 0.0, 0.6)[:, axis] / rate
+
+
+def last_that(holds: Callable[[float], bool], good: float, bad: float, close: float) -> float:
+    """The farthest from `good` towards `bad` at which something holds."""
+    while abs(bad - good) > close:
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if holds(middle) else (good, middle)
+    return good
+
+
+def is_followed(test: FlightTest, axis: int, rate: float) -> bool:
+    """Whether steps to both sides are followed within 0.2 s, and to 20 %."""
+    shares = [test.share(axis, rate), test.share(axis, -rate)]
+    return all(time_to_63(s) < 0.2 and (abs(s[60:] - 1.0) < 0.2).all() for s in shares)
+
+
+def time_to_63(share: np.ndarray) -> float:
+    """63 % of a step [s]; infinite if it does not get there."""
+    late = share > 1.0 - math.exp(-1.0)
+    return STEP * float(np.argmax(late)) if late.any() else math.inf
+
+
+def fastest_rate(test: FlightTest, axis: int) -> float:
+    """The fastest of RATES_DPS that is followed [deg/s]."""
+    return next((r for r in RATES_DPS if is_followed(test, axis, r * DEG)), RATES_DPS[-1])
+
+
+def drag_of_lift(test: FlightTest) -> float:
+    """Induced drag at cruise [N]: D = a V^2 + b / V^2 through two speeds of level flight."""
+    bench, speeds = Bench(test.model, test.altitude), np.array([1.0, 1.15]) * test.cruise
+    drags = [bench.thrust(trim(bench, float(v))) for v in speeds]
+    (_, b) = np.linalg.solve(np.column_stack([speeds**2, speeds**-2]), drags)
+    return max(0.0, float(b) / test.cruise**2)
+
+
+def lift_fit(test: FlightTest) -> tuple[float, float]:
+    """alpha_zero [deg] and alpha_load [deg m^2/s^2] through the trims about cruise."""
+    bench, speeds = Bench(test.model, test.altitude), np.array([0.9, 1.0, 1.15]) * test.cruise
+    alphas = [trim(bench, float(v)).alpha / DEG for v in speeds]
+    load, zero = np.polyfit(speeds**-2, alphas, 1)
+    return float(zero), float(load)
+
+
+def measure(test: FlightTest, name: str, stock: str | None) -> str:
+    """The whole file."""
+    its, bench = identify(test.model, test.cruise, test.altitude), Bench(test.model, test.altitude)
+    stall = last_that(test.trims, test.cruise, 0.2 * test.cruise, 0.01 * test.cruise)
+    fastest = last_that(test.trims, test.cruise, 2.0 * test.cruise, 0.01 * test.cruise)
+
+    def climbs(angle: float) -> bool:
+        return test.trims(test.cruise, angle)
+
+    up, down = (last_that(climbs, 0.0, end * DEG, 0.2 * DEG) / DEG for end in (40.0, -40.0))
+    rates = [fastest_rate(test, axis) for axis in range(3)]
+    roll_s = time_to_63(test.share(0, rates[0] * DEG))
+    thrusts = test.responses(STEADY, 0.1, 4.0)[:, 3]
+    thrust_s = time_to_63((thrusts - thrusts[0]) / (0.1 * its.thrust.full_thrust))
+    per_climb = bench.mass * G0 / its.thrust.full_thrust
+    # Speed errors vanish with 0.8 1/s, or more slowly where the engine is the slower one.
+    bandwidth = min(0.8, 0.6 / thrust_s)
+    per_airspeed = bandwidth * per_climb / G0
+    zero, load = lift_fit(test)
+    model = f'\n[model]\nstock = "{stock}"\n' if stock else ""
+    return f"""\
+name = "{name}"
+source = "Measured on the JSBSim model, {test.altitude:g} m above the sea"
+
+[airspeed]
+# Level flight from {stall:.1f} m/s, taken as the 1-g stall, to {fastest:.1f} m/s.
+min_mps = {1.04 * stall:.1f}
+cruise_mps = {test.cruise:.1f}
+max_mps = {min(0.95 * fastest, 1.35 * test.cruise):.1f}
+
+[limits]
+bank_max_deg = 45.0
+load_factor_max = 1.7
+load_factor_min = 0.3
+# The steepest steady climb at cruise is {up:.1f} deg, the steepest descent {-down:.1f} deg.
+climb_max_deg = {min(10.0, 0.6 * up):.1f}
+descent_max_deg = {min(10.0, -0.7 * down):.1f}
+roll_rate_max_dps = {rates[0]}
+pitch_rate_max_dps = {rates[1]}
+yaw_rate_max_dps = {rates[2]}
+
+[lift]
+alpha_zero_deg = {zero:.2f}
+alpha_load_deg_m2ps2 = {load:.1f}
+
+[thrust]
+# Full thrust at cruise is {its.thrust.full_thrust:.4g} N.
+trim = {its.cruise_thrust:.3f}
+per_climb = {per_climb:.2f}
+per_load = {drag_of_lift(test) / its.thrust.full_thrust:.3f}
+per_airspeed = {per_airspeed:.3f}
+integral = {0.24 * bandwidth * per_airspeed:.3f}
+
+[response]
+roll_s = {roll_s:.3f}
+thrust_s = {thrust_s:.2f}
+{model}"""
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("model", help="folder of a model, or an aircraft of the jsbsim package")
+    parser.add_argument("--cruise", type=float, required=True, help="[m/s]")
+    parser.add_argument("--altitude", type=float, default=638.0, help="above the sea [m]")
+    args = parser.parse_args()
+    folder = Path(args.model)
+    own = (folder / f"{folder.name}.xml").is_file()
+    model = Model(folder.parent, folder.name) if own else Model(stock_root(), args.model)
+    test = FlightTest(model, args.cruise, args.altitude)
+    print(measure(test, model.name, None if own else args.model), end="")
+
+
+if __name__ == "__main__":
+    main()
