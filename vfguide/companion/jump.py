@@ -1,0 +1,75 @@
+"""Jumps of what the autopilot believes of its place: let in slowly, never flown at once.
+
+When an autopilot's estimator is reset, position or origin jump while the aircraft does not. The
+place that is flown on goes on from where it was, and the difference dies away: the reference
+attitude stays continuous, and no goal is passed by a jump.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.flight.state import FlightState
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3, add, norm, scale, sub
+
+LEAST, BOUND = 2.0, 10.0
+"""More than this [m], plus this times the time squared [m/s^2], no aeroplane strays from its
+course between two steps."""
+LONGEST = 1.0
+"""After a pause longer than this nothing is known of a jump [s]."""
+DECAY = 1.5
+"""The difference dies away with this time constant [s]."""
+SMALL = 1.0
+"""Above this difference no goal counts as passed [m]."""
+
+
+class Jumps(NamedTuple):
+    """Memory of the jumps."""
+
+    offset_n: Vec3
+    """What was told less what is flown on, NED [m]."""
+    count: int
+    """How many there were."""
+    size: float
+    """Of the latest [m]."""
+
+
+@compiled
+def no_jumps() -> Jumps:
+    """Nothing has jumped yet."""
+    return Jumps((0.0, 0.0, 0.0), 0, 0.0)
+
+
+@compiled
+def follow_jumps(jumps: Jumps, before: tuple[Vec3, Vec3], told: FlightState, dt: float) -> Jumps:
+    """The jumps after a step of `dt` [s].
+
+    Args:
+        jumps: at the step before.
+        before: position that was flown on [m] and velocity [m/s] at the step before.
+        told: the state as it is told now.
+        dt: the time step [s].
+    """
+    p_n, v_n = before
+    if not 0.0 < dt < LONGEST:
+        return Jumps((0.0, 0.0, 0.0), jumps.count, jumps.size)
+    moved = scale(0.5 * dt, add(v_n, told.v_n))
+    off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
+    left = scale(math.exp(-dt / DECAY), jumps.offset_n)
+    size = norm(off)
+    if not size > LEAST + BOUND * dt * dt:
+        return Jumps(left, jumps.count, jumps.size)
+    return Jumps(add(left, off), jumps.count + 1, size)
+
+
+@compiled
+def smoothed(told: FlightState, jumps: Jumps) -> FlightState:
+    """The state to fly on: the told one less what has not been let in yet."""
+    p_n = sub(told.p_n, jumps.offset_n)
+    return FlightState(told.time, p_n, told.v_n, told.R_nb, told.airspeed, told.wind_n)
+
+
+@compiled
+def settled(jumps: Jumps) -> bool:
+    """Whether the place that is flown on is the one that is told."""
+    return norm(jumps.offset_n) < SMALL
