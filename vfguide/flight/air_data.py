@@ -13,6 +13,7 @@ from vfguide.flight.air_state import (
     MODEL,
     NORTH,
     SAME,
+    SIDE,
     THRUST,
     TIME,
     TOLD,
@@ -26,6 +27,7 @@ from vfguide.flight.performance import AIRSPEED_GAIN, BANK_GAIN, Law, Performanc
 from vfguide.flight.state import FlightState
 from vfguide.flight.wind_estimate import (
     begin,
+    feel_side,
     flown,
     follow_model,
     predict,
@@ -37,13 +39,13 @@ from vfguide.geometry.compiled import compiled
 
 GAP = 1.0
 """After a pause longer than this the estimate begins anew [s]."""
-IMPLAUSIBLE = 5.0
+IMPLAUSIBLE = 7.0
 """A sensor this far from what pitch and thrust ask for is not flown on [m/s], ..."""
-FROZEN = 1.5
+FROZEN = 2.5
 """... one that tells the same number all the time this far [m/s], ..."""
 FROZEN_TIME = 3.0
 """... if it has done so for this long [s]."""
-FAILED = 1.0
+FAILED = 2.0
 """It has failed when it has been implausible for this long, ... [s]"""
 RECOVERED = 5.0
 """... and works again when it has been plausible for this long [s]."""
@@ -68,12 +70,13 @@ def sense_air(
     told = state.airspeed
     if before < 0.0 or not 0.0 <= dt < GAP:
         speed = cruise if math.isnan(told) or told < 0.5 * cruise else told
-        d_n = flown(state.R_nb, speed, aircraft.thrust_trim, aircraft).d_n
-        begin(air, state.time, state.v_n, state.R_nb, speed, d_n)
+        d_n = flown(state.R_nb, speed, aircraft.thrust_trim, 0.0, aircraft).d_n
+        begin(air, state.time, state.v_n, speed, d_n)
         air[TRUST] = 0.0 if math.isnan(told) else 1.0
         dt = 1e-3
     elif dt > 0.0:
-        how = flown(state.R_nb, air[X + AIRSPEED], air[THRUST], aircraft)
+        feel_side(air, state.v_n, state.R_nb, dt)
+        how = flown(state.R_nb, air[X + AIRSPEED], air[THRUST], air[SIDE], aircraft)
         follow_model(air, how, dt)
         predict(air, how, dt)
         watch_triangle(air, state.v_n, how.d_n, dt)

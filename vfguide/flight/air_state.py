@@ -25,7 +25,11 @@ P = X + STATES
 """First of STATES x STATES covariances, row by row."""
 THRUST = P + STATES * STATES
 """Thrust setpoint of the last step, 0 to 1."""
-MODEL = THRUST + 1
+BEFORE = THRUST + 1
+"""First of three: velocity over ground at the last step, NED [m/s]."""
+SIDE = BEFORE + 3
+"""Specific force to the right across the fuselage, smoothed [m/s^2]."""
+MODEL = SIDE + 1
 """Airspeed that pitch and thrust alone ask for [m/s]."""
 TOLD = MODEL + 1
 """What the sensor told last [m/s]."""

@@ -1,10 +1,11 @@
 """Wind and airspeed from ground velocity, attitude, thrust, and an airspeed sensor if there is one.
 
 An extended Kalman filter after the wind triangle: ground velocity = wind + V d, where d is the
-direction of flight through the air that the attitude shows when nothing slips. Along d wind and
-airspeed cannot be told apart; a turn does it, and between turns the sensor, or else the model:
+direction of flight through the air: that of the fuselage, less the angle of attack that carries the
+aircraft, less the slip that the force from the side shows. Along d wind and airspeed cannot be told
+apart; a turn does it, and between turns the sensor, or else the model:
 V' = g ((thrust - drag) / weight - sin(path angle)), the path angle from pitch less the angle of
-attack that carries the aircraft. This needs no vertical wind: gusts move pitch and path alike.
+attack. This needs no vertical wind: gusts move pitch and path alike.
 
 Errors that last, of slip in gusts and of velocity, count as white noise that carries as little.
 """
@@ -14,11 +15,13 @@ from typing import NamedTuple
 
 from vfguide.flight.air_state import (
     AIRSPEED,
+    BEFORE,
     EAST,
     MODEL,
     NORTH,
     PUSH,
     SENSOR,
+    SIDE,
     STATES,
     TIME,
     YAW,
@@ -29,22 +32,29 @@ from vfguide.flight.air_state import (
 from vfguide.flight.performance import Performance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import DEG, G0
-from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.geometry.vector import Mat3, Vec3, unit
 
-GROWTH = (0.1, 0.1, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
+GROWTH = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
 """Growth of the variances in a second: gusts carry wind and airspeed away."""
 FIRST = (0.0, 0.0, 2.5, 3.0 * DEG, 1.0, 0.15)
 """Standard deviations before anything is measured; of the wind, what the others leave."""
-ALONG, ACROSS = 0.3, 1.3
+ALONG, ACROSS = 0.8, 1.3
 """Errors of the wind triangle along and across the direction of flight [m/s], lasting a second."""
 SENSED = 0.5
 """Noise of the airspeed sensor [m/s], lasting 0.1 s: it is told ten times a second."""
 WIND_TOLD = 1.0
 """Error of the autopilot's wind [m/s], lasting 5 s."""
-RECALL = 10.0
+RECALL = 5.0
 """The airspeed of the model follows the estimate in this time [s]."""
 STEEPEST = 60.0 * DEG
 """Banks beyond this count as this."""
+SIDEWAYS = 0.12
+"""Force from the side for each radian of slip, over lift for each radian of angle of attack: 0.15
+for the Aerosonde of Beard and McLain (CY_beta -0.83, CL_alpha 5.61), 0.06 for a Cessna 172. Where
+it is half of this, half of the slip goes unseen."""
+MOST_SLIP = 15.0 * DEG
+SIDE_TIME = 0.5
+"""The force from the side is smoothed over this time [s]."""
 
 
 class Flown(NamedTuple):
@@ -59,16 +69,19 @@ class Flown(NamedTuple):
 
 
 @compiled
-def flown(R_nb: Mat3, airspeed: float, thrust: float, aircraft: Performance) -> Flown:
-    """Direction and acceleration of coordinated flight at this attitude, airspeed and thrust."""
+def flown(R_nb: Mat3, airspeed: float, thrust: float, side: float, aircraft: Performance) -> Flown:
+    """Direction and acceleration of flight at this attitude, airspeed, thrust and side force."""
     cosine = max(math.cos(STEEPEST), R_nb[2][2] / math.hypot(R_nb[2][1], R_nb[2][2]))
     load, speed = 1.0 / cosine, max(airspeed, 0.5 * aircraft.airspeed_min)
     lift = aircraft.alpha_load * load / (speed * speed)
     c, s = math.cos(aircraft.alpha_zero + lift), math.sin(aircraft.alpha_zero + lift)
-    d_n = (
-        c * R_nb[0][0] + s * R_nb[0][2],
-        c * R_nb[1][0] + s * R_nb[1][2],
-        c * R_nb[2][0] + s * R_nb[2][2],
+    b = slip(side, speed, aircraft)
+    d_n = unit(
+        (
+            c * R_nb[0][0] + b * R_nb[0][1] + s * R_nb[0][2],
+            c * R_nb[1][0] + b * R_nb[1][1] + s * R_nb[1][2],
+            c * R_nb[2][0] + b * R_nb[2][1] + s * R_nb[2][2],
+        )
     )
     ratio = speed / aircraft.airspeed_cruise
     induced = aircraft.thrust_per_load * load * load / (ratio * ratio)
@@ -79,10 +92,29 @@ def flown(R_nb: Mat3, airspeed: float, thrust: float, aircraft: Performance) -> 
 
 
 @compiled
-def begin(air: AirState, time: float, v_n: Vec3, R_nb: Mat3, airspeed: float, d_n: Vec3) -> None:
+def slip(side: float, airspeed: float, aircraft: Performance) -> float:
+    """Sideslip [rad], positive with the air from the right, of a specific force `side` [m/s^2]."""
+    stiffness = SIDEWAYS * G0 * airspeed * airspeed / aircraft.alpha_load
+    return max(-MOST_SLIP, min(MOST_SLIP, -side / stiffness))
+
+
+@compiled
+def feel_side(air: AirState, v_n: Vec3, R_nb: Mat3, dt: float) -> None:
+    """The specific force across the fuselage, (v' - g) . y_b, from one velocity to the next."""
+    side = -G0 * R_nb[2][1]
+    for k in range(3):
+        side += (v_n[k] - air[BEFORE + k]) / dt * R_nb[k][1]
+        air[BEFORE + k] = v_n[k]
+    air[SIDE] += dt / (SIDE_TIME + dt) * (side - air[SIDE])
+
+
+@compiled
+def begin(air: AirState, time: float, v_n: Vec3, airspeed: float, d_n: Vec3) -> None:
     """The first estimate, from one look: fills `air`."""
     air[:] = 0.0
     air[TIME] = time
+    for k in range(3):
+        air[BEFORE + k] = v_n[k]
     air[X + NORTH] = v_n[0] - airspeed * d_n[0]
     air[X + EAST] = v_n[1] - airspeed * d_n[1]
     air[X + AIRSPEED] = air[MODEL] = airspeed
