@@ -17,7 +17,7 @@ LEAST, BOUND = 2.0, 10.0
 course between two steps."""
 LONGEST = 1.0
 """After a pause longer than this nothing is known of a jump [s]."""
-DECAY = 1.5
+DECAY = 1.0
 """The difference dies away with this time constant [s]."""
 SMALL = 1.0
 """Above this difference no goal counts as passed [m]."""

@@ -10,6 +10,7 @@ from vfguide.companion.route_memory import (
     PackedMemory,
     goal_in,
     holds_in,
+    settled_in,
     trusts_sensor_in,
 )
 from vfguide.link.messages import GpsGlobalOrigin
@@ -93,7 +94,7 @@ def air_notes(before: PackedMemory, after: PackedMemory, plan: Plan) -> list[str
     notes: list[str] = []
     if trusts_sensor_in(after) != trusts_sensor_in(before) or before[AIR_TIME] < 0.0:
         notes += sensor_notes(trusts_sensor_in(after), begins=before[AIR_TIME] < 0.0)
-    if after[JUMPS] != before[JUMPS]:
+    if after[JUMPS] != before[JUMPS] and not settled_in(after):
         notes.append(JUMPED.format(size=after[JUMP_SIZE]))
     if holds_in(after) != holds_in(before):
         notes.append(wind_note(after, plan))

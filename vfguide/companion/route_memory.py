@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.companion.jump import Jumps, no_jumps
+from vfguide.companion.jump import Jumps, no_jumps, settled
 from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
 from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.planner import Leg, new_leg
@@ -85,6 +85,11 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
 def goal_in(memory: PackedMemory) -> int:
     """Index of the goal that is flown to."""
     return int(memory[0])
+
+
+def settled_in(memory: PackedMemory) -> bool:
+    """Whether no jump of the position is being let in."""
+    return settled(Jumps((memory[30], memory[31], memory[32]), 0, 0.0))
 
 
 def trusts_sensor_in(memory: PackedMemory) -> bool:

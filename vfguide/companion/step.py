@@ -73,6 +73,8 @@ def step(
     if stand.holds or not settled(jumps):
         passage = NO_PASSAGE
     memory = note_passage(passage, legs, memory)
+    if memory.stand.holds and not stand.holds:
+        memory = begin_leg(memory.goal, memory)
     if stand.holds:
         flown_in, target = in_air_frame(state), into_wind(stand, state)
     else:

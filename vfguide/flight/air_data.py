@@ -40,11 +40,13 @@ from vfguide.geometry.compiled import compiled
 GAP = 1.0
 """After a pause longer than this the estimate begins anew [s]."""
 IMPLAUSIBLE = 7.0
-"""A sensor this far from what pitch and thrust ask for is not flown on [m/s], ..."""
-FROZEN = 2.5
-"""... one that tells the same number all the time this far [m/s], ..."""
+"""A sensor this far from what pitch and thrust ask for is not flown on [m/s]."""
+STILL = 0.02
 FROZEN_TIME = 3.0
-"""... if it has done so for this long [s]."""
+FROZEN = 1.0
+"""One that has not moved by STILL [m/s] for FROZEN_TIME [s] has failed when it is FROZEN off [m/s].
+The true airspeed of a number that stands still moves a little with the height; and in still air
+without noise an aircraft in trim tells the same number for long."""
 FAILED = 2.0
 """It has failed when it has been implausible for this long, ... [s]"""
 RECOVERED = 5.0
@@ -97,17 +99,18 @@ def sense_air(
 @compiled
 def doubt_sensor(air: AirState, told: float, dt: float) -> None:
     """Judge what the sensor tells [m/s], and whether it is trusted."""
-    air[SAME] = air[SAME] + dt if told == air[TOLD] else 0.0
-    air[TOLD] = told
+    air[SAME] += dt
+    if not abs(told - air[TOLD]) < STILL:  # not-a-number too
+        air[TOLD], air[SAME] = told, 0.0
     off = abs(told - air[MODEL])
-    good = off < (FROZEN if air[SAME] > FROZEN_TIME else IMPLAUSIBLE)  # false for not-a-number
-    if good:
+    frozen = air[SAME] > FROZEN_TIME and off > FROZEN
+    if off < IMPLAUSIBLE and not frozen:  # false for not-a-number
         air[DOUBT] = min(air[DOUBT], 0.0) - dt
     else:
         air[DOUBT] = max(air[DOUBT], 0.0) + dt
-    if air[DOUBT] > FAILED:
+    if frozen or air[DOUBT] > FAILED:
         air[TRUST] = 0.0
-    elif air[DOUBT] < -RECOVERED:
+    elif air[DOUBT] < -RECOVERED and air[SAME] < FROZEN_TIME:
         air[TRUST] = 1.0
 
 

@@ -32,9 +32,9 @@ SIDE = BEFORE + 3
 MODEL = SIDE + 1
 """Airspeed that pitch and thrust alone ask for [m/s]."""
 TOLD = MODEL + 1
-"""What the sensor told last [m/s]."""
+"""What the sensor told when it last moved [m/s]."""
 SAME = TOLD + 1
-"""For how long it has told that [s]."""
+"""For how long it has told about that [s]."""
 DOUBT = SAME + 1
 """For how long it has been implausible, negative: plausible [s]."""
 TRUST = DOUBT + 1
