@@ -28,7 +28,7 @@ class Jumps(NamedTuple):
 
     offset_n: Vec3
     """What was told less what is flown on, NED [m]."""
-    count: int
+    number: int
     """How many there were."""
     size: float
     """Of the latest [m]."""
@@ -52,14 +52,14 @@ def follow_jumps(jumps: Jumps, before: tuple[Vec3, Vec3], told: FlightState, dt:
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST:
-        return Jumps((0.0, 0.0, 0.0), jumps.count, jumps.size)
+        return Jumps((0.0, 0.0, 0.0), jumps.number, jumps.size)
     moved = scale(0.5 * dt, add(v_n, told.v_n))
     off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
     left = scale(math.exp(-dt / DECAY), jumps.offset_n)
     size = norm(off)
     if not size > LEAST + BOUND * dt * dt:
-        return Jumps(left, jumps.count, jumps.size)
-    return Jumps(add(left, off), jumps.count + 1, size)
+        return Jumps(left, jumps.number, jumps.size)
+    return Jumps(add(left, off), jumps.number + 1, size)
 
 
 @compiled

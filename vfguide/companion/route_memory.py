@@ -74,7 +74,7 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     R, reference = f.R_na, f.omega_a
     law = (f.time, *leg, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
     learned = (f.thrust_integral, f.alpha_bias)
-    jumped = (*jumps.offset_n, float(jumps.count), jumps.size)
+    jumped = (*jumps.offset_n, float(jumps.number), jumps.size)
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
     packed = np.empty(AIR + AIR_NUMBERS)
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from vfguide.scenario.aircraft_file import Aircraft
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.scenario_file import LEAST_BANK_DEG, ScenarioFile
+from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, ScenarioFile
 from vfguide.scenario.source import Location, Source
 from vfguide.scenario.tables import in_words
 
@@ -90,7 +90,7 @@ def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> Non
             raise source.error((*at, "altitude_m"), f"not above the ground, {lowest}", altitude)
 
 
-def check_still_air(scenario: Scenario, entry: ScenarioFile, source: Source) -> None:
+def check_still_air(scenario: Scenario, source: Source) -> None:
     """No wind is asked for where there is no air, no sensors where there is no autopilot.
 
     Raises:
@@ -106,8 +106,8 @@ def check_still_air(scenario: Scenario, entry: ScenarioFile, source: Source) -> 
         raise source.error(at, f"{rule}, allowed 0", wind.shear_mps_per_100m)
     if wind.change:
         raise source.error(("wind", "change"), f"{rule}, allowed none")
-    for table in ("sensors", "autopilot"):
-        if table in entry.model_fields_set:
+    for table, unused in (("sensors", None), ("autopilot", Autopilot())):
+        if getattr(scenario, table) != unused:
             raise source.error((table,), 'plant = "kinematic" has no autopilot, allowed none')
 
 

@@ -97,7 +97,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
         checks.check_ground(scenario, entry, source)
         checks.check_changes(scenario, source)
     else:
-        checks.check_still_air(scenario, entry, source)
+        checks.check_still_air(scenario, source)
     checks.check_room(scenario, source)
     check_obstacles(scenario, source)
     return LoadedScenario(scenario, source.path, files, aircraft)

@@ -87,7 +87,7 @@ class Wind(Table):
     """What the wind gains on each 100 m of height, along its direction at the beginning."""
     shear_height_m: Annotated[float, between(0, 10_000)] = 100.0
     """Above the ground: where the wind has the written speed."""
-    change: Annotated[list[WindChange], Field(default_factory=list)]
+    change: list[WindChange] = Field(default_factory=list[WindChange])
     """Linear from one to the next."""
 
 
@@ -167,7 +167,7 @@ class Autopilot(Table):
     airspeed_fault: AirspeedFault = "missing"
     wind_message: bool = True
     """Whether WIND_COV is sent."""
-    reset: Annotated[list[Reset], Field(default_factory=list)]
+    reset: list[Reset] = Field(default_factory=list[Reset])
 
 
 class Sensors(Table):
