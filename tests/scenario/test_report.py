@@ -114,6 +114,7 @@ def test_the_report_holds_the_figures_that_lie_beside_it(run: Run, page: Page) -
             "attitude",
             "envelope",
             "rates",
+            "air",
         )
     )
     embedded = {base64.b64decode(its.split(",")[1]) for its in page.references}

@@ -17,8 +17,10 @@ LEAST, BOUND = 2.0, 10.0
 course between two steps."""
 LONGEST = 1.0
 """After a pause longer than this nothing is known of a jump [s]."""
+PATIENCE = 0.5
+"""A difference stands for this long [s]: time to ask whether it was the origin that moved."""
 DECAY = 1.0
-"""The difference dies away with this time constant [s]."""
+"""Then it dies away with this time constant [s]."""
 SMALL = 1.0
 """Above this difference no goal counts as passed [m]."""
 
@@ -32,12 +34,14 @@ class Jumps(NamedTuple):
     """How many there were."""
     size: float
     """Of the latest [m]."""
+    age: float
+    """Time since then [s]."""
 
 
 @compiled
 def no_jumps() -> Jumps:
     """Nothing has jumped yet."""
-    return Jumps((0.0, 0.0, 0.0), 0, 0.0)
+    return Jumps((0.0, 0.0, 0.0), 0, 0.0, 0.0)
 
 
 @compiled
@@ -52,14 +56,15 @@ def follow_jumps(jumps: Jumps, before: tuple[Vec3, Vec3], told: FlightState, dt:
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST:
-        return Jumps((0.0, 0.0, 0.0), jumps.number, jumps.size)
+        return Jumps((0.0, 0.0, 0.0), jumps.number, jumps.size, 0.0)
     moved = scale(0.5 * dt, add(v_n, told.v_n))
     off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
-    left = scale(math.exp(-dt / DECAY), jumps.offset_n)
+    age = jumps.age + dt
+    left = scale(math.exp(-dt / DECAY), jumps.offset_n) if age > PATIENCE else jumps.offset_n
     size = norm(off)
     if not size > LEAST + BOUND * dt * dt:
-        return Jumps(left, jumps.number, jumps.size)
-    return Jumps(add(left, off), jumps.number + 1, size)
+        return Jumps(left, jumps.number, jumps.size, age)
+    return Jumps(add(jumps.offset_n, off), jumps.number + 1, size, 0.0)
 
 
 @compiled

@@ -59,7 +59,7 @@ def take_over(memory: RouteMemory) -> RouteMemory:
 PackedMemory = NDArray[np.float64]
 """(AIR + AIR_NUMBERS,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
-JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 33, 34, 35, 36, 38
+JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 33, 34, 36, 37, 39
 AIR_TIME = AIR
 """Places of the count and the size of jumps, of the ratio of wind and airspeed and whether it is
 too large, of the air's numbers and the first of them."""
@@ -74,7 +74,7 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     R, reference = f.R_na, f.omega_a
     law = (f.time, *leg, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
     learned = (f.thrust_integral, f.alpha_bias)
-    jumped = (*jumps.offset_n, float(jumps.number), jumps.size)
+    jumped = (*jumps.offset_n, float(jumps.number), jumps.size, jumps.age)
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
     packed = np.empty(AIR + AIR_NUMBERS)
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))
@@ -89,7 +89,7 @@ def goal_in(memory: PackedMemory) -> int:
 
 def settled_in(memory: PackedMemory) -> bool:
     """Whether no jump of the position is being let in."""
-    return settled(Jumps((memory[30], memory[31], memory[32]), 0, 0.0))
+    return settled(Jumps((memory[30], memory[31], memory[32]), 0, 0.0, 0.0))
 
 
 def trusts_sensor_in(memory: PackedMemory) -> bool:
@@ -120,7 +120,7 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         (a[2], a[3], a[4]),
         (a[5], a[6], a[7]),
         flight,
-        Jumps((a[30], a[31], a[32]), int(a[33]), a[34]),
-        Stand(a[35], a[36] != 0.0, a[37]),
+        Jumps((a[30], a[31], a[32]), int(a[33]), a[34], a[35]),
+        Stand(a[36], a[37] != 0.0, a[38]),
         a[AIR:].copy(),
     )
