@@ -22,7 +22,16 @@ def tool():
 
 def options(wind):
     return Namespace(
-        seed=77, nearest=100.0, farthest=1000.0, height=30.0, wind=wind, turbulence="none", set=[]
+        seed=77,
+        nearest=100.0,
+        farthest=1000.0,
+        height=30.0,
+        wind=wind,
+        turbulence="none",
+        sensors=False,
+        no_wind_message=False,
+        no_airspeed=False,
+        set=[],
     )
 
 
