@@ -15,6 +15,7 @@ or higher by the same ratio.
 import argparse
 import math
 import tempfile
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import cache, partial
@@ -38,6 +39,8 @@ FIRST = "first-flight"
 GOAL_HEIGHT = 150.0
 """Above the ground [m], or more for large aircraft."""
 HEADING_DEG = 30.0
+SMOOTHED_S = 5.0
+"""The true wind is smoothed over this before an estimate is compared with it."""
 MOST_COURSE_DEG, MOST_BANK_DEG, LOADS, MARGIN, MOST_BELOW = 3.0, 55.0, (0.3, 2.2), 1.2, 50.0
 """What must hold: course at the goal, bank, load factor, airspeed over stall, depth [m]."""
 
@@ -117,6 +120,16 @@ class Outcome:
     airspeed: tuple[float, float]
     length: float
     """Of the path to the goal, over the reference."""
+    error_m: float
+    """Of the position that the guidance was given, at the pass."""
+    beyond_m: float
+    """The miss that this error does not explain: distance of the given position from the goal."""
+    wind_sigmas: float
+    """Largest error of the believed wind, the true one smoothed, in its standard deviations."""
+    wind_mps: float
+    """Median of that error."""
+    speed_mps: float
+    """Median error of the believed airspeed."""
     below_m: float
     """Depth below the lower of start and goal."""
     rate_hz: float
@@ -143,6 +156,9 @@ def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
         f"vehicle.0.goal.0.heading_deg={HEADING_DEG}",
         f"seed={number + 1}",
         f"duration_s={300.0 * max(1.0, scale):.0f}",
+        *(["sensors={}"] if args.sensors else []),
+        *(["autopilot.wind_message=false"] if args.no_wind_message else []),
+        *(["autopilot.airspeed_fails_at_s=0"] if args.no_airspeed else []),
         *args.set,
     )
 
@@ -171,9 +187,42 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
         (vehicle.load_factor[0] or nan, vehicle.load_factor[1] or nan),
         (vehicle.airspeed_mps[0] or nan, vehicle.airspeed_mps[1] or nan),
         math.nan if goal.time_s is None else length_over_reference(loaded, record, goal.time_s),
+        *beyond(record, goal.time_s, frame.goal),
+        *believed(record),
         float(record.p_n[:, 2].max() - lowest),
         vehicle.setpoint_rate_hz or nan,
     )
+
+
+def beyond(record: FlightRecord, time: float | None, goal: Sequence[float]) -> tuple[float, float]:
+    """Error of the given position at the pass [m], and the miss that it does not explain [m]."""
+    if time is None or record.position_error_n is None:
+        return math.nan, math.nan
+    columns = np.hstack((record.p_n, record.position_error_n)).T
+    p_n, error = np.split(np.array([np.interp(time, record.time, its) for its in columns]), 2)
+    # Between samples the path bends: only the plane across it counts.
+    along = np.array([np.interp(time, record.time, its) for its in record.v_n.T])
+    along /= np.linalg.norm(along)
+    off = p_n + error - np.array(goal)
+    return float(np.linalg.norm(error)), float(np.linalg.norm(off - along * (off @ along)))
+
+
+def believed(record: FlightRecord) -> tuple[float, float, float]:
+    """Errors of the believed wind, in deviations (99 %) and in m/s (median); of the airspeed."""
+    if record.wind_believed is None or record.airspeed_believed is None:
+        return math.nan, math.nan, math.nan
+    steps = max(1, round(SMOOTHED_S / (record.time[1] - record.time[0])))
+    weights = np.ones(steps) / steps
+    wind = np.column_stack([np.convolve(its, weights)[: len(its)] for its in record.wind_n.T[:2]])
+    late = slice(steps, None)
+    error = np.abs(record.wind_believed[late, :2] - wind[late]).max(axis=1)
+    sigma = record.wind_believed[late, 2]
+    known = sigma > 0.0
+    if not known.any():
+        return math.nan, math.nan, math.nan
+    speed = np.abs(record.airspeed_believed[late, 0] - record.airspeed[late])[known]
+    deviations = np.quantile(error[known] / sigma[known], 0.99)
+    return float(deviations), float(np.median(error[known])), float(np.median(speed))
 
 
 def length_over_reference(loaded: LoadedScenario, record: FlightRecord, time: float) -> float:
@@ -212,6 +261,13 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     print(f"height +-{height:.3g} m, wind {args.wind:g} m/s, turbulence {args.turbulence}")
     print(f"reached     {reached} of {len(outcomes)}")
     print(f"miss [m]    {spread([o.miss_m for o in outcomes])}")
+    if any(o.error_m > 0.0 for o in outcomes):
+        print(f"  error of the given position {spread([o.error_m for o in outcomes])}")
+        print(f"  miss beyond it {spread([o.beyond_m for o in outcomes])}")
+        print(f"  miss less it   {spread([max(0.0, o.miss_m - o.error_m) for o in outcomes])}")
+    print(f"wind error [m/s] {spread([o.wind_mps for o in outcomes])}")
+    print(f"  in deviations {spread([o.wind_sigmas for o in outcomes])}")
+    print(f"airspeed error [m/s] {spread([o.speed_mps for o in outcomes])}")
     print(f"course [deg] {spread([o.course_deg for o in outcomes])}")
     print(f"climb [deg] {spread([o.climb_deg for o in outcomes])}")
     print(f"time [s]    {spread([o.time_s for o in outcomes])}")
@@ -274,6 +330,9 @@ def main() -> None:
     parser.add_argument("--height", type=float, default=30.0, help="[m] for the Aerosonde")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--worst", type=int, default=5)
+    parser.add_argument("--sensors", action="store_true", help="errors of measurement")
+    parser.add_argument("--no-wind-message", action="store_true", help="the wind is estimated")
+    parser.add_argument("--no-airspeed", action="store_true", help="there is no airspeed sensor")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     args = parser.parse_args()
     if args.only is not None:

@@ -1,10 +1,13 @@
 """What is known after each message: one thing more, and nothing else."""
 
+import math
+
 import pytest
 from conversations import heartbeat, state
 
 from vfguide.companion.knowledge import (
     STALE,
+    WIND_STALE,
     Knowledge,
     elapsed,
     heard,
@@ -92,13 +95,17 @@ def test_what_lacks_is_named():
     assert lacking(known_at()) is None
 
 
+def airspeed_in(known):
+    return heard(known)[6]
+
+
 def test_an_airspeed_before_any_attitude_is_taken_up_with_the_next_one():
     known = observe(Knowledge(), VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))
     for message in state(90_000):
         if not isinstance(message, VfrHud):
             known = observe(known, message)
-    assert lacking(known) == "the airspeed is too old (VFR_HUD)"
-    assert lacking(observe(known, VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))) is None
+    assert math.isnan(airspeed_in(known))
+    assert airspeed_in(observe(known, VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))) == 24.0
 
 
 @pytest.mark.parametrize("before", [0, 1, 2**31, 2**32 - 1])
@@ -109,9 +116,22 @@ def test_times_count_across_the_rollover_in_both_directions(before, step):
     assert elapsed(after, before) == pytest.approx(-1e-3 * step)
 
 
+@pytest.mark.parametrize("age_ms", [0, 500, 4999, 5000, 5001, 60_000])
+def test_a_wind_is_flown_on_for_five_seconds(age_ms):
+    known = known_at(5000)
+    for message in state(5000 + age_ms)[1:]:
+        known = observe(known, message)
+    assert math.isnan(heard(known)[8][0]) == (age_ms > 1000 * WIND_STALE)
+
+
+def test_no_airspeed_sensor_is_told_as_not_a_number_and_is_flown_on():
+    known = observe(known_at(5000), VfrHud(math.nan, 25.0, 0, 30, 600.0, 0.0))
+    assert math.isnan(airspeed_in(known))
+    assert lacking(known) is None
+
+
 def test_an_airspeed_from_before_the_autopilots_restart_is_old():
     known = known_at(5_000_000)
     for message in (state(1000)[1], state(1000)[3]):
         known = observe(known, message)
-    assert lacking(known) == "the airspeed is too old (VFR_HUD)"
-    assert heard(known) is None
+    assert math.isnan(airspeed_in(known))

@@ -8,6 +8,7 @@ import pytest
 from vfguide.companion.legs import Goal, goal_of, leg_rows, target_of
 from vfguide.companion.place import place_state
 from vfguide.companion.route_memory import (
+    HOLDS,
     begin_leg,
     fresh_route,
     packed_memory,
@@ -103,14 +104,14 @@ def test_a_step_remembers_its_state():
 
 def test_after_the_last_goal_nothing_is_passed():
     before, after = state((499.7, 100.0, -160.0)), state((500.2, 100.0, -160.0))
-    on_circle = begin_leg(2, fresh_route().flight)._replace(begun=True, p_n=before.p_n)
+    on_circle = begin_leg(2, fresh_route())._replace(begun=True, p_n=before.p_n)
     assert passage_since(on_circle, after, LEGS).miss == math.inf
 
 
 def test_a_memory_packs_every_number_in_its_own_place():
     count = len(packed_memory(fresh_route()))
     numbers = np.arange(2.0, 2.0 + count)
-    numbers[1] = 1.0  # a truth value
+    numbers[[1, HOLDS]] = 1.0  # truth values
     assert (packed_memory(unpacked_memory(numbers)) == numbers).all()
 
 

@@ -30,6 +30,9 @@ def options(wind):
         height=30.0,
         wind=wind,
         turbulence="none",
+        sensors=False,
+        no_wind_message=False,
+        no_airspeed=False,
         set=[],
     )
 

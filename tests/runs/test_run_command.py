@@ -19,7 +19,7 @@ VEHICLE_KEYS = {
     *("id", "goals", "obstacles", "max_bank_deg", "load_factor", "airspeed_mps", "altitude_m"),
     *("setpoints", "setpoint_rate_hz"),
 }
-FIGURES = ("path-3d", "path-plan", "path-side", "position", "attitude", "envelope", "rates")
+FIGURES = ("path-3d", "path-plan", "path-side", "position", "attitude", "envelope", "rates", "air")
 
 
 def test_a_run_leaves_everything(tmp_path):

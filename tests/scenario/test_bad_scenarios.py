@@ -9,6 +9,21 @@ from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import load_scenario
 
 HEAD = "[[vehicle]]\nid = 1"
+SENSORS = {
+    "position_m": 100,
+    "height_m": 100,
+    "velocity_mps": 10,
+    "attitude_deg": 20,
+    "attitude_bias_deg": 20,
+    "yaw_deg": 45,
+    "yaw_bias_deg": 45,
+    "rate_dps": 50,
+    "rate_bias_dps": 50,
+    "airspeed_mps": 20,
+    "airspeed_bias_mps": 20,
+    "wind_mps": 20,
+}
+"""Their keys and the largest values."""
 GOAL = "position_m = [0, 0, -100]\nheading_deg = 0"
 
 
@@ -56,7 +71,7 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
-            "start_time, origin, wind, guidance, avoidance, vehicle, obstacle",
+            "start_time, origin, wind, sensors, autopilot, guidance, avoidance, vehicle, obstacle",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),
@@ -281,9 +296,107 @@ def instead_of_goal(lines: str) -> str:
             at_top("[avoidance]\ndetection_range_m = 20.0"),
             "avoidance.detection_range_m = 20.0: not beyond two safety radii, allowed above 20",
         ),
+        # Wind, sensors and what autopilots have.
         (
-            at_top("[wind]\nspeed_mps = 25.0"),
-            "wind.speed_mps = 25.0: as fast as a vehicle flies, allowed below 25",
+            at_top("[wind]\nspeed_mps = 51.0"),
+            "wind.speed_mps = 51.0: too large, allowed 0 to 50",
+        ),
+        (
+            at_top("[wind]\nshear_mps_per_100m = -21.0"),
+            "wind.shear_mps_per_100m = -21.0: too small, allowed -20 to 20",
+        ),
+        (
+            at_top("[wind]\nshear_height_m = -1.0"),
+            "wind.shear_height_m = -1.0: too small, allowed 0 to 10000",
+        ),
+        (
+            at_top("[wind]\nchange = 3"),
+            "wind.change = 3: wrong type, a list of tables is required",
+        ),
+        (
+            at_top("[[wind.change]]\nspeed_mps = 3"),
+            "wind.change[0].time_s: missing, but required",
+        ),
+        (
+            at_top("[[wind.change]]\ntime_s = 3"),
+            "wind.change[0].speed_mps: missing, but required",
+        ),
+        (
+            at_top("[[wind.change]]\ntime_s = 0\nspeed_mps = 3"),
+            "wind.change[0].time_s = 0: too small, allowed above 0, up to 86400",
+        ),
+        (
+            at_top("[[wind.change]]\ntime_s = 1\nspeed_mps = 51"),
+            "wind.change[0].speed_mps = 51: too large, allowed 0 to 50",
+        ),
+        (
+            at_top("[[wind.change]]\ntime_s = 1\nspeed_mps = 5\nfrom_deg = 361"),
+            "wind.change[0].from_deg = 361: too large, allowed -360 to 360",
+        ),
+        (
+            at_top(
+                "[[wind.change]]\ntime_s = 9\nspeed_mps = 3\n"
+                "[[wind.change]]\ntime_s = 9\nspeed_mps = 4"
+            ),
+            "wind.change[1].time_s = 9.0: not after the change before it, allowed above 9",
+        ),
+        *(
+            (
+                at_top(f"[sensors]\n{key} = -1"),
+                f"sensors.{key} = -1: too small, allowed 0 to {most}",
+            )
+            for key, most in SENSORS.items()
+        ),
+        (
+            at_top("[sensors]\ndrift_s = 0"),
+            "sensors.drift_s = 0: too small, allowed above 0, up to 86400",
+        ),
+        (
+            at_top("[autopilot]\nairspeed_fails_at_s = -1"),
+            "autopilot.airspeed_fails_at_s = -1: too small, allowed 0 to 86400",
+        ),
+        (
+            at_top('[autopilot]\nairspeed_fault = "blockd"'),
+            'autopilot.airspeed_fault = "blockd": unknown, did you mean blocked?; '
+            'allowed "missing", "frozen", "blocked"',
+        ),
+        (
+            at_top("[autopilot]\nwind_message = 0"),
+            "autopilot.wind_message = 0: wrong type, true or false is required",
+        ),
+        (
+            at_top("[[autopilot.reset]]\nposition_m = [1, 2, 3]"),
+            "autopilot.reset[0].time_s: missing, but required",
+        ),
+        (
+            at_top("[[autopilot.reset]]\ntime_s = -1"),
+            "autopilot.reset[0].time_s = -1: too small, allowed 0 to 86400",
+        ),
+        (
+            at_top("[[autopilot.reset]]\ntime_s = 1\nposition_m = [1, 2]"),
+            "autopilot.reset[0].position_m = [1, 2]: 2 values, a list of three numbers is required",
+        ),
+        (
+            at_top("[[autopilot.reset]]\ntime_s = 1\norigin_m = [1, 2, 1e6]"),
+            "autopilot.reset[0].origin_m = [1, 2, 1000000.0]: "
+            "too far from the origin, allowed -100000 to 100000 on each axis",
+        ),
+        # What a rigid body does not have.
+        (
+            at_top('plant = "kinematic"\n[sensors]'),
+            'sensors: plant = "kinematic" has no autopilot, allowed none',
+        ),
+        (
+            at_top('plant = "kinematic"\n[autopilot]\nwind_message = false'),
+            'autopilot: plant = "kinematic" has no autopilot, allowed none',
+        ),
+        (
+            at_top('plant = "kinematic"\n[wind]\nshear_mps_per_100m = 1.0'),
+            'wind.shear_mps_per_100m = 1.0: plant = "kinematic" has no wind, allowed 0',
+        ),
+        (
+            at_top('plant = "kinematic"\n[[wind.change]]\ntime_s = 1\nspeed_mps = 1'),
+            'wind.change: plant = "kinematic" has no wind, allowed none',
         ),
         # Not TOML.
         ("name = \n", "not valid TOML: Invalid value (at line 1, column 8)"),

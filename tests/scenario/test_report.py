@@ -92,7 +92,7 @@ def page(run: Run) -> Iterator[Page]:
 
 def test_the_report_needs_nothing_beside_it(run: Run, page: Page) -> None:
     assert page.open == []
-    assert len(page.references) == 8
+    assert len(page.references) == 9
     assert all(re.match("data:image/png;base64,", its) for its in page.references)
     text = (run.folder / "report.html").read_text()
     assert "<script" not in text
@@ -114,6 +114,7 @@ def test_the_report_holds_the_figures_that_lie_beside_it(run: Run, page: Page) -
             "attitude",
             "envelope",
             "rates",
+            "air",
         )
     )
     embedded = {base64.b64decode(its.split(",")[1]) for its in page.references}
@@ -220,7 +221,7 @@ def test_figures_of_a_flight_without_a_setpoint(tmp_path: Path) -> None:
 
 
 def test_figures_of_one_sample(tmp_path: Path) -> None:
-    assert len(draw_figures(flights_of(tmp_path, MINIMAL, seconds=0.0))) == 7
+    assert len(draw_figures(flights_of(tmp_path, MINIMAL, seconds=0.0))) == 8
 
 
 def test_figures_of_positions_that_are_no_numbers(tmp_path: Path) -> None:

@@ -119,7 +119,21 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
         "seed": 1,
         "start_time": datetime(2026, 1, 1, tzinfo=UTC),
         "origin": {"latitude_deg": 47.397742, "longitude_deg": 8.545594, "altitude_m": 488.0},
-        "wind": {"speed_mps": 0.0, "from_deg": 0.0, "turbulence": "none"},
+        "wind": {
+            "speed_mps": 0.0,
+            "from_deg": 0.0,
+            "turbulence": "none",
+            "shear_mps_per_100m": 0.0,
+            "shear_height_m": 100.0,
+            "change": [],
+        },
+        "sensors": None,
+        "autopilot": {
+            "airspeed_fails_at_s": None,
+            "airspeed_fault": "missing",
+            "wind_message": True,
+            "reset": [],
+        },
         "guidance": {
             "rate_hz": 50.0,
             "airspeed_mps": None,

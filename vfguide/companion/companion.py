@@ -7,6 +7,7 @@ from what it received alone, so that a recording gives the same setpoints again.
 from vfguide.companion.control import Control
 from vfguide.companion.engagement import OVER, Event, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
+from vfguide.companion.notes import origin_notes
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.route import Route
@@ -16,6 +17,7 @@ from vfguide.link.messages import (
     AttitudeQuaternion,
     CommandAck,
     CurrentMode,
+    GpsGlobalOrigin,
     Heartbeat,
     Message,
     SetAttitudeTarget,
@@ -74,7 +76,7 @@ class Companion:
     def receive(self, now: int, message: Message) -> list[Message]:
         """Takes one message of the autopilot at the time `now` [us]; returns what to send."""
         self._watch_link(now)
-        self._known = observe(self._known, message)
+        before, self._known = self._known, observe(self._known, message)
         out: list[Message] = []
         match message:
             case Heartbeat():
@@ -83,6 +85,8 @@ class Companion:
                 self._control.hear_mode(message.custom_mode)
             case AttitudeQuaternion():
                 out += self._guide(now, message)
+            case GpsGlobalOrigin():
+                self._news += origin_notes(before.origin, self._known.origin)
             case CommandAck():
                 self._control.answer(message)
                 if complaint := self._requests.answer(message):
@@ -150,6 +154,8 @@ class Companion:
         setpoint = self.route.guide(self._known, self._control.follows)
         if setpoint is None:
             return []
+        if self.route.take_jump():  # the origin may have moved, and nobody tells that by himself
+            self._requests.ask([request_origin(self.sysid)])
         self.setpoints += 1
         self._sent_at = now
         self._control.offer(now)

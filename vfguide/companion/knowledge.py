@@ -1,5 +1,6 @@
 """What the companion has been told by its autopilot, and what of it can be flown on."""
 
+import math
 from typing import NamedTuple
 
 from vfguide.companion.place import Heard
@@ -15,7 +16,11 @@ from vfguide.link.messages import (
 )
 
 STALE = 0.5
-"""A position, an attitude or an airspeed older than this is not flown on [s]."""
+"""A position, an attitude or an airspeed older than this is not flown on [s]; without an airspeed
+the flight goes on."""
+WIND_STALE = 5.0
+"""A wind older than this is not flown on, but estimated [s]."""
+UNKNOWN = (math.nan, math.nan, math.nan)
 ROLLOVER = 2**32
 """time_boot_ms counts milliseconds in 32 bits: 49.7 days."""
 
@@ -30,6 +35,8 @@ class Knowledge(NamedTuple):
     hud_time: int = 0
     """time_boot_ms of the attitude that was newest when the airspeed came."""
     wind: WindCov | None = None
+    wind_time: int = 0
+    """The same of the wind."""
 
 
 _PLACES: dict[type[Message], int] = {
@@ -50,23 +57,29 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     if place is None or not is_plausible(message):
         return known
     after = Knowledge._make((*known[:place], message, *known[place + 1 :]))
-    if isinstance(message, VfrHud) and after.attitude is not None:
+    if after.attitude is None:
+        return after
+    if isinstance(message, VfrHud):
         return after._replace(hud_time=after.attitude.time_boot_ms)
+    if isinstance(message, WindCov):
+        return after._replace(wind_time=after.attitude.time_boot_ms)
     return after
 
 
 def heard(known: Knowledge) -> Heard | None:
     """What `place_state` makes the flight state of; None while anything is missing or old.
 
-    Without a wind message the air is taken as still.
+    Airspeed and wind that are not told, or not any more, are not a number.
     """
     attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
     if attitude is None or position is None or hud is None or origin is None:
         return None
     ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
-    if abs(ahead) > STALE or abs(elapsed(known.hud_time, attitude.time_boot_ms)) > STALE:
+    if abs(ahead) > STALE:
         return None
-    wind = known.wind
+    wind, now = known.wind, attitude.time_boot_ms
+    if wind is not None and abs(elapsed(known.wind_time, now)) > WIND_STALE:
+        wind = None
     return (
         attitude.time_boot_ms * MS,
         (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
@@ -74,9 +87,9 @@ def heard(known: Knowledge) -> Heard | None:
         (position.vx, position.vy, position.vz),
         ahead,
         (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
-        hud.airspeed,
+        hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
         hud.alt,
-        (0.0, 0.0, 0.0) if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
     )
 
 
@@ -96,8 +109,6 @@ def lacking(known: Knowledge) -> str | None:
         return None
     if abs(elapsed(position.time_boot_ms, attitude.time_boot_ms)) > STALE:
         return "the position is too old (LOCAL_POSITION_NED)"
-    if abs(elapsed(known.hud_time, attitude.time_boot_ms)) > STALE:
-        return "the airspeed is too old (VFR_HUD)"
     return None
 
 

@@ -2,6 +2,18 @@
 
 from vfguide.companion.engagement import Phase
 from vfguide.companion.plan import Plan
+from vfguide.companion.route_memory import (
+    AIR_TIME,
+    JUMP_SIZE,
+    JUMPS,
+    RATIO,
+    PackedMemory,
+    goal_in,
+    holds_in,
+    settled_in,
+    trusts_sensor_in,
+)
+from vfguide.link.messages import GpsGlobalOrigin
 from vfguide.link.px4 import Px4Mode
 
 SILENT_UNTIL_CHANGE = (
@@ -59,3 +71,48 @@ def passage_note(before: int, after: int, miss: float, plan: Plan) -> str:
     if after == before:
         return f"goal {before + 1} missed by {miss:.1f} m or by its course: going round"
     return f"goal {before + 1} reached, {miss:.1f} m off; {route_note(after, plan)}"
+
+
+NO_SENSOR = "no airspeed sensor"
+SENSOR_LOST = "the airspeed sensor is not believed any more"
+ESTIMATED = "airspeed is estimated, it flies faster and with less bank"
+SENSOR_BACK = "the airspeed sensor is believed again"
+JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
+ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
+WEAK_AGAIN = "the wind has fallen"
+
+
+def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
+    """The origin of the local frame was told again: where it was, or elsewhere."""
+    if before is None or after is None or before[:3] == after[:3]:
+        return []
+    return [ORIGIN_MOVED]
+
+
+def air_notes(before: PackedMemory, after: PackedMemory, plan: Plan) -> list[str]:
+    """What has changed in a step about the air and the autopilot's place."""
+    notes: list[str] = []
+    if trusts_sensor_in(after) != trusts_sensor_in(before) or before[AIR_TIME] < 0.0:
+        notes += sensor_notes(trusts_sensor_in(after), begins=before[AIR_TIME] < 0.0)
+    if after[JUMPS] != before[JUMPS] and not settled_in(after):
+        notes.append(JUMPED.format(size=after[JUMP_SIZE]))
+    if holds_in(after) != holds_in(before):
+        notes.append(wind_note(after, plan))
+    return notes
+
+
+def sensor_notes(trusted: bool, *, begins: bool) -> list[str]:
+    """What the airspeed sensor is worth now; nothing where a flight begins with a good one."""
+    if trusted:
+        return [] if begins else [SENSOR_BACK]
+    return [f"{NO_SENSOR if begins else SENSOR_LOST}: {ESTIMATED}"]
+
+
+def wind_note(memory: PackedMemory, plan: Plan) -> str:
+    """A goal cannot be reached in this wind, or can again."""
+    goal = goal_in(memory)
+    if not holds_in(memory):
+        return f"{WEAK_AGAIN}: {route_note(goal, plan)}"
+    what = f"goal {goal + 1} unreachable" if goal < len(plan.goals) else "no circle"
+    speed = plan.gains.airspeed
+    return f"{what} now: wind {memory[RATIO] * speed:.0f} of {speed:.0f} m/s, holding against it"

@@ -43,7 +43,9 @@ def _position(said: LocalPositionNed) -> bool:
 
 
 def _hud(said: VfrHud) -> bool:
-    return 0.0 <= said.airspeed < FASTEST and LOWEST < said.alt < HIGHEST
+    """PX4 tells an airspeed that is not a number where it has no sensor that it trusts."""
+    known = 0.0 <= said.airspeed < FASTEST or math.isnan(said.airspeed)
+    return known and LOWEST < said.alt < HIGHEST
 
 
 def _wind(said: WindCov) -> bool:

@@ -3,11 +3,19 @@
 import math
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard
-from vfguide.companion.notes import passage_note, route_note
+from vfguide.companion.notes import air_notes, passage_note, route_note
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import begin_leg, fresh_route, goal_in, packed_memory
+from vfguide.companion.route_memory import (
+    JUMPS,
+    air_in,
+    fresh_route,
+    goal_in,
+    packed_memory,
+    take_over,
+    unpacked_memory,
+)
 from vfguide.companion.step import step_on
-from vfguide.flight.memory import fresh_memory
+from vfguide.flight.air_state import AirReport
 from vfguide.flight.state import RateSetpoint
 
 
@@ -21,6 +29,12 @@ class Route:
         """What the operator should read; the caller takes it away."""
         self._stepped: int | None = None
         self._follows = False
+        self._jumped = False
+
+    @property
+    def air(self) -> AirReport:
+        """What is believed of the air."""
+        return air_in(self._memory)
 
     def guide(self, known: Knowledge, follows: bool) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
@@ -42,9 +56,16 @@ class Route:
         )
         if follows:
             self._memory = after
+            self.notes += air_notes(before, after, plan)
+            self._jumped |= bool(after[JUMPS] != before[JUMPS])
             if math.isfinite(miss):
                 self.notes.append(passage_note(goal_in(before), goal_in(after), miss, plan))
         return RateSetpoint(omega_b, thrust, q_nb)
+
+    def take_jump(self) -> bool:
+        """Whether the position that is told has jumped; told once."""
+        jumped, self._jumped = self._jumped, False
+        return jumped
 
     def pause(self) -> None:
         """The autopilot does not follow now, or nobody knows."""
@@ -52,7 +73,7 @@ class Route:
 
     def _begin_leg(self) -> None:
         goal = goal_in(self._memory)
-        self._memory = packed_memory(begin_leg(goal, fresh_memory()))
+        self._memory = packed_memory(take_over(unpacked_memory(self._memory)))
         self.notes.append(route_note(goal, self.plan))
 
     def _due(self, time_boot_ms: int) -> bool:

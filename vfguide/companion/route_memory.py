@@ -5,16 +5,19 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.companion.jump import Jumps, no_jumps, settled
+from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
 from vfguide.flight.leg import Leg, new_leg
 from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.shortest import Word
+from vfguide.flight.strong_wind import Stand, new_stand
 from vfguide.flight.way import Way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
 
 class RouteMemory(NamedTuple):
-    """Where on the way it is, and what the flight law remembers."""
+    """Where on the way it is, what it knows of the air, and what the flight law remembers."""
 
     goal: int
     """Index of the goal that is flown to; the number of goals: all are reached."""
@@ -24,33 +27,50 @@ class RouteMemory(NamedTuple):
     v_n: Vec3
     """Position [m] and velocity over ground [m/s] at the last step, NED."""
     flight: Memory
+    jumps: Jumps
+    stand: Stand
+    air: AirState
 
 
 @compiled
 def fresh_route() -> RouteMemory:
     """Memory of a vehicle that has not begun."""
-    return RouteMemory(0, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), fresh_memory())
+    zero = (0.0, 0.0, 0.0)
+    return RouteMemory(0, False, zero, zero, fresh_memory(), no_jumps(), new_stand(), fresh_air())
 
 
 @compiled
-def begin_leg(goal: int, flight: Memory) -> RouteMemory:
+def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
     """Memory at the beginning of a leg; what was learned in flight stays."""
-    m = flight
+    m, zero = memory.flight, (0.0, 0.0, 0.0)
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    return RouteMemory(goal, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), after)
+    return RouteMemory(goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air)
+
+
+@compiled
+def take_over(memory: RouteMemory) -> RouteMemory:
+    """Memory when the autopilot begins to follow: only the way and the air are remembered."""
+    zero = (0.0, 0.0, 0.0)
+    return RouteMemory(
+        memory.goal, False, zero, zero, fresh_memory(), no_jumps(), memory.stand, memory.air
+    )
 
 
 PackedMemory = NDArray[np.float64]
-"""(42,), the numbers of a RouteMemory in their order: an array crosses into compiled code and
-back in a fraction of the time of nested records."""
+"""(AIR + AIR_NUMBERS,), the numbers of a RouteMemory in their order: an array crosses into
+compiled code and back in a fraction of the time of nested records."""
+JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 45, 46, 48, 49, 51
+AIR_TIME = AIR
+"""Places of the count and the size of jumps, of the ratio of wind and airspeed and whether it is
+too large, of the air's numbers and the first of them."""
 
 
 @compiled
 def packed_memory(memory: RouteMemory) -> PackedMemory:
     """The memory as an array."""
-    f = memory.flight
+    f, jumps, stand = memory.flight, memory.jumps, memory.stand
     head = (float(memory.goal), 1.0 if memory.begun else 0.0, *memory.p_n, *memory.v_n)
     way, word = f.leg.way, f.leg.way.word
     plan = (float(f.leg.phase), f.leg.radius, f.leg.final, f.leg.away, f.leg.circles)
@@ -58,12 +78,39 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     path = (way.x, way.y, way.course, *turns, way.radius, float(way.piece), way.left)
     R, reference = f.R_na, f.omega_a
     law = (f.time, *plan, *path, f.slope, f.turning, *R[0], *R[1], *R[2], *reference)
-    return np.array((*head, *law, f.thrust_integral, f.alpha_bias))
+    learned = (f.thrust_integral, f.alpha_bias)
+    jumped = (*jumps.offset_n, float(jumps.number), jumps.size, jumps.age)
+    stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
+    packed = np.empty(AIR + AIR_NUMBERS)
+    packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))
+    packed[AIR:] = memory.air
+    return packed
 
 
 def goal_in(memory: PackedMemory) -> int:
     """Index of the goal that is flown to."""
     return int(memory[0])
+
+
+def settled_in(memory: PackedMemory) -> bool:
+    """Whether no jump of the position is being let in."""
+    return settled(Jumps((memory[30], memory[31], memory[32]), 0, 0.0, 0.0))
+
+
+def trusts_sensor_in(memory: PackedMemory) -> bool:
+    """Whether the airspeed sensor is flown on."""
+    return bool(memory[AIR + TRUST])
+
+
+def holds_in(memory: PackedMemory) -> bool:
+    """Whether the wind is too strong to fly to a goal."""
+    return bool(memory[HOLDS])
+
+
+@compiled
+def air_in(memory: PackedMemory) -> AirReport:
+    """What is believed of the air."""
+    return report_air(memory[AIR:])
 
 
 @compiled
@@ -74,4 +121,13 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
     leg = Leg(int(a[9]), a[10], a[11], a[12], a[13], way)
     R_na = ((a[28], a[29], a[30]), (a[31], a[32], a[33]), (a[34], a[35], a[36]))
     flight = Memory(a[8], leg, a[26], a[27], R_na, (a[37], a[38], a[39]), a[40], a[41])
-    return RouteMemory(int(a[0]), a[1] != 0.0, (a[2], a[3], a[4]), (a[5], a[6], a[7]), flight)
+    return RouteMemory(
+        int(a[0]),
+        a[1] != 0.0,
+        (a[2], a[3], a[4]),
+        (a[5], a[6], a[7]),
+        flight,
+        Jumps((a[42], a[43], a[44]), int(a[45]), a[46], a[47]),
+        Stand(a[48], a[49] != 0.0, a[50]),
+        a[AIR:].copy(),
+    )

@@ -7,6 +7,7 @@ is what runs in flight: one call of compiled code that only tuples and arrays cr
 import math
 from typing import NamedTuple
 
+from vfguide.companion.jump import follow_jumps, settled, smoothed
 from vfguide.companion.legs import Goal, Legs, goal_of, target_of
 from vfguide.companion.place import Heard, place_state
 from vfguide.companion.route_memory import (
@@ -16,10 +17,13 @@ from vfguide.companion.route_memory import (
     packed_memory,
     unpacked_memory,
 )
+from vfguide.flight.air_data import cautious, sense_air
+from vfguide.flight.air_state import THRUST
 from vfguide.flight.leg import FIELD
 from vfguide.flight.memory import Wish
-from vfguide.flight.performance import Law
+from vfguide.flight.performance import AIRSPEED_GAIN, Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.strong_wind import in_air_frame, into_wind, stand_against
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
@@ -35,6 +39,9 @@ class Passage(NamedTuple):
     """Where the distance was least [m]."""
     angle: float
     """The larger error of course and climb of the ground velocity [rad]."""
+
+
+NO_PASSAGE = Passage(math.inf, math.inf)
 
 
 @compiled
@@ -53,11 +60,26 @@ def step(
         The setpoint, the memory for the next step, what the law wished for, and how the goal
         that was flown to before this step was passed since.
     """
+    aircraft, gains = unpacked(law)
+    state, air = sense_air(state, memory.air, aircraft, gains.airspeed)
+    law = cautious(law, air, aircraft)
+    dt = state.time - memory.flight.time if memory.begun else 0.0
+    jumps = follow_jumps(memory.jumps, (memory.p_n, memory.v_n), state, dt)
+    state = smoothed(state, jumps)
+    stand = stand_against(memory.stand, state, law[AIRSPEED_GAIN], dt)
     passage = passage_since(memory, state, legs)
+    if stand.holds or not settled(jumps):
+        passage = NO_PASSAGE
     memory = note_passage(passage, legs, memory)
-    target = target_of(legs, memory.goal)
-    setpoint, flight, wish = guide_within_limits(state, target, law, memory.flight)
-    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight)
+    if memory.stand.holds and not stand.holds:
+        memory = begin_leg(memory.goal, memory)
+    if stand.holds:
+        flown_in, target = in_air_frame(state), into_wind(stand, state)
+    else:
+        flown_in, target = state, target_of(legs, memory.goal)
+    setpoint, flight, wish = guide_within_limits(flown_in, target, law, memory.flight)
+    air[THRUST] = setpoint.thrust
+    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, jumps, stand, air)
     return setpoint, after, wish, passage
 
 
@@ -82,7 +104,7 @@ def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemo
     if math.isinf(passage.miss):
         return memory
     reaches = is_reached(passage, goal_of(legs, memory.goal))
-    return begin_leg(memory.goal + 1 if reaches else memory.goal, memory.flight)
+    return begin_leg(memory.goal + 1 if reaches else memory.goal, memory)
 
 
 @compiled
@@ -97,13 +119,12 @@ def passage_since(memory: RouteMemory, state: FlightState, legs: Legs) -> Passag
 
     A vehicle that is still on its way there passes it only by reaching it.
     """
-    nothing = Passage(math.inf, math.inf)
     if not memory.begun or memory.goal == len(legs) - 1:
-        return nothing
+        return NO_PASSAGE
     goal = goal_of(legs, memory.goal)
     passage = passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
     counts = memory.flight.leg.phase == FIELD or is_reached(passage, goal)
-    return passage if counts else nothing
+    return passage if counts else NO_PASSAGE
 
 
 @compiled
@@ -112,7 +133,7 @@ def passage_of(goal: Goal, before: tuple[Vec3, Vec3], after: tuple[Vec3, Vec3]) 
     p_n, v_n = after
     opening = dot(sub(p_n, goal.p_n), v_n)
     if not (dot(sub(before[0], goal.p_n), before[1]) < 0.0 <= opening):
-        return Passage(math.inf, math.inf)
+        return NO_PASSAGE
     late = opening / max(dot(v_n, v_n), 1e-6)
     course_error = wrap(math.atan2(v_n[1], v_n[0]) - goal.course)
     climb_error = math.atan2(-v_n[2], math.hypot(v_n[0], v_n[1])) - goal.climb

@@ -85,6 +85,9 @@ def turn_length(airspeed: float) -> float:
 Law = NDArray[np.float64]
 """Performance and gains as one array, (29,): compiled code that is called from Python checks every
 field of a record at every call, an array at once."""
+AIRSPEED_GAIN = 18
+BANK_GAIN = 23
+"""Places of the airspeed to fly and of the largest bank in a Law."""
 
 
 def packed(aircraft: Performance, gains: Gains) -> Law:

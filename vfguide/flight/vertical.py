@@ -63,7 +63,6 @@ def plan_slope(
 
 
 @compiled
-@compiled
 def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
     """Steepest angle of a descent that hardly gains airspeed, or the goal's own [rad].
 

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from vfguide.scenario.aircraft_file import Aircraft
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.scenario_file import LEAST_BANK_DEG, ScenarioFile
+from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, ScenarioFile
 from vfguide.scenario.source import Location, Source
 from vfguide.scenario.tables import in_words
 
@@ -90,21 +90,8 @@ def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> Non
             raise source.error((*at, "altitude_m"), f"not above the ground, {lowest}", altitude)
 
 
-def check_wind(scenario: Scenario, source: Source) -> None:
-    """Every vehicle can fly against the wind.
-
-    Raises:
-        InputError: one cannot.
-    """
-    slowest = min(map(scenario.airspeed_of, scenario.vehicles))
-    wind = scenario.wind.speed_mps
-    if wind >= slowest:
-        rule = f"as fast as a vehicle flies, allowed below {in_words(slowest)}"
-        raise source.error(("wind", "speed_mps"), rule, wind)
-
-
 def check_still_air(scenario: Scenario, source: Source) -> None:
-    """No wind is asked for where there is no air.
+    """No wind is asked for where there is no air, no sensors where there is no autopilot.
 
     Raises:
         InputError: one is.
@@ -114,6 +101,27 @@ def check_still_air(scenario: Scenario, source: Source) -> None:
         raise source.error(("wind", "speed_mps"), f"{rule}, allowed 0", wind.speed_mps)
     if wind.turbulence != "none":
         raise source.error(("wind", "turbulence"), f'{rule}, allowed "none"', wind.turbulence)
+    if wind.shear_mps_per_100m != 0.0:
+        at = ("wind", "shear_mps_per_100m")
+        raise source.error(at, f"{rule}, allowed 0", wind.shear_mps_per_100m)
+    if wind.change:
+        raise source.error(("wind", "change"), f"{rule}, allowed none")
+    for table, unused in (("sensors", None), ("autopilot", Autopilot())):
+        if getattr(scenario, table) != unused:
+            raise source.error((table,), 'plant = "kinematic" has no autopilot, allowed none')
+
+
+def check_changes(scenario: Scenario, source: Source) -> None:
+    """Changes of the wind are in the order of time.
+
+    Raises:
+        InputError: they are not.
+    """
+    times = [change.time_s for change in scenario.wind.change]
+    for index in range(1, len(times)):
+        if times[index] <= times[index - 1]:
+            rule = f"not after the change before it, allowed above {in_words(times[index - 1])}"
+            raise source.error(("wind", "change", index, "time_s"), rule, times[index])
 
 
 def check_room(scenario: Scenario, source: Source) -> None:

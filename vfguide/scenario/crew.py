@@ -8,6 +8,7 @@ from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG, US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
+from vfguide.scenario.instruments import instruments_from
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.models import model_of
 from vfguide.scenario.resolve import plane_of
@@ -20,8 +21,8 @@ from vfguide.sim.trim import TrimError, trim
 from vfguide.sim.vehicle import Setup
 from vfguide.sim.vehicle import Vehicle as SimVehicle
 
-GUSTS = 1
-"""Purpose of a random stream."""
+GUSTS, STATE_ERRORS, RATE_ERRORS = 1, 2, 3
+"""Purposes of random streams."""
 
 
 def start_us(scenario: Scenario) -> int:
@@ -53,23 +54,42 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
         loaded.performance(vehicle),
         scenario.airspeed_of(vehicle),
         Start(latitude, longitude, altitude, vehicle.euler_deg[2] * DEG, condition),
-        Weather(
-            wind_of(scenario),
-            Turbulence[scenario.wind.turbulence.upper()],
-            random_seed(scenario.seed, vehicle.id, GUSTS),
-        ),
+        weather_of(scenario, vehicle.id),
         scenario.origin.altitude_m,
+        instruments_from(
+            scenario.sensors,
+            scenario.autopilot,
+            random_seed(scenario.seed, vehicle.id, STATE_ERRORS),
+            random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
+        ),
     )
 
 
-def wind_of(scenario: Scenario) -> Vec3:
-    """The steady wind, the direction it blows toward, NED [m/s]."""
-    toward = scenario.wind.from_deg * DEG + math.pi
-    return (
-        scenario.wind.speed_mps * math.cos(toward),
-        scenario.wind.speed_mps * math.sin(toward),
-        0.0,
+def weather_of(scenario: Scenario, sysid: int) -> Weather:
+    """The air that a vehicle flies in."""
+    wind = scenario.wind
+    north, east, _ = blowing(1.0, wind.from_deg)
+    shear = wind.shear_mps_per_100m / 100.0
+    return Weather(
+        blowing(wind.speed_mps, wind.from_deg),
+        Turbulence[wind.turbulence.upper()],
+        random_seed(scenario.seed, sysid, GUSTS),
+        tuple(
+            (
+                its.time_s,
+                blowing(its.speed_mps, wind.from_deg if its.from_deg is None else its.from_deg),
+            )
+            for its in wind.change
+        ),
+        (shear * north, shear * east, 0.0),
+        wind.shear_height_m,
     )
+
+
+def blowing(speed: float, from_deg: float) -> Vec3:
+    """A wind of a speed [m/s], the direction it blows toward, NED [m/s]."""
+    toward = from_deg * DEG + math.pi
+    return (speed * math.cos(toward), speed * math.sin(toward), 0.0)
 
 
 def random_seed(seed: int, sysid: int, purpose: int) -> int:

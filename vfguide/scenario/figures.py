@@ -9,6 +9,7 @@ from vfguide.scenario.distance_figures import draw_clearance, draw_separation
 from vfguide.scenario.drawing import Flights, to_png
 from vfguide.scenario.path_figures import draw_plan, draw_side, draw_space
 from vfguide.scenario.time_figures import (
+    draw_air,
     draw_attitude,
     draw_envelope,
     draw_position,
@@ -62,6 +63,7 @@ _MOTION = (
 _AEROPLANE = (
     Drawing("envelope", "What the flight took of the aircraft, and its limits.", draw_envelope),
     Drawing("rates", "Body rates: commanded by the companion, and flown.", draw_rates),
+    Drawing("air", "The air: what it does, and what the companion makes of it.", draw_air),
 )
 _RIGID_BODY = (
     Drawing("speed", "Speed along the body's x axis.", draw_speed),

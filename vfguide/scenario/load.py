@@ -88,7 +88,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
         checks.check_aircraft(scenario, entry, aircraft, source)
     if scenario.plant == "jsbsim":
         checks.check_ground(scenario, entry, source)
-        checks.check_wind(scenario, source)
+        checks.check_changes(scenario, source)
     else:
         checks.check_still_air(scenario, source)
     checks.check_room(scenario, source)

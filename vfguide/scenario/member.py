@@ -10,6 +10,7 @@ from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3, sub
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.scenario.crew import simulate
@@ -29,7 +30,7 @@ Write = Callable[[int, bytes], None]
 
 ROUNDS = 4
 """Messages go back and forth at most this often at one instant; the rest waits for the next."""
-COLUMNS = 24
+COLUMNS = 32
 """Numbers that are noted of one instant, see `_row`."""
 NOTHING_YET = (math.nan, math.nan, math.nan, math.nan)
 
@@ -55,6 +56,8 @@ class Member:
         self.sim = simulate(loaded, vehicle)
         self.companion = Companion(vehicle.id, plan_of(loaded, vehicle), engage=True)
         self.legs = Legs(vehicle.goals)
+        scenario = loaded.scenario
+        self._exact = scenario.sensors is None and not scenario.autopilot.reset
         self._origin = place_of(loaded.scenario.origin)
         self._port = self.sim.connect(ONBOARD)
         self._session = Session(self.companion, write_own)
@@ -99,10 +102,22 @@ class Member:
         sample = Sample(truth.time, p_n, v_n)
         self.legs.feed(sample)
         self._noted.extend(_row(truth, sample, self.sim.autopilot.setpoint))
+        self._noted.extend(self._position_error(p_n))
+        self._noted.extend(self.companion.route.air[:5])
+
+    def _position_error(self, p_n: Vec3) -> Vec3:
+        """Position that the autopilot tells less the true one, scenario frame [m]."""
+        if self._exact:
+            return (0.0, 0.0, 0.0)
+        told = self.sim.autopilot.estimate
+        place = (told.latitude, told.longitude, told.altitude)
+        there, _ = place_in_plane(self._origin, *place, told.v_n)
+        return sub(there, p_n)
 
     def record(self) -> FlightRecord:
         """What was noted."""
         rows = np.array(self._noted).reshape(-1, COLUMNS)
+        rows, error, air, airspeed = np.split(rows, np.cumsum([24, 3, 3]), axis=1)
         time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
             np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
         )
@@ -121,6 +136,9 @@ class Member:
             altitude[:, 0],
             height[:, 0],
             self.companion.setpoints,
+            position_error_n=error,
+            wind_believed=air,
+            airspeed_believed=airspeed,
         )
 
 

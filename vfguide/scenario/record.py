@@ -50,6 +50,12 @@ class FlightRecord:
     R_nb: Array | None = None
     """(n, 3, 3) attitude of a rigid body, whose speed and body rates are held from one sample to
     the next: those that brought it to the later one. None: an aeroplane."""
+    position_error_n: Array | None = None
+    """(n, 3) position that the autopilot tells less the true one; None: they are the same."""
+    wind_believed: Array | None = None
+    """(n, 3) what the companion makes of the wind: north, east, standard deviation [m/s]."""
+    airspeed_believed: Array | None = None
+    """(n, 2) of the airspeed: true airspeed, standard deviation [m/s]."""
     arrives: bool = False
     """It slows down towards its goals, and stands still at the last one."""
 

@@ -22,6 +22,7 @@ Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]
 Altitude = Annotated[float, between(-500, 10_000)]
 Speed = Annotated[float, above(0, 150)]
+WindSpeed = Annotated[float, between(0, 50)]
 
 DEFAULT_AIRCRAFT = "aerosonde"
 KINEMATIC_AIRSPEED = 25.0
@@ -52,6 +53,9 @@ Law = Annotated[Literal["flight", "paper"], word("flight", "paper")]
 Turbulence = Annotated[
     Literal["none", "light", "moderate", "severe"], word("none", "light", "moderate", "severe")
 ]
+AirspeedFault = Annotated[
+    Literal["missing", "frozen", "blocked"], word("missing", "frozen", "blocked")
+]
 
 
 class Origin(Table):
@@ -63,13 +67,28 @@ class Origin(Table):
     """Above the ellipsoid; also the height of the flat ground."""
 
 
+class WindChange(Table):
+    """What the wind changes to."""
+
+    time_s: Annotated[float, above(0, 86_400)]
+    speed_mps: WindSpeed
+    from_deg: Angle | None = None
+    """None: where it came from at the beginning."""
+
+
 class Wind(Table):
     """The air's motion; the companion never sees these numbers."""
 
-    speed_mps: Annotated[float, between(0, 50)] = 0.0
+    speed_mps: WindSpeed = 0.0
     from_deg: Angle = 0.0
     """Where it comes from."""
     turbulence: Turbulence = "none"
+    shear_mps_per_100m: Annotated[float, between(-20, 20)] = 0.0
+    """What the wind gains on each 100 m of height, along its direction at the beginning."""
+    shear_height_m: Annotated[float, between(0, 10_000)] = 100.0
+    """Above the ground: where the wind has the written speed."""
+    change: list[WindChange] = Field(default_factory=list[WindChange])
+    """Linear from one to the next."""
 
 
 class Guidance(Table):
@@ -130,6 +149,46 @@ class VehicleEntry(Table):
     goal: Annotated[list[GoalEntry], Field(min_length=1)]
 
 
+class Reset(Table):
+    """A jump of what every autopilot believes."""
+
+    time_s: Annotated[float, between(0, 86_400)]
+    position_m: Position = (0.0, 0.0, 0.0)
+    """By which the estimate of the position jumps: north, east, down."""
+    origin_m: Position = (0.0, 0.0, 0.0)
+    """By which the origin of the local frame moves: north, east, down."""
+
+
+class Autopilot(Table):
+    """What the software autopilots have and tell."""
+
+    airspeed_fails_at_s: Annotated[float, between(0, 86_400)] | None = None
+    """When the airspeed sensor fails; 0: there is none; None: it never does."""
+    airspeed_fault: AirspeedFault = "missing"
+    wind_message: bool = True
+    """Whether WIND_COV is sent."""
+    reset: list[Reset] = Field(default_factory=list[Reset])
+
+
+class Sensors(Table):
+    """Standard deviations of the autopilots' errors: typical of small ones."""
+
+    position_m: Annotated[float, between(0, 100)] = 1.5
+    height_m: Annotated[float, between(0, 100)] = 1.0
+    drift_s: Annotated[float, above(0, 86_400)] = 100.0
+    """Time constant of the drift of position and height."""
+    velocity_mps: Annotated[float, between(0, 10)] = 0.1
+    attitude_deg: Annotated[float, between(0, 20)] = 0.5
+    attitude_bias_deg: Annotated[float, between(0, 20)] = 0.5
+    yaw_deg: Annotated[float, between(0, 45)] = 1.0
+    yaw_bias_deg: Annotated[float, between(0, 45)] = 1.5
+    rate_dps: Annotated[float, between(0, 50)] = 0.3
+    rate_bias_dps: Annotated[float, between(0, 50)] = 0.1
+    airspeed_mps: Annotated[float, between(0, 20)] = 0.3
+    airspeed_bias_mps: Annotated[float, between(0, 20)] = 0.7
+    wind_mps: Annotated[float, between(0, 20)] = 0.5
+
+
 class ScenarioHead(Table):
     """What concerns all vehicles."""
 
@@ -141,6 +200,9 @@ class ScenarioHead(Table):
     start_time: Time = datetime(2026, 1, 1, tzinfo=UTC)
     origin: Origin = Origin()
     wind: Wind = Wind()
+    sensors: Sensors | None = None
+    """None: every autopilot knows its state exactly."""
+    autopilot: Autopilot = Autopilot()
     guidance: Guidance = Guidance()
     avoidance: Avoidance = Avoidance()
 

@@ -7,6 +7,7 @@ from matplotlib.lines import Line2D
 from vfguide.geometry.units import DEG
 from vfguide.scenario.drawing import GOAL, Flights, broken, line_of
 from vfguide.scenario.panels import LIMIT, WANTED, Panel, draw_panels
+from vfguide.scenario.record import Array, FlightRecord
 
 
 def draw_position(figure: Figure, flights: Flights) -> None:
@@ -92,3 +93,34 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
     draw_panels(
         figure, flights, "Body rates", panels, [] if flights.kinematic else [*flown, wanted]
     )
+
+
+def draw_air(figure: Figure, flights: Flights) -> None:
+    """The wind, true and as the companion believes it, and what it believes of the airspeed."""
+    panels = [
+        Panel(
+            "Wind to north [m/s]",
+            lambda its: its.wind_n[:, 0],
+            wanted=lambda its: believed(its.wind_believed, its, 0),
+        ),
+        Panel(
+            "Wind to east [m/s]",
+            lambda its: its.wind_n[:, 1],
+            wanted=lambda its: believed(its.wind_believed, its, 1),
+        ),
+        Panel(
+            "True airspeed [m/s]",
+            lambda its: its.airspeed,
+            wanted=lambda its: believed(its.airspeed_believed, its, 0),
+        ),
+    ]
+    true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]
+    estimated = Line2D([], [], **WANTED, label="Estimated by the companion")
+    draw_panels(figure, flights, "Wind: true and estimated", panels, [*true, estimated])
+
+
+def believed(values: Array | None, record: FlightRecord, column: int) -> Array:
+    """A column of what was believed; NaN before the companion flew, when nothing was."""
+    if values is None:
+        return np.full_like(record.time, np.nan)
+    return np.where(values[:, -1] > 0.0, values[:, column], np.nan)

@@ -11,12 +11,14 @@ from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
-from vfguide.link.messages import CurrentMode, SetAttitudeTarget, Statustext
+from vfguide.link.messages import CurrentMode, SetAttitudeTarget, Statustext, WindCov
 from vfguide.sim.estimate import Estimate, Estimator
 from vfguide.sim.flight_mode import LOST, NEXT, REPORTED, Event, Mode
 from vfguide.sim.hold import Hold
 from vfguide.sim.identify import Airframe
 from vfguide.sim.inner_loop import inner_loop
+from vfguide.sim.instruments import Instruments
+from vfguide.sim.noise import RateNoise
 from vfguide.sim.parameters import HOLD_ACTION, Parameters
 from vfguide.sim.port import SECOND, Port
 from vfguide.sim.signals import ControlTuple, Inner
@@ -37,7 +39,13 @@ class Autopilot:
     """One autopilot, airborne, armed and in hold from its first moment."""
 
     def __init__(
-        self, sysid: int, airframe: Airframe, aircraft: Performance, airspeed: float, first: Truth
+        self,
+        sysid: int,
+        airframe: Airframe,
+        aircraft: Performance,
+        airspeed: float,
+        first: Truth,
+        instruments: Instruments,
     ) -> None:
         """An autopilot that has just taken over.
 
@@ -47,6 +55,7 @@ class Autopilot:
             aircraft: what its hold knows of it.
             airspeed: true airspeed of its hold [m/s].
             first: the truth at its start; the local frame begins there.
+            instruments: what it measures with.
         """
         self.sysid = sysid
         self.mode = Mode.HOLD
@@ -55,7 +64,12 @@ class Autopilot:
         self.now = 0
         """[us since 1970]."""
         self._airframe = airframe
-        self._estimator = Estimator(first)
+        self._estimator = Estimator(first, instruments)
+        self._tells_wind = instruments.tells_wind
+        errors = instruments.errors
+        self._rates = None if errors is None else RateNoise(errors, instruments.rate_seed)
+        self._cruise = aircraft.airspeed_cruise
+        self._has_airspeed = self._estimator.has_airspeed(first.time)
         self.estimate: Estimate = self._estimator.update(first)
         self._hold = Hold(aircraft, airspeed)
         self._hold.begin_here(self.estimate)
@@ -76,6 +90,10 @@ class Autopilot:
         if not self._is_flyable:
             self._throttle = 0.0
             return (*self._airframe.cruise.controls[:3], 0.0)
+        if self._rates is not None:
+            inner = self._rates.measure(inner, self._estimator.error.airspeed)
+        if not self._has_airspeed:
+            inner = (*inner[:5], self._cruise, inner[6])  # PX4 then scales with the trim airspeed
         controls, self._integral = inner_loop(
             self._airframe.tables, inner, self._wanted, self._integral, dt
         )
@@ -85,7 +103,9 @@ class Autopilot:
     def update(self, now: int, truth: Truth) -> None:
         """The slower part: estimate, loss of the stream, attitude setpoints, hold."""
         self.now = now
-        self.estimate = self._estimator.update(truth)
+        rate_error = (0.0, 0.0, 0.0) if self._rates is None else self._rates.last
+        self.estimate = self._estimator.update(truth, rate_error)
+        self._has_airspeed = self._estimator.has_airspeed(truth.time)
         self._watch_stream()
         if self.mode is not Mode.OFFBOARD:
             wanted = self._hold.step(self.estimate)
@@ -98,7 +118,10 @@ class Autopilot:
         """The frames that are due on a port now."""
         report = self.report()
         queued = [port.encode(message) for message in port.take_queue(self.now)]
-        return queued + [port.encode(MAKERS[msgid](report)) for msgid in port.due(self.now)]
+        due = port.due(self.now)
+        if not self._tells_wind and WindCov.MSGID in due:
+            due.remove(WindCov.MSGID)
+        return queued + [port.encode(MAKERS[msgid](report)) for msgid in due]
 
     def report(self) -> Report:
         """Everything that the streams tell."""
@@ -106,6 +129,7 @@ class Autopilot:
             self.now,
             self.estimate,
             self._estimator.origin,
+            self._estimator.home,
             self.mode,
             True,
             self.setpoint if self.mode is Mode.OFFBOARD else None,
@@ -136,7 +160,7 @@ class Autopilot:
         if after in (Mode.HOLD, Mode.LOST_TO_HOLD):
             self._hold.begin_here(self.estimate)
         elif after is not Mode.OFFBOARD:
-            self._hold.begin_about(self._estimator.origin)
+            self._hold.begin_about(self._estimator.home)
         elif self.setpoint is not None:
             self._follow(self.setpoint)
         self._announce(after)

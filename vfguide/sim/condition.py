@@ -105,9 +105,43 @@ class Turbulence(Enum):
 
 @dataclass(frozen=True)
 class Weather:
-    """Steady wind and gusts; equal seeds give equal gusts."""
+    """Wind and gusts; equal seeds give equal gusts. Winds are where they blow toward, NED."""
 
     wind_n: Vec3 = (0.0, 0.0, 0.0)
-    """The steady wind, the direction it blows toward, NED [m/s]."""
+    """The wind [m/s], at the beginning and at the height of the shear if it changes."""
     turbulence: Turbulence = Turbulence.NONE
     seed: int = 0
+    changes: tuple[tuple[float, Vec3], ...] = ()
+    """Times [s], ascending, and winds [m/s]: linear from one to the next, the last one stays."""
+    shear_n: Vec3 = (0.0, 0.0, 0.0)
+    """Change of the wind for each metre of height [1/s]."""
+    shear_height: float = 0.0
+    """Where the shear adds nothing: above the ground [m]."""
+
+    @property
+    def varies(self) -> bool:
+        """Whether the wind changes with time or height."""
+        return bool(self.changes) or any(self.shear_n)
+
+    def wind_at(self, time: float, height: float) -> Vec3:
+        """The wind [m/s] at a time [s] and a height above the ground [m], without its gusts."""
+        north, east, down = self._wind_of(time)
+        above = height - self.shear_height
+        return (
+            north + above * self.shear_n[0],
+            east + above * self.shear_n[1],
+            down + above * self.shear_n[2],
+        )
+
+    def _wind_of(self, time: float) -> Vec3:
+        before, wind = 0.0, self.wind_n
+        for after, following in self.changes:
+            if time < after:
+                part = (time - before) / (after - before)
+                return (
+                    wind[0] + part * (following[0] - wind[0]),
+                    wind[1] + part * (following[1] - wind[1]),
+                    wind[2] + part * (following[2] - wind[2]),
+                )
+            before, wind = after, following
+        return wind

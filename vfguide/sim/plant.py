@@ -55,7 +55,8 @@ class Plant:
         self._bind_inner()
         self._bind_truth()
         self._bind_bench()
-        self.place(start, weather.wind_n)
+        self._weather = weather if weather.varies else None
+        self.place(start, weather.wind_at(0.0, start.altitude - ground_altitude))
         self._stir(weather)
         if not all(map(math.isfinite, self.accelerations())):
             raise model_error(model, "accelerations are not finite at the start")
@@ -77,6 +78,8 @@ class Plant:
             ModelError: the model fails in flight.
         """
         self._command(controls)
+        if self._weather is not None:
+            self._set_wind(self._weather.wind_at(self.time, FT * self._height()))
         try:
             self._run()
         except JsbsimError as error:

@@ -63,6 +63,7 @@ class Report(NamedTuple):
     """[us since 1970]."""
     estimate: Estimate
     origin: Origin
+    home: Origin
     mode: Mode
     armed: bool
     setpoint: SetAttitudeTarget | None
@@ -113,7 +114,7 @@ def global_position(report: Report) -> GlobalPositionInt:
         round(estimate.latitude / DEG_E7),
         round(estimate.longitude / DEG_E7),
         round(estimate.altitude / MM),
-        round((estimate.altitude - report.origin.altitude) / MM),
+        round((estimate.altitude - report.home.altitude) / MM),
         round(north / CM_S),
         round(east / CM_S),
         round(down / CM_S),
@@ -167,7 +168,7 @@ def gps_raw(report: Report) -> GpsRawInt:
 
 def home_position(report: Report) -> HomePosition:
     """HOME_POSITION: where the vehicle started."""
-    lat, lon, alt = origin_on_the_wire(report.origin)
+    lat, lon, alt = origin_on_the_wire(report.home)
     return HomePosition(lat, lon, alt, 0.0, 0.0, 0.0, (1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
 
 

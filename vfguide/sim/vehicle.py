@@ -8,6 +8,7 @@ from vfguide.sim.autopilot import Autopilot
 from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.dialogue import receive
 from vfguide.sim.identify import identify
+from vfguide.sim.instruments import EXACT, Instruments
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.port import Port
 from vfguide.sim.truth import Truth
@@ -36,6 +37,8 @@ class Setup:
     weather: Weather
     ground_altitude: float
     """[m] above the ellipsoid."""
+    instruments: Instruments = EXACT
+    """What the autopilot measures with."""
 
 
 class Vehicle:
@@ -56,7 +59,7 @@ class Vehicle:
         self.truth: Truth = self.plant.truth()
         airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.ground_altitude)
         self.autopilot = Autopilot(
-            setup.sysid, airframe, setup.aircraft, setup.airspeed, self.truth
+            setup.sysid, airframe, setup.aircraft, setup.airspeed, self.truth, setup.instruments
         )
         self._start_us = start_us
         self.renew()

@@ -1,0 +1,146 @@
+"""Flights in bad air, with bad sensors: judged by the truth and by what the operator is told."""
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from vfguide.scenario.aeroplanes import Aeroplanes
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.lockstep import Lockstep
+from vfguide.scenario.logs import Logs
+from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.result import Result, judge
+
+LIGHT = ("wind.speed_mps=5.0", 'wind.turbulence="light"')
+UNTOLD = "autopilot.wind_message=false"
+
+
+@dataclass(frozen=True)
+class Flown:
+    """A flight and what was said in it."""
+
+    record: FlightRecord
+    result: Result
+    told: tuple[tuple[float, str], ...]
+
+    def when(self, words):
+        """When the operator was told first [s]."""
+        return next(time for time, note in self.told if words in note)
+
+    def believed_wind_error(self, late=10.0):
+        """[m/s], from `late` [s] on."""
+        from_here = self.record.time > late
+        wind = self.record.wind_n[from_here, :2]
+        return np.linalg.norm(self.record.wind_believed[from_here, :2] - wind, axis=1)
+
+
+def fly(folder, *changes, scenario="first-flight"):
+    loaded = load_scenario(scenario, ("duration_s=150.0", *changes))
+    told = []
+    with ExitStack() as stack:
+        fleet = Aeroplanes(loaded, Logs(folder, stack))
+        lockstep = Lockstep(fleet, loaded.scenario.duration_s)
+        while lockstep.ending is None:
+            lockstep.advance()
+            told += [(lockstep.sim_s, note) for note in fleet.members[0].companion.news()]
+        records = fleet.records()
+    return Flown(records[0], judge(loaded.scenario, records, lockstep.sim_s, 1.0), tuple(told))
+
+
+def goal_of(flight):
+    return flight.result.vehicles[0].goals[0]
+
+
+def test_no_airspeed_sensor(tmp_path):
+    flight = fly(tmp_path, *LIGHT, UNTOLD, "autopilot.airspeed_fails_at_s=0")
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 3.0
+    assert flight.when("no airspeed sensor: airspeed is estimated") < 1.0
+    assert flight.record.airspeed.min() >= 1.1 * 17.6
+    assert np.median(flight.believed_wind_error()) < 2.0
+    off = flight.record.airspeed_believed[500:, 0] - flight.record.airspeed[500:]
+    assert np.median(np.abs(off)) < 1.5
+
+
+@pytest.mark.parametrize("fault", ["missing", "frozen", "blocked"])
+def test_an_airspeed_sensor_that_fails_in_flight(tmp_path, fault):
+    flight = fly(
+        tmp_path, *LIGHT, "autopilot.airspeed_fails_at_s=10", f'autopilot.airspeed_fault="{fault}"'
+    )
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 3.0
+    assert 10.0 < flight.when("the airspeed sensor is not believed any more") < 20.0
+    assert flight.record.airspeed.min() >= 1.1 * 17.6
+    assert flight.record.airspeed.max() <= 32.0
+
+
+def test_a_position_reset_near_the_goal(tmp_path):
+    """The position is 8 m off until 5 s before the goal is passed."""
+    resets = (
+        "autopilot.reset=[{time_s=0.0, position_m=[8.0, 0.0, 0.0]}, "
+        "{time_s=19.0, position_m=[-8.0, 0.0, 0.0]}]"
+    )
+    flight = fly(tmp_path, resets)
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 2.0
+    assert flight.when("has jumped by 8 m") == pytest.approx(19.0, abs=0.05)
+    at = (flight.record.time > 18.9) & (flight.record.time < 20.5)
+    wanted = np.diff(flight.record.omega_wanted_b[at], axis=0)
+    assert np.abs(wanted).max() < np.radians(15.0)  # from one setpoint to the next
+
+
+def test_a_jump_across_the_goal_passes_nothing(tmp_path):
+    reset = "autopilot.reset=[{time_s=22.0, position_m=[0.0, 80.0, 0.0]}]"
+    flight = fly(tmp_path, reset, "duration_s=30.0")
+    assert flight.when("has jumped by 80 m") == pytest.approx(22.0, abs=0.05)
+    assert not any("reached" in note or "missed" in note for _, note in flight.told)
+
+
+def test_an_origin_reset(tmp_path):
+    reset = "autopilot.reset=[{time_s=15.0, origin_m=[400.0, -300.0, 20.0]}]"
+    flight, calm = fly(tmp_path, reset), fly(tmp_path / "..")
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 0.5
+    assert flight.when("has moved the origin") == pytest.approx(15.0, abs=0.1)
+    same = min(len(flight.record.time), len(calm.record.time))
+    apart = np.linalg.norm(flight.record.p_n[:same] - calm.record.p_n[:same], axis=1)
+    assert apart[: round(24.0 / 0.02)].max() < 2.0
+
+
+@pytest.mark.parametrize("changes", [(), (UNTOLD,)])
+def test_a_wind_above_the_airspeed_is_held_against_until_it_falls(tmp_path, changes):
+    flight = fly(
+        tmp_path,
+        "wind.speed_mps=27.0",
+        "wind.change=[{time_s=30.0, speed_mps=27.0}, {time_s=50.0, speed_mps=12.0}]",
+        *changes,
+    )
+    assert flight.when("goal 1 unreachable now: wind 27 of 25 m/s") < 1.0
+    assert 33.0 < flight.when("the wind has fallen: flying to goal 1 of 1") < 55.0
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 2.0
+    held = flight.record.time < 33.0
+    settled = held & (flight.record.time > 12.0)
+    assert np.linalg.norm(flight.record.v_n[settled], axis=1).max() < 4.0
+    assert np.abs(flight.record.p_n[held, 2] + 120.0).max() < 10.0
+    assert flight.record.airspeed.min() > 1.2 * 17.6
+
+
+def test_strong_wind_with_shear_is_estimated(tmp_path):
+    flight = fly(tmp_path, "wind.speed_mps=15.0", "wind.shear_mps_per_100m=4.0", UNTOLD)
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 1.0
+    assert np.median(flight.believed_wind_error()) < 0.5
+
+
+def test_the_seed_alone_gives_the_errors(tmp_path):
+    def errors(*changes):
+        return fly(tmp_path, "sensors={}", "duration_s=3.0", *changes).record.position_error_n
+
+    assert (errors() == errors()).all()
+    assert not (errors() == errors("seed=2")).all()
+    # Other weather, another flight: the same errors at the same times.
+    windy = errors("wind.speed_mps=9.0")
+    assert errors() == pytest.approx(windy, abs=1e-3)
