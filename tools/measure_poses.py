@@ -120,6 +120,8 @@ class Outcome:
     airspeed: tuple[float, float]
     length: float
     """Of the path to the goal, over the reference."""
+    circles: float
+    """By which it is longer."""
     error_m: float
     """Of the position that the guidance was given, at the pass."""
     beyond_m: float
@@ -186,8 +188,8 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
         vehicle.max_bank_deg or nan,
         (vehicle.load_factor[0] or nan, vehicle.load_factor[1] or nan),
         (vehicle.airspeed_mps[0] or nan, vehicle.airspeed_mps[1] or nan),
-        math.nan if goal.time_s is None else length_over_reference(loaded, record, goal.time_s),
-        *beyond(record, goal.time_s, frame.goal),
+        *over_reference(loaded, record, goal.time_s),
+        *beyond(record, goal.time_s, frame_of(args.aircraft, args.scenario).goal),
         *believed(record),
         float(record.p_n[:, 2].max() - lowest),
         vehicle.setpoint_rate_hz or nan,
@@ -225,8 +227,15 @@ def believed(record: FlightRecord) -> tuple[float, float, float]:
     return float(deviations), float(np.median(error[known])), float(np.median(speed))
 
 
-def length_over_reference(loaded: LoadedScenario, record: FlightRecord, time: float) -> float:
-    """Length of the path until `time` [s] over the longer of Dubins' and what the height needs."""
+def over_reference(
+    loaded: LoadedScenario, record: FlightRecord, time: float | None
+) -> tuple[float, float]:
+    """The path until `time` [s] against the longer of Dubins' and what the height needs.
+
+    Returns its ratio, and by how many circles of the reference it is longer.
+    """
+    if time is None:
+        return math.nan, math.nan
     vehicle = loaded.scenario.vehicles[0]
     speed, performance = loaded.scenario.airspeed_of(vehicle), loaded.performance(vehicle)
     radius = speed**2 / (G0 * math.tan(performance.bank_max))
@@ -238,8 +247,10 @@ def length_over_reference(loaded: LoadedScenario, record: FlightRecord, time: fl
     )
     climb = float(start[2]) - goal.position_m[2]
     steepest = performance.climb_max if climb > 0.0 else performance.descent_max
-    flown = np.linalg.norm(np.diff(record.p_n[record.time <= time], axis=0), axis=1).sum()
-    return float(flown) / max(level, abs(climb) / math.tan(steepest))
+    reference = max(level, abs(climb) / math.tan(steepest))
+    steps = np.diff(record.p_n[record.time <= time], axis=0)
+    flown = float(np.linalg.norm(steps, axis=1).sum())
+    return flown / reference, (flown - reference) / (2.0 * math.pi * radius)
 
 
 def spread(values: list[float]) -> str:
@@ -272,6 +283,8 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
     print(f"climb [deg] {spread([o.climb_deg for o in outcomes])}")
     print(f"time [s]    {spread([o.time_s for o in outcomes])}")
     print(f"length / reference {spread([o.length for o in outcomes])}")
+    print(f"  circles above it {spread([o.circles for o in outcomes])}")
+    print(f"  more than one: {sum(o.circles > 1.0 for o in outcomes)}")
     print(f"bank [deg]  most {max(o.bank_deg for o in outcomes):.1f}")
     least, most = min(o.load[0] for o in outcomes), max(o.load[1] for o in outcomes)
     print(f"load factor {least:.2f} to {most:.2f}")
