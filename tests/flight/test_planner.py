@@ -15,7 +15,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 
 RADIUS, SPEED = 80.0, 25.0
-FINAL = GAINS.final * RADIUS
+FINAL, CORE = GAINS.final * RADIUS, GAINS.core * RADIUS
 PLACE = st.floats(-600.0, 600.0)
 COURSE = st.floats(-math.pi, math.pi)
 
@@ -42,7 +42,7 @@ def test_every_leg_leads_on(x, y, course, path_needed):
     here, after = at(x, y, course), leg()
     for _ in range(3):
         after = fly_leg(after, here, path_needed, GAINS)
-        wanted = leg_course(after, here, GAINS)
+        wanted = leg_course(after, here, CORE)
         assert after.phase in (FIELD, WAY, AWAY)
         assert after.radius == RADIUS
         assert math.isfinite(wanted.chi)
@@ -64,7 +64,7 @@ def test_from_beyond_the_goal_a_way_is_flown(x, y, course):
 def test_on_the_straight_end_it_goes_straight_on(x, y, course):
     after = begun(x, y, course)
     assert after.phase == FIELD
-    assert abs(leg_course(after, at(x, y, course), GAINS).chi) < 0.1
+    assert abs(leg_course(after, at(x, y, course), CORE).chi) < 0.1
 
 
 @pytest.mark.parametrize("where", [(-20.0, 1.5, 0.0), (-20.0, 0.0, 0.1), (0.5, 0.0, 0.0)])
@@ -88,7 +88,7 @@ def test_a_way_is_as_long_as_the_shortest_word(x, y, course):
         word = shortest_word(*ahead(here, final), course, RADIUS)
     assert after.final == final
     shortest = RADIUS * length_of(word) + final
-    assert leg_course(after, at(x, y, course), GAINS).remaining == pytest.approx(shortest)
+    assert leg_course(after, at(x, y, course), CORE).remaining == pytest.approx(shortest)
 
 
 @given(PLACE, PLACE, COURSE, st.floats(0.0, 6000.0))
@@ -96,14 +96,14 @@ def test_a_way_is_long_enough_for_the_height_or_the_vehicle_flies_away_first(
     x, y, course, path_needed
 ):
     after, here = begun(x, y, course, path_needed), at(x, y, course)
-    remaining = leg_course(after, here, GAINS).remaining
+    remaining = leg_course(after, here, CORE).remaining
     if after.phase == AWAY:
         begin = ahead(here, after.final)
         toward = math.atan2(-begin[1], -begin[0])
         assert abs(wrap(after.away - toward)) >= 1.6 - 1e-9
     elif after.phase == WAY:
         assert remaining >= path_needed - 1e-6
-        assert remaining < max(path_needed, 15.0 * RADIUS) + 1e-6
+        assert remaining < max(path_needed + FULL * RADIUS, 20.0 * RADIUS)
     else:
         assert remaining + 0.5 * RADIUS >= path_needed
 

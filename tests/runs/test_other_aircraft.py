@@ -45,6 +45,9 @@ def options(aircraft, wind):
         height=30.0,
         wind=wind,
         turbulence="none",
+        sensors=False,
+        no_wind_message=False,
+        no_airspeed=False,
         set=[],
     )
 

@@ -61,10 +61,10 @@ def take_over(memory: RouteMemory) -> RouteMemory:
 PackedMemory = NDArray[np.float64]
 """(AIR + AIR_NUMBERS,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
-JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 45, 46, 48, 49, 51
+OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 42, 45, 46, 48, 49, 51
 AIR_TIME = AIR
-"""Places of the count and the size of jumps, of the ratio of wind and airspeed and whether it is
-too large, of the air's numbers and the first of them."""
+"""Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
+airspeed and whether it is too large, the air's numbers and the first of them."""
 
 
 @compiled
@@ -94,7 +94,8 @@ def goal_in(memory: PackedMemory) -> int:
 
 def settled_in(memory: PackedMemory) -> bool:
     """Whether no jump of the position is being let in."""
-    return settled(Jumps((memory[30], memory[31], memory[32]), 0, 0.0, 0.0))
+    north, east, down = memory[OFFSET:JUMPS]
+    return settled(Jumps((north, east, down), 0, 0.0, 0.0))
 
 
 def trusts_sensor_in(memory: PackedMemory) -> bool:

@@ -1,8 +1,11 @@
 """A flight of nothing, so that all compiled code is there before a real one."""
 
+import math
+
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
@@ -31,8 +34,11 @@ def warm_up(plan: Plan) -> None:
     speed = plan.gains.airspeed
     companion.receive(0, GpsGlobalOrigin(*origin))
     companion.receive(0, WindCov(0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    for step, north in enumerate((-1.0, 1.0, 2.0)):
+    c, s = math.cos(goal.course), math.sin(goal.course)
+    q_nb = quaternion_from_euler(0.0, 0.0, goal.course)
+    for step, along in enumerate((-1.0, 1.0, 2.0)):
         time = step * APART
-        companion.receive(0, LocalPositionNed(time, north, 0.0, 0.0, speed, 0.0, 0.0))
+        place, velocity = (along * c, along * s, 0.0), (speed * c, speed * s, 0.0)
+        companion.receive(0, LocalPositionNed(time, *place, *velocity))
         companion.receive(0, VfrHud(speed, speed, 0, 0, altitude, 0.0))
-        companion.receive(0, AttitudeQuaternion(time, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        companion.receive(0, AttitudeQuaternion(time, *q_nb, 0.0, 0.0, 0.0))

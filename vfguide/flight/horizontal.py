@@ -36,7 +36,12 @@ def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
 @compiled
 def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
     """Turn radius over ground at the commanded airspeed in this wind [m]."""
-    wind = math.hypot(state.wind_n[0], state.wind_n[1])
+    return radius_in(math.hypot(state.wind_n[0], state.wind_n[1]), bank, gains)
+
+
+@compiled
+def radius_in(wind: float, bank: float, gains: Gains) -> float:
+    """The same in a wind of so many m/s."""
     radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
     radius += 0.5 * (gains.airspeed + wind) * gains.sluggish
     return max(radius, SLOWEST_TURN * gains.airspeed)
@@ -67,7 +72,8 @@ def plan_course(
     distance = math.hypot(at.x, at.y)
     needed = path_needed(height, distance, target.slope, max(slope, 1e-6), unit)
     leg = fly_leg(leg, at, needed, gains)
-    return leg, leg_course(leg, at, gains)
+    core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
+    return leg, leg_course(leg, at, core)
 
 
 @compiled

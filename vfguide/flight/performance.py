@@ -50,7 +50,7 @@ class Gains(NamedTuple):
     """True airspeed to fly [m/s]."""
     k_w: float = 3.5
     """Attitude gain of Lemma 4 [1/s]."""
-    k_lateral: float = 1.2
+    k_lateral: float = 1.6
     """Turn rate per azimuth error of the air velocity [1/s]."""
     k_elevation: float = 0.5
     """Extra elevation per error of the path angle."""
@@ -61,7 +61,7 @@ class Gains(NamedTuple):
     turn_margin: float = 1.15
     """Radius of the goal circles over the smallest that the bank allows in this wind."""
     core: float = 0.4
-    """Radius of the line core of the field, in turn radii."""
+    """Radius of the line core of the field, in turn radii of still air."""
     final: float = 0.6
     """Length of the straight end of the approach, in turn radii: field and circles lead to its
     beginning, so that the course has settled when the goal is passed."""

@@ -59,7 +59,7 @@ def fly_leg(leg: Leg, at: Planar, path_needed: float, gains: Gains) -> Leg:
     after = go_on(leg, entry)
     if after.phase in (NEW, AWAY):
         return begin_here(after, at, path_needed, final)
-    to_go = entry_course(after, entry, gains).remaining
+    to_go = entry_course(after, entry, leg.radius).remaining
     if after.phase == FIELD:
         to_go += leg.radius * off_field(entry)
     if BREAK_OFF * (path_needed - leg.final) > to_go > 2.0 * leg.radius:
@@ -68,14 +68,17 @@ def fly_leg(leg: Leg, at: Planar, path_needed: float, gains: Gains) -> Leg:
 
 
 @compiled
-def leg_course(leg: Leg, at: Planar, gains: Gains) -> Course:
-    """The course of the phase that is flown, and the path length to the goal."""
-    toward = entry_course(leg, before_end(leg, at), gains)
+def leg_course(leg: Leg, at: Planar, core: float) -> Course:
+    """The course of the phase that is flown, and the path length to the goal.
+
+    `core` is where the field becomes that of a line [m], see `field_course`.
+    """
+    toward = entry_course(leg, before_end(leg, at), core)
     return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final)
 
 
 @compiled
-def entry_course(leg: Leg, at: Planar, gains: Gains) -> Course:
+def entry_course(leg: Leg, at: Planar, core: float) -> Course:
     """The same to the beginning of the straight end, which is the origin here.
 
     Away from the goal the path counts as no longer than the radius, so that it is as steep as it
@@ -85,7 +88,7 @@ def entry_course(leg: Leg, at: Planar, gains: Gains) -> Course:
         return way_course(leg.way, at)
     if leg.phase == AWAY:
         return Course(leg.away, 0.0, leg.radius)
-    return field_course(at, gains.core * leg.radius)
+    return field_course(at, core)
 
 
 @compiled

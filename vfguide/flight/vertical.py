@@ -7,13 +7,13 @@ from vfguide.flight.performance import Performance, turn_length
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
 
-STANDOFF = 0.47
+STANDOFF = 0.35
 """The distance to the goal is not taken below this in the profile, in turn lengths."""
 LINE_UP = 1.57
 """The slope of the goal is taken up over this distance before it, in turn lengths."""
 LOITER_HORIZON = 2.35
 """Distance over which a loitering vehicle takes away an error of height, in turn lengths."""
-SOON = 0.785
+SOON = 0.55
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
