@@ -140,7 +140,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "bank_max_deg": None,
             "k_w": 3.5,
             "k_v": 1.0,
-            "k_lateral": 1.6,
+            "k_lateral": 1.2,
             "k_elevation": 0.5,
             "loiter": "right",
         },
@@ -226,9 +226,9 @@ def test_speeds_and_bank_to_fly(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("roll_s", "k_w", "k_lateral", "k_elevation", "sluggish"),
     [
-        (0.04, 3.5, 1.6, 0.5, 0.0),
-        (0.08, 3.5, 1.6, 0.5, 0.0),
-        (0.16, 1.75, 1.5, 0.25, 0.08),
+        (0.04, 3.5, 1.2, 0.5, 0.0),
+        (0.08, 3.5, 1.2, 0.5, 0.0),
+        (0.16, 1.75, 1.2, 0.25, 0.08),
         (0.4, 0.7, 0.6, 0.1, 0.32),
     ],
 )

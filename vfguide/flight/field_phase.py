@@ -7,13 +7,14 @@ import math
 
 from vfguide.flight.approach import Planar, arc_to_goal
 from vfguide.flight.leg import Leg
+from vfguide.flight.way import TURN_IN
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
 INSIDE = 0.045
 """The field is begun no farther inside the circles where it is too tight than so many radii, ..."""
-COMMITTED = 0.075
-"""... and close to the goal given up farther inside than this."""
+COMMITTED = 0.1
+"""... and taken up from a way, and kept, no farther inside than this."""
 AGREEMENT = 0.1
 """From a way the field is taken up where the course is within this of it [rad]."""
 STRAYED = 2.0
@@ -31,10 +32,19 @@ SLACK = 3.0
 
 
 @compiled
-def is_lined_up(leg: Leg, at: Planar, slack: float) -> bool:
+def is_lined_up(leg: Leg, at: Planar) -> bool:
     """Whether the vehicle is on the straight end of the approach, as between goals in line."""
-    is_on_line = 0.0 < at.x < leg.final and abs(at.y) < slack * ASIDE * leg.radius
-    return is_on_line and abs(math.atan2(at.vy, at.vx)) < slack * OFF_COURSE
+    is_on_line = 0.0 < at.x < leg.final and abs(at.y) < ASIDE * leg.radius
+    return is_on_line and abs(math.atan2(at.vy, at.vx)) < OFF_COURSE
+
+
+@compiled
+def rolls_out(leg: Leg, at: Planar, left: float) -> bool:
+    """Whether to roll out onto the straight end now, `left` [m] before the end of a way."""
+    lead = TURN_IN * math.hypot(at.vx, at.vy)
+    off = SLACK * OFF_COURSE + lead / leg.radius
+    is_beside = abs(at.y) < SLACK * ASIDE * leg.radius
+    return left < lead and is_beside and abs(math.atan2(at.vy, at.vx)) < off
 
 
 @compiled
@@ -52,17 +62,18 @@ def off_field(at: Planar) -> float:
 @compiled
 def takes_up_field(leg: Leg, at: Planar) -> bool:
     """Whether the field leads on from the end of a way."""
-    is_wide = at.x < -abs(at.y) and depth(leg, at) <= INSIDE * leg.radius
+    is_wide = at.x < -abs(at.y) and depth(leg, at) <= COMMITTED * leg.radius
     return is_wide and off_field(at) < AGREEMENT
 
 
 @compiled
 def stays_in_field(leg: Leg, at: Planar) -> bool:
     """Whether the field still leads to the goal without a turn that is too tight."""
+    near = at.x > 0.0 or math.hypot(at.x, at.y) < leg.radius
     inside = depth(leg, at) / leg.radius
-    if math.hypot(at.x, at.y) < leg.radius and abs(math.atan2(at.vy, at.vx)) < 1.2:
+    if near and abs(math.atan2(at.vy, at.vx)) < 1.2:
         return inside <= COMMITTED or at.x > 0.0
-    return inside <= INSIDE and at.x < -abs(at.y) and off_field(at) < STRAYED
+    return inside <= COMMITTED and at.x < -abs(at.y) and off_field(at) < STRAYED
 
 
 @compiled

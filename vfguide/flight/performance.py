@@ -50,7 +50,7 @@ class Gains(NamedTuple):
     """True airspeed to fly [m/s]."""
     k_w: float = 3.5
     """Attitude gain of Lemma 4 [1/s]."""
-    k_lateral: float = 1.6
+    k_lateral: float = 1.2
     """Turn rate per azimuth error of the air velocity [1/s]."""
     k_elevation: float = 0.5
     """Extra elevation per error of the path angle."""

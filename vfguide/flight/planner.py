@@ -12,10 +12,10 @@ import math
 
 from vfguide.flight.approach import Course, Planar, field_course
 from vfguide.flight.field_phase import (
-    SLACK,
     begins_in_field,
     is_lined_up,
     off_field,
+    rolls_out,
     stays_in_field,
     takes_up_field,
 )
@@ -101,8 +101,10 @@ def go_on(leg: Leg, entry: Planar) -> Leg:
         way = along(leg.way, entry)
         if leads_straight_on(way) and takes_up_field(leg, entry):
             return in_phase(leg, FIELD, way)
+        if rolls_out(leg, entry, way_left(way)):
+            return in_phase(leg, FIELD, way)
         if way_left(way) <= 0.0:
-            return in_phase(leg, FIELD if is_lined_up(leg, entry, SLACK) else NEW, way)
+            return in_phase(leg, NEW, way)
         return in_phase(leg, WAY if beside(way, entry) < OFF_WAY * leg.radius else NEW, way)
     return leg
 
@@ -119,7 +121,7 @@ def begin_here(leg: Leg, at: Planar, path_needed: float, final: float) -> Leg:
     """
     fresh = with_final(leg, final)
     entry = before_end(fresh, at)
-    if is_lined_up(fresh, entry, 1.0) and path_needed <= final - entry.x:
+    if is_lined_up(fresh, entry) and path_needed <= final - entry.x:
         return in_phase(fresh, FIELD, leg.way)
     begin = Planar(entry.x + TURN_IN * at.vx, entry.y + TURN_IN * at.vy, at.vx, at.vy)
     word = word_from(begin, leg.radius)

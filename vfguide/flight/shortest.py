@@ -14,7 +14,7 @@ FULL = 2.0 * math.pi
 CLOSED = 0.1
 """A turn that lacks no more than this to a full circle is none: a step earlier it was [rad]."""
 
-BRIEF = 0.7
+BRIEF = 1.1
 """A last turn of less than this is short [rad]."""
 NEAR = 1.0
 """A straight of less than this is short [turn radii]."""

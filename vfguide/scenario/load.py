@@ -19,7 +19,7 @@ from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 
-FAST, PROMPT = 0.08, 0.15
+FAST, PROMPT = 0.08, 0.2
 """Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
 ones get less in proportion, since the inner loop has to be the faster one."""
 

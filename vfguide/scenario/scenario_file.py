@@ -103,7 +103,7 @@ class Guidance(Table):
     """Attitude gain of Lemma 4 [1/s]."""
     k_v: Annotated[float, above(0, 20)] = 1.0
     """Speed gain of the paper [1/s]; only the kinematic plant flies it."""
-    k_lateral: Annotated[float, above(0, 10)] = 1.6
+    k_lateral: Annotated[float, above(0, 10)] = 1.2
     """Turn rate per azimuth error of the air velocity [1/s]."""
     k_elevation: Annotated[float, between(0, 5)] = 0.5
     """Extra elevation per error of the path angle."""
