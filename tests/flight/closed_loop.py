@@ -11,7 +11,6 @@ from point_mass import UPDATE, Moment, fly, level
 from vfguide.companion.legs import Goal
 from vfguide.companion.plan import Plan
 from vfguide.flight.performance import Gains
-from vfguide.flight.planner import SETTLING
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
@@ -121,10 +120,9 @@ def flown(start, heading, goals, wind=STILL, seconds=300.0, **loiter):
 def shortest(start, course, radius, to):
     """Length of the shortest of the four turn-straight-turn paths over ground, all of `radius`.
 
-    They lead to the beginning of the straight end of the approach where that is longest, and along
-    it.
+    They lead to the beginning of the straight end of the approach, and along it.
     """
-    final = SETTLING * radius
+    final = GAINS.final * radius
     c, s = math.cos(to.course), math.sin(to.course)
     north, east = start[0] - to.p_n[0], start[1] - to.p_n[1]
     x, y, course = c * north + s * east + final, c * east - s * north, course - to.course

@@ -3,7 +3,6 @@
 The whole table is printed by tools/measure_poses.py --aircraft NAME.
 """
 
-import importlib.util
 import json
 import math
 import os
@@ -12,11 +11,12 @@ import shutil
 import subprocess
 import sys
 import textwrap
-from argparse import Namespace
 from pathlib import Path
 
+import measure_poses
 import pytest
 from flights import vfguide
+from pose_options import options
 
 from vfguide.scenario.data import data_folder
 from vfguide.scenario.load import load_scenario
@@ -24,32 +24,6 @@ from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
 
 ROOT = Path(__file__).parents[2]
-TOOL = ROOT / "tools" / "measure_poses.py"
-
-
-@pytest.fixture(scope="module")
-def tool():
-    spec = importlib.util.spec_from_file_location("measure_poses", TOOL)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def options(aircraft, wind):
-    return Namespace(
-        aircraft=aircraft,
-        scenario="first-flight",
-        seed=1,
-        nearest=100.0,
-        farthest=1000.0,
-        height=30.0,
-        wind=wind,
-        turbulence="none",
-        sensors=False,
-        no_wind_message=False,
-        no_airspeed=False,
-        set=[],
-    )
 
 
 @pytest.mark.parametrize(
@@ -64,9 +38,12 @@ def options(aircraft, wind):
         ("c172p", 47, 15.0),
     ],
 )
-def test_random_start(tool, aircraft, number, wind):
+def test_random_start(aircraft, number, wind):
     """Among the worst of the table; numbers 0, 3 and 18 once circled for ever."""
-    flown, frame = tool.fly(number, options(aircraft, wind)), tool.frame_of(aircraft)
+    flown, frame = (
+        measure_poses.fly(number, options(aircraft=aircraft, wind=wind)),
+        measure_poses.frame_of(aircraft),
+    )
     assert flown.reached, flown
     assert flown.miss_m <= frame.most_miss
     assert flown.course_deg <= 3.0
@@ -77,20 +54,21 @@ def test_random_start(tool, aircraft, number, wind):
     assert flown.below_m <= 50.0
 
 
-def test_draws_are_alike_in_turn_radii(tool):
+def test_draws_are_alike_in_turn_radii():
     starts = {
-        name: tool.draw(1, 5, options(name, 3.0))[2].partition("=")[2]
+        name: measure_poses.draw(1, 5, options(aircraft=name, wind=3.0))[2].partition("=")[2]
         for name in ("easystar", "c172p")
     }
     places = {
         name: [float(part) for part in text[1:-1].split(",")] for name, text in starts.items()
     }
     radii = {
-        name: math.hypot(*place[:2]) / tool.frame_of(name).radius for name, place in places.items()
+        name: math.hypot(*place[:2]) / measure_poses.frame_of(name).radius
+        for name, place in places.items()
     }
     assert radii["easystar"] == pytest.approx(radii["c172p"], rel=1e-3)
-    assert tool.frame_of("easystar").radius == pytest.approx(11.0**2 / 9.80665)
-    assert tool.frame_of("easystar").stall == pytest.approx(6.95, abs=0.1)
+    assert measure_poses.frame_of("easystar").radius == pytest.approx(11.0**2 / 9.80665)
+    assert measure_poses.frame_of("easystar").stall == pytest.approx(6.95, abs=0.1)
 
 
 @pytest.mark.parametrize("name", ["easystar", "cessna"])
@@ -124,8 +102,8 @@ def with_slow_servos(folder: Path, roll_s: float) -> Path:
     return folder / "first-flight.toml"
 
 
-def test_gains_follow_the_roll_response_of_the_file(tool, tmp_path):
-    changes, found = tool.draw(1, 4, options("easystar", 3.7)), []
+def test_gains_follow_the_roll_response_of_the_file(tmp_path):
+    changes, found = measure_poses.draw(1, 4, options(aircraft="easystar", wind=3.7)), []
     for roll_s in (0.055, 0.12):
         folder = tmp_path / str(roll_s)
         folder.mkdir()
