@@ -131,11 +131,18 @@ def test_a_path_that_became_too_short_for_the_height_is_planned_anew_but_not_clo
 
 
 @pytest.mark.parametrize(
-    ("radius", "kept"), [(84.0, True), (69.0, True), (85.0, False), (67.0, False)]
+    ("radius", "kept"), [(111.0, True), (58.0, True), (113.0, False), (57.0, False)]
 )
 def test_the_radius_changes_only_for_a_reason_and_then_a_way_is_planned_anew(radius, kept):
     assert keep_radius(leg(FIELD), radius) == leg(FIELD)._replace(radius=RADIUS if kept else radius)
     assert keep_radius(leg(WAY), radius).phase == (WAY if kept else NEW)
+
+
+@pytest.mark.parametrize(
+    ("radius", "kept"), [(95.0, True), (67.0, True), (97.0, False), (66.0, False)]
+)
+def test_before_a_leg_is_begun_the_radius_follows_more_closely(radius, kept):
+    assert keep_radius(leg(NEW), radius).radius == (RADIUS if kept else radius)
 
 
 def test_a_new_leg_takes_the_radius_that_is_flyable():

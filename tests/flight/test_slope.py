@@ -10,14 +10,17 @@ from hypothesis import strategies as st
 from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import (
     AIRSPEED_BAND,
+    FASTEST_DESCENT,
     LINE_UP,
     LOITER_HORIZON,
     SLOPE_RATE,
+    SLOWEST_CLIMB,
     STANDOFF,
     airspeed_over_ground,
     descent_at_airspeed,
     goal_slope,
     path_angle,
+    path_limits,
     plan_slope,
     profile_height,
     steepest_path,
@@ -82,7 +85,7 @@ def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, gr
     slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, 0.0, 100.0)
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
-    gamma = path_angle(slope, groundspeed, 0.0, speed, AEROSONDE)
+    gamma = path_angle(slope, groundspeed, 0.0, speed, path_limits(speed, SPEED, AEROSONDE))
     assert -AEROSONDE.descent_max <= gamma <= AEROSONDE.climb_max
 
 
@@ -96,15 +99,17 @@ def test_on_a_loiter_height_comes_back_over_its_horizon(height):
     assert slope == pytest.approx(wanted)
 
 
-def test_no_dive_past_the_fastest_and_no_climb_below_the_slowest_airspeed():
-    """With the engine at rest an Aerosonde gains speed in a dive of 10 degrees: 35.5 m/s."""
-    fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
-    full = math.sin(AEROSONDE.climb_max)
+def test_no_dive_past_the_fastest_and_no_climb_near_the_slowest_airspeed():
+    """With the engine at rest an Aerosonde gains speed in a dive of 10 degrees: 35.5 m/s; where
+    the air sinks it would climb into the stall."""
+    fastest = FASTEST_DESCENT * AEROSONDE.airspeed_max
+    slowest = SLOWEST_CLIMB * AEROSONDE.airspeed_min
+    full = (-AEROSONDE.descent_max, AEROSONDE.climb_max)
     for airspeed in (slowest + BAND, 25.0, fastest - BAND):
-        assert steepest_path(airspeed, -0.1, -1.0, AEROSONDE, BAND) == full
-        assert steepest_path(airspeed, 0.1, 0.0, AEROSONDE, BAND) == full
-    assert steepest_path(fastest + BAND, -0.1, -1.0, AEROSONDE, BAND) == 0.0
-    assert steepest_path(slowest - BAND, 0.1, 0.0, AEROSONDE, BAND) == 0.0
+        assert path_limits(airspeed, 25.0, AEROSONDE) == pytest.approx(full)
+    assert path_limits(fastest + BAND, 25.0, AEROSONDE) == pytest.approx((0.0, full[1]))
+    assert path_limits(slowest - BAND, 25.0, AEROSONDE) == pytest.approx((full[0], 0.0))
+    assert path_angle(0.0, 25.0, 4.0, 25.0, (full[0], 0.0)) == 0.0
 
 
 def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_for_it():
@@ -115,17 +120,13 @@ def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_f
     assert descent_at_airspeed(AEROSONDE, 0.15) == pytest.approx(glide)
     assert descent_at_airspeed(AEROSONDE, -math.tan(9.0 * DEG)) == pytest.approx(9.0 * DEG)
     assert descent_at_airspeed(AEROSONDE, -1.0) == AEROSONDE.descent_max
-    assert steepest_path(25.0, -0.1, 0.0, AEROSONDE, BAND) == pytest.approx(math.sin(glide))
+    assert steepest_path(-0.1, 0.0, AEROSONDE) == pytest.approx(math.sin(glide))
 
 
-def test_at_the_limits_of_the_airspeed_height_can_still_be_changed():
-    """They may be commanded; and away from a limit the airspeed is free to return."""
-    fastest, slowest = AEROSONDE.airspeed_max, AEROSONDE.airspeed_min
-    full = math.sin(AEROSONDE.climb_max)
-    assert steepest_path(fastest, -0.1, -1.0, AEROSONDE, BAND) == pytest.approx(0.5 * full)
-    assert steepest_path(slowest, 0.1, 0.0, AEROSONDE, BAND) == pytest.approx(0.5 * full)
-    assert steepest_path(fastest + 5.0, 0.1, 0.0, AEROSONDE, BAND) == full
-    assert steepest_path(slowest - 5.0, -0.1, -1.0, AEROSONDE, BAND) == full
+@pytest.mark.parametrize("wanted", [18.0, 19.0, 20.0, 22.0])
+def test_slow_flight_that_is_asked_for_can_still_climb(wanted):
+    assert path_limits(wanted, wanted, AEROSONDE)[1] >= 0.5 * AEROSONDE.climb_max
+    assert path_limits(AEROSONDE.airspeed_max, 32.0, AEROSONDE)[0] <= -0.5 * AEROSONDE.descent_max
 
 
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])

@@ -12,6 +12,7 @@ from vfguide.flight.air_state import (
     EAST,
     MODEL,
     NORTH,
+    RISE,
     SAME,
     SIDE,
     THRUST,
@@ -24,10 +25,12 @@ from vfguide.flight.air_state import (
     trusts_sensor,
 )
 from vfguide.flight.performance import AIRSPEED_GAIN, BANK_GAIN, Law, Performance
+from vfguide.flight.rising_air import feel_rise
 from vfguide.flight.state import FlightState
 from vfguide.flight.wind_estimate import (
     begin,
     feel_side,
+    felt_force,
     flown,
     follow_model,
     predict,
@@ -36,6 +39,7 @@ from vfguide.flight.wind_estimate import (
     watch_wind,
 )
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import sub
 
 GAP = 1.0
 """After a pause longer than this the estimate begins anew [s]."""
@@ -77,7 +81,10 @@ def sense_air(
         air[TRUST] = 0.0 if math.isnan(told) else 1.0
         dt = 1e-3
     elif dt > 0.0:
-        feel_side(air, state.v_n, state.R_nb, dt)
+        force_n = felt_force(air, state.v_n, dt)
+        level_n = sub(state.v_n, (air[X + NORTH], air[X + EAST], 0.0))
+        feel_rise(air, force_n, level_n, state.R_nb, air[X + AIRSPEED], aircraft, dt)
+        feel_side(air, force_n, state.R_nb, dt)
         how = flown(state.R_nb, air[X + AIRSPEED], air[THRUST], air[SIDE], aircraft)
         follow_model(air, how, dt)
         predict(air, how, dt)
@@ -87,10 +94,9 @@ def sense_air(
     plausible = air[DOUBT] <= 0.0 and trusts_sensor(air)
     if plausible:
         watch_sensor(air, told, max(dt, 1e-3))
-    wind_n = state.wind_n
-    if math.isnan(wind_n[0]):
-        wind_n = (air[X + NORTH], air[X + EAST], 0.0)
-    else:
+    wind_n = (air[X + NORTH], air[X + EAST], -air[RISE])
+    if not math.isnan(state.wind_n[0]):
+        wind_n = (state.wind_n[0], state.wind_n[1], -air[RISE])
         watch_wind(air, wind_n, max(dt, 1e-3))
     speed = told if plausible else air[X + AIRSPEED]
     return FlightState(state.time, state.p_n, state.v_n, state.R_nb, speed, wind_n), air

@@ -39,7 +39,9 @@ DOUBT = SAME + 1
 """For how long it has been implausible, negative: plausible [s]."""
 TRUST = DOUBT + 1
 """1: the sensor is flown on; 0: it is not."""
-AIR_NUMBERS = TRUST + 1
+RISE = TRUST + 1
+"""How fast the air rises [m/s]."""
+AIR_NUMBERS = RISE + 1
 
 AirState = NDArray[np.float64]
 """(AIR_NUMBERS,), the numbers at the places above."""

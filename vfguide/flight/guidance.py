@@ -10,7 +10,7 @@ from vfguide.flight.leg import keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import path_angle, plan_slope
+from vfguide.flight.vertical import path_angle, path_limits, plan_slope
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import log, to_quaternion
@@ -33,7 +33,8 @@ def guide(
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     bank_max = usable_bank(aircraft, gains, speed)
-    leg = keep_radius(memory.leg, flyable_radius(state, bank_max, gains))
+    steady = usable_bank(aircraft, gains, gains.airspeed)
+    leg = keep_radius(memory.leg, flyable_radius(state, steady, gains))
     leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
     gamma = math.asin(max(-1.0, min(1.0, -air[2] / speed)))
     heading = heading_for_course(
@@ -53,7 +54,8 @@ def guide(
         memory.slope,
         dt,
     )
-    gamma_wanted = path_angle(slope, heading.groundspeed, state.wind_n[2], speed, aircraft)
+    limits = path_limits(norm(air), gains.airspeed, aircraft)
+    gamma_wanted = path_angle(slope, heading.groundspeed, state.wind_n[2], speed, limits)
 
     azimuth = math.atan2(air[1], air[0])
     lift, turning = plan_turn(

@@ -47,11 +47,13 @@ def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> flo
 
 @compiled
 def keep_radius(leg: Leg, radius: float) -> Leg:
-    """The leg with turns of `radius` [m], changed only if aircraft or wind ask for it.
+    """The leg with turns of `radius` [m], changed only where aircraft or wind ask for another.
 
-    A way has to be planned anew then.
+    Once it is begun only where they ask for a very different one, because it is planned anew then:
+    a gusty wind comes and goes in less time than the leg takes.
     """
-    if 0.85 * leg.radius < radius <= 1.05 * leg.radius:
+    change = 1.2 if leg.phase == NEW else 1.4
+    if leg.radius < change * radius and radius <= change * leg.radius:
         return leg
     phase = NEW if leg.phase == WAY else leg.phase
     return Leg(phase, radius, leg.final, leg.away, leg.circles, leg.way)

@@ -17,9 +17,12 @@ SOON = 0.55
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
-AIRSPEED_BAND = 0.03
-"""Within this of the limits of the airspeed climbs and descents become flatter, as a share of
-the airspeed to fly."""
+SLOWEST_CLIMB = 1.14
+FASTEST_DESCENT = 1.03
+"""Half the climb is given up at this times the slowest airspeed, half the descent at this times
+the fastest, ..."""
+AIRSPEED_BAND = 0.06
+"""... all of it so much of the cruise airspeed beyond: there the height is left to fall or rise."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
 SLOPE_RATE = 2.5
@@ -55,8 +58,7 @@ def plan_slope(
     else:
         wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    band = AIRSPEED_BAND * airspeed
-    steepest = steepest_path(state.airspeed, wanted, target.slope, aircraft, band)
+    steepest = steepest_path(wanted, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     change = SLOPE_RATE / airspeed * dt
     return max(before - change, min(before + change, wanted))
@@ -75,18 +77,11 @@ def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
 
 
 @compiled
-def steepest_path(
-    airspeed: float, slope: float, goal_slope: float, aircraft: Performance, band: float
-) -> float:
-    """Largest sine of the path angle up or down, as the sign of `slope` says.
-
-    It is halved where a climb takes the airspeed to its lower limit or a descent to its upper
-    one, begins to fall `band` [m/s] before and is zero as far beyond.
-    """
+def steepest_path(slope: float, goal_slope: float, aircraft: Performance) -> float:
+    """Largest sine of the path angle up or down, as the sign of `slope` says."""
     if slope > 0.0:
-        return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min, band)
-    steepest = descent_at_airspeed(aircraft, goal_slope)
-    return math.sin(steepest) * share(aircraft.airspeed_max - airspeed, band)
+        return math.sin(aircraft.climb_max)
+    return math.sin(descent_at_airspeed(aircraft, goal_slope))
 
 
 @compiled
@@ -102,12 +97,30 @@ def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
 
 
 @compiled
+def path_limits(airspeed: float, wanted: float, aircraft: Performance) -> tuple[float, float]:
+    """Steepest path angles through the air, down and up [rad], at an airspeed without its gusts.
+
+    The airspeed comes before the height, also where it is the air that sinks or rises; `wanted`
+    is the airspeed to fly, at which height can be changed however slow or fast it is [m/s].
+    """
+    band = AIRSPEED_BAND * aircraft.airspeed_cruise
+    low = min(SLOWEST_CLIMB * aircraft.airspeed_min, wanted - band)
+    up = share(airspeed - max(low, aircraft.airspeed_min), band)
+    down = share(FASTEST_DESCENT * aircraft.airspeed_max - airspeed, band)
+    return -down * aircraft.descent_max, up * aircraft.climb_max
+
+
+@compiled
 def path_angle(
-    slope: float, groundspeed: float, wind_down: float, airspeed: float, aircraft: Performance
+    slope: float,
+    groundspeed: float,
+    wind_down: float,
+    airspeed: float,
+    limits: tuple[float, float],
 ) -> float:
-    """Path angle through the air that makes good the slope over ground [rad]."""
+    """Path angle through the air that makes good the slope over ground [rad], within limits."""
     sine = (slope * groundspeed + wind_down) / airspeed
-    return max(-aircraft.descent_max, min(aircraft.climb_max, math.asin(max(-1.0, min(1.0, sine)))))
+    return max(limits[0], min(limits[1], math.asin(max(-1.0, min(1.0, sine)))))
 
 
 @compiled

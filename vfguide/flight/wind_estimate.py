@@ -32,7 +32,7 @@ from vfguide.flight.air_state import (
 from vfguide.flight.performance import Performance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import DEG, G0
-from vfguide.geometry.vector import Mat3, Vec3, unit
+from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
 
 GROWTH = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
 """Growth of the variances in a second: gusts carry wind and airspeed away."""
@@ -99,12 +99,18 @@ def slip(side: float, airspeed: float, aircraft: Performance) -> float:
 
 
 @compiled
-def feel_side(air: AirState, v_n: Vec3, R_nb: Mat3, dt: float) -> None:
-    """The specific force across the fuselage, (v' - g) . y_b, from one velocity to the next."""
-    side = -G0 * R_nb[2][1]
+def felt_force(air: AirState, v_n: Vec3, dt: float) -> Vec3:
+    """The specific force v' - g since the velocity before, NED [m/s^2]; `v_n` is the next one."""
+    before = (air[BEFORE], air[BEFORE + 1], air[BEFORE + 2])
     for k in range(3):
-        side += (v_n[k] - air[BEFORE + k]) / dt * R_nb[k][1]
         air[BEFORE + k] = v_n[k]
+    return sub(scale(1.0 / dt, sub(v_n, before)), (0.0, 0.0, G0))
+
+
+@compiled
+def feel_side(air: AirState, force_n: Vec3, R_nb: Mat3, dt: float) -> None:
+    """The specific force across the fuselage, (v' - g) . y_b."""
+    side = dot(force_n, (R_nb[0][1], R_nb[1][1], R_nb[2][1]))
     air[SIDE] += dt / (SIDE_TIME + dt) * (side - air[SIDE])
 
 

@@ -141,10 +141,10 @@ def vfr_hud(report: Report) -> VfrHud:
 
 
 def wind_cov(report: Report) -> WindCov:
-    """WIND_COV; the wind blows toward this vector."""
-    north, east, down = report.estimate.wind_n
+    """WIND_COV; the wind blows toward this vector. As on PX4 no vertical wind is estimated."""
+    north, east, _ = report.estimate.wind_n
     altitude = report.estimate.altitude
-    return WindCov(report.now, north, east, down, 0.25, 0.25, altitude, 0.5, 0.5)
+    return WindCov(report.now, north, east, 0.0, 0.25, 0.25, altitude, 0.5, 0.5)
 
 
 def gps_raw(report: Report) -> GpsRawInt:
