@@ -26,6 +26,8 @@ LENGTH = round(HORIZON / STEP) + 1
 """Points of a track."""
 CONTACT = 1.0
 """Nearer than this a hazard is hit [m]."""
+KEPT, NO_CONTACT = 1.0, 1e6
+"""What the stored manoeuvre, and any without contact, has ahead of others [m]."""
 AFTER = 15
 """The least bad of several manoeuvres without contact is judged from this point on: where it
 is too near already, the one that gets away."""
@@ -128,28 +130,31 @@ def distances_from_wish(world: World, wish: Command) -> Rows:
 
 @compiled
 def least_bad(world: World, motion: Motion, t: float, stored: Manoeuvre, margin: float) -> Found:
-    """The manoeuvre that makes contact last; of several without, the one that gets farthest away.
+    """The manoeuvre that goes least deep; of several without contact, the one that gets away.
 
     The stored one is kept unless another is better by a metre.
     """
-    best = Found(stored, follow(world, motion, stored, t, (margin, CONTACT), 0))
-    merit = merit_of(world, motion, t, best.seen, margin) + 1.0
+    seen, merit = judged(world, motion, t, stored, margin, 0)
+    best, merit = Found(stored, seen), merit + KEPT
     for kind in range(KINDS):
         plan = manoeuvre(kind, world.scale)
-        seen = follow(world, motion, plan, t, (margin, CONTACT), best.seen.hazard)
-        other = merit_of(world, motion, t, seen, margin)
+        seen, other = judged(world, motion, t, plan, margin, max(best.seen.hazard, 0))
         if other > merit:
             best, merit = Found(plan, seen), other
     return best
 
 
 @compiled
-def merit_of(world: World, motion: Motion, t: float, seen: Clearance, margin: float) -> float:
-    """How good the track flown last is: metres flown to contact, or clearance above all that."""
+def judged(
+    world: World, motion: Motion, t: float, plan: Manoeuvre, margin: float, suspect: int
+) -> tuple[Clearance, float]:
+    """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact."""
+    seen = follow(world, motion, plan, t, (margin, CONTACT), suspect)
     if seen.lost < math.inf:
-        return seen.lost * motion.airspeed
+        least = clear(world, motion, t, 0, (CONTACT, -math.inf), seen.hazard).least
+        return Clearance(least, seen.lost, seen.hazard), least
     away = clear(world, motion, t, AFTER, (margin, CONTACT), max(seen.hazard, 0))
-    return 1e6 + seen.least + away.least
+    return seen, NO_CONTACT + seen.least + away.least
 
 
 @compiled
