@@ -1,0 +1,108 @@
+"""All that must not be hit, as arrays, and how near a point is to each of it."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vfguide.field.near import distance_bound, upright_distance
+from vfguide.field.obstacle import Rows
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+from vfguide.safety.fence import Fences, fence_distance
+
+MOVER_GROWTH = 0.1
+"""Growth of the doubt where a moving obstacle is, as a part of its speed."""
+
+
+class Intruder(NamedTuple):
+    """Another aircraft: an upright cylinder that grows with the age of its report."""
+
+    p_n: Vec3
+    """At the time of the report, NED [m]."""
+    v_n: Vec3
+    """NED [m/s]."""
+    time: float
+    """Of the report, on the clock of the obstacles [s]."""
+    radius: float
+    half_height: float
+    """Of the volume to keep out of [m]."""
+    growth: float
+    growth_up: float
+    """Of radius and half height with the report's age [m/s]."""
+
+
+class Hazards(NamedTuple):
+    """Everything to keep clear of that is known."""
+
+    obstacles: Rows
+    """(M, COLUMNS) of `obstacle_rows`."""
+    traffic: Rows
+    """(K, 11) of `traffic_rows`."""
+    fences: Fences
+    floor: float
+    ceiling: float
+    """Heights above the guidance frame's origin to stay between [m]; infinite for none."""
+
+
+def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
+    """The intruders as an array (K, 11), its columns the fields in order."""
+    rows = [(*a.p_n, *a.v_n, *a[2:]) for a in intruders]
+    return np.array(rows, dtype=float).reshape(-1, 11)
+
+
+@compiled
+def hazard_count(hazards: Hazards) -> int:
+    """How many there are; floor and ceiling are the last one."""
+    return len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones) + 1
+
+
+@compiled
+def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
+    """At most the distance of `p_n` (NED) from hazard `i` at time `t` [m], negative inside."""
+    if i < len(hazards.obstacles):
+        return distance_bound(hazards.obstacles, i, p_n, t)
+    i -= len(hazards.obstacles)
+    if i < len(hazards.traffic):
+        return traffic_distance(hazards.traffic, i, p_n, t)
+    i -= len(hazards.traffic)
+    if i < len(hazards.fences.zones):
+        return fence_distance(hazards.fences, i, p_n)
+    return min(-p_n[2] - hazards.floor, hazards.ceiling + p_n[2])
+
+
+@compiled
+def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
+    """Distance of `p_n` (NED) from the volume of intruder `i` at time `t` [m]."""
+    age = t - traffic[i, 6]
+    x = p_n[0] - traffic[i, 0] - age * traffic[i, 3]
+    y = p_n[1] - traffic[i, 1] - age * traffic[i, 4]
+    z = p_n[2] - traffic[i, 2] - age * traffic[i, 5]
+    age = max(age, 0.0)
+    radius = traffic[i, 7] + age * traffic[i, 9]
+    return upright_distance(x, y, z, radius, traffic[i, 8] + age * traffic[i, 10])
+
+
+@compiled
+def hazard_speed(hazards: Hazards, i: int) -> float:
+    """How fast hazard `i` can come nearer to a point that stands still [m/s]."""
+    if i < len(hazards.obstacles):
+        return speed_in(hazards.obstacles, i, 4)
+    i -= len(hazards.obstacles)
+    if i < len(hazards.traffic):
+        growth = math.hypot(hazards.traffic[i, 9], hazards.traffic[i, 10])
+        return speed_in(hazards.traffic, i, 3) + growth
+    return 0.0
+
+
+@compiled
+def hazard_growth(hazards: Hazards, i: int) -> float:
+    """Growth of the doubt where hazard `i` is that is not in its distance [m/s]."""
+    return MOVER_GROWTH * speed_in(hazards.obstacles, i, 4) if i < len(hazards.obstacles) else 0.0
+
+
+@compiled
+def speed_in(rows: Rows, i: int, k: int) -> float:
+    """Length of the velocity that begins in column `k` of row `i` [m/s]."""
+    return math.sqrt(rows[i, k] ** 2 + rows[i, k + 1] ** 2 + rows[i, k + 2] ** 2)
