@@ -23,6 +23,7 @@ Longitude = Annotated[float, between(-180, 180)]
 Altitude = Annotated[float, between(-500, 10_000)]
 Speed = Annotated[float, above(0, 150)]
 WindSpeed = Annotated[float, between(0, 50)]
+Delay = Annotated[float, between(0, 2000)]
 
 DEFAULT_AIRCRAFT = "aerosonde"
 KINEMATIC_AIRSPEED = 25.0
@@ -170,6 +171,15 @@ class Autopilot(Table):
     reset: list[Reset] = Field(default_factory=list[Reset])
 
 
+class Link(Table):
+    """The way between each autopilot and its companion, as `vfguide run` simulates it."""
+
+    delay_ms: Delay = 0.0
+    """From the autopilot to the companion."""
+    delay_back_ms: Delay = 0.0
+    """From the companion to the autopilot."""
+
+
 class Sensors(Table):
     """Standard deviations of the autopilots' errors: typical of small ones."""
 
@@ -203,6 +213,7 @@ class ScenarioHead(Table):
     sensors: Sensors | None = None
     """None: every autopilot knows its state exactly."""
     autopilot: Autopilot = Autopilot()
+    link: Link = Link()
     guidance: Guidance = Guidance()
     avoidance: Avoidance = Avoidance()
 
