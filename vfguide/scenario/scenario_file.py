@@ -91,6 +91,15 @@ class Wind(Table):
     change: list[WindChange] = Field(default_factory=list[WindChange])
     """Linear from one to the next."""
 
+    @property
+    def stages(self) -> tuple[tuple[float, float, float], ...]:
+        """The winds between which it changes: from when [s], speed [m/s], where from [deg]."""
+        changes = (
+            (its.time_s, its.speed_mps, self.from_deg if its.from_deg is None else its.from_deg)
+            for its in self.change
+        )
+        return ((0.0, self.speed_mps, self.from_deg), *changes)
+
 
 class Guidance(Table):
     """Gains and limits of the companion."""
