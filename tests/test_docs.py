@@ -40,6 +40,7 @@ PLACES = [
     (SCENARIO, "[wind]", scenario_file.Wind),
     (SCENARIO, "[[wind.change]]", scenario_file.WindChange),
     (SCENARIO, "[sensors]", scenario_file.Sensors),
+    (SCENARIO, "[link]", scenario_file.Link),
     (SCENARIO, "[autopilot]", scenario_file.Autopilot),
     (SCENARIO, "[[autopilot.reset]]", scenario_file.Reset),
     (SCENARIO, "[guidance]", scenario_file.Guidance),

@@ -158,6 +158,7 @@ def draw(seed: int, number: int, args: argparse.Namespace) -> tuple[str, ...]:
         f"vehicle.0.goal.0.heading_deg={HEADING_DEG}",
         f"seed={number + 1}",
         f"duration_s={300.0 * max(1.0, scale):.0f}",
+        f"link.delay_ms={args.delay_ms}",
         *(["sensors={}"] if args.sensors else []),
         *(["autopilot.wind_message=false"] if args.no_wind_message else []),
         *(["autopilot.airspeed_fails_at_s=0"] if args.no_airspeed else []),
@@ -338,6 +339,7 @@ def main() -> None:
     parser.add_argument("--only", type=int, help="fly this start alone")
     parser.add_argument("--wind", type=float, default=0.0, help="[m/s]")
     parser.add_argument("--turbulence", default="none")
+    parser.add_argument("--delay-ms", type=float, default=0.0, help="from autopilot to companion")
     parser.add_argument("--nearest", type=float, default=100.0, help="[m] for the Aerosonde")
     parser.add_argument("--farthest", type=float, default=1000.0, help="[m] for the Aerosonde")
     parser.add_argument("--height", type=float, default=30.0, help="[m] for the Aerosonde")

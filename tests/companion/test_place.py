@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, observe
-from vfguide.companion.place import place_state
+from vfguide.companion.place import extrapolated, place_state
 from vfguide.geometry.projection import project
+from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -129,3 +130,21 @@ def test_what_cannot_be_true_is_not_taken():
 
 def test_the_wire_scales_are_those_of_mavlink():
     assert round(47.0 * DEG / DEG_E7) == 470_000_000
+
+
+@pytest.mark.parametrize("lead", [0.0, 0.02, 0.1, 0.2])
+@pytest.mark.parametrize("bank", [0.0, -0.3, 0.8])
+def test_a_steady_turn_is_predicted(lead, bank):
+    speed, rate = 25.0, 9.80665 * math.tan(bank) / 25.0
+    omega_b = (0.0, rate * math.sin(bank), rate * math.cos(bank))
+    v_n, R_nb = extrapolated((speed, 0.0, 0.0), from_euler(bank, 0.0, 0.0), omega_b, lead)
+    course = rate * lead
+    assert v_n == pytest.approx((speed * math.cos(course), speed * math.sin(course), 0.0), abs=0.1)
+    np.testing.assert_allclose(R_nb, from_euler(bank, 0.0, course), atol=1e-9)
+
+
+def test_a_state_is_told_ahead():
+    known = known_from(told(47.4, 8.55, 600.0))
+    now, then = place_state(heard(known), PLANE), place_state(heard(known, 0.2), PLANE)
+    assert np.subtract(then.p_n, now.p_n) == pytest.approx(0.2 * np.array(now.v_n), abs=5e-3)
+    assert (then.time, then.airspeed) == (now.time, now.airspeed)

@@ -127,6 +127,8 @@ def test_the_step_for_a_link_is_the_step():
         23.0,
         510.0,
         (2.0, -1.0, 0.0),
+        (0.1, 0.2, -0.1),
+        0.05,
     )
     memory = fresh_route()
     setpoint, after, _, passage = step(place_state(heard, origin), LEGS, LAW, memory)

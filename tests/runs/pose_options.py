@@ -14,6 +14,7 @@ def options(**changes):
         "height": 30.0,
         "wind": 0.0,
         "turbulence": "none",
+        "delay_ms": 0.0,
         "sensors": False,
         "no_wind_message": False,
         "no_airspeed": False,

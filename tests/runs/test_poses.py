@@ -21,3 +21,14 @@ def test_random_start(number, wind, miss, course):
     assert flown.airspeed[0] >= 1.2 * measure_poses.frame_of("aerosonde").stall
     assert flown.below_m <= 50.0
     assert flown.rate_hz >= 49.5
+
+
+@pytest.mark.parametrize("late", [{"set": ["guidance.rate_hz=10"]}, {"delay_ms": 100.0}])
+@pytest.mark.parametrize("number", range(4))
+def test_random_start_on_a_slow_link(number, late):
+    flown = measure_poses.fly(number, options(seed=77, wind=5.0, **late))
+    assert flown.reached, flown
+    assert flown.miss_m <= 0.25
+    assert flown.course_deg <= 0.5
+    assert flown.climb_deg <= 0.5
+    assert flown.bank_deg <= 55.0

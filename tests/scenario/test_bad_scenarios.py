@@ -71,7 +71,8 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
-            "start_time, origin, wind, sensors, autopilot, guidance, avoidance, vehicle, obstacle",
+            "start_time, origin, wind, sensors, autopilot, link, guidance, avoidance, vehicle, "
+            "obstacle",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),
@@ -381,6 +382,14 @@ def instead_of_goal(lines: str) -> str:
             "autopilot.reset[0].origin_m = [1, 2, 1000000.0]: "
             "too far from the origin, allowed -100000 to 100000 on each axis",
         ),
+        *(
+            (
+                at_top(f"[link]\n{key} = {value}"),
+                f"link.{key} = {value}: {side}, allowed 0 to 2000",
+            )
+            for key in ("delay_ms", "delay_back_ms")
+            for value, side in (("-1.0", "too small"), ("2001.0", "too large"))
+        ),
         # What a rigid body does not have.
         (
             at_top('plant = "kinematic"\n[sensors]'),
@@ -389,6 +398,10 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top('plant = "kinematic"\n[autopilot]\nwind_message = false'),
             'autopilot: plant = "kinematic" has no autopilot, allowed none',
+        ),
+        (
+            at_top('plant = "kinematic"\n[link]\ndelay_ms = 1.0'),
+            'link: plant = "kinematic" has no autopilot, allowed none',
         ),
         (
             at_top('plant = "kinematic"\n[wind]\nshear_mps_per_100m = 1.0'),

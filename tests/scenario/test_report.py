@@ -201,6 +201,29 @@ def test_the_wind_arrow_points_where_the_wind_blows(run: Run) -> None:
     assert toward / np.hypot(*toward) == pytest.approx([-np.sqrt(0.5)] * 2, abs=0.01)
 
 
+CHANGES = "wind.change=[{time_s=30, speed_mps=0}, {time_s=50, speed_mps=12, from_deg=320}]"
+
+
+def test_a_wind_that_changes_is_shown_as_it_changes(tmp_path: Path) -> None:
+    loaded = loaded_from(tmp_path, MINIMAL, (*WINDY, CHANGES))
+    record = record_of(loaded.scenario.vehicles[0], straight, 25.0)
+    figure = Figure()
+    draw_plan(figure, Flights(loaded, [record]))
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    texts = [its.get_text() for its in axes.texts if "Wind" in its.get_text()]
+    assert texts == [
+        "Wind 8 m/s\nfrom 045°",
+        "Wind 0 m/s\nfrom 045°\nat 30 s",
+        "Wind 12 m/s\nfrom 320°\nat 50 s",
+    ]
+    arrows = [its for its in axes.texts if its.arrow_patch and its.get_text() == ""]
+    assert len(arrows) == 1 + 2  # of the goal, of the winds that blow
+    card = render(loaded, judge(loaded.scenario, [record], 25.0, 1.0), [], COMMAND)
+    assert "at 30 s 0 m/s from 045°" in card
+    assert "at 50 s 12 m/s from 320°" in card
+
+
 def test_the_view_in_space_has_one_scale(run: Run) -> None:
     figure = Figure()
     draw_space(figure, run.flights)

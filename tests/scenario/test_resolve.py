@@ -134,6 +134,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "wind_message": True,
             "reset": [],
         },
+        "link": {"delay_ms": 0.0, "delay_back_ms": 0.0},
         "guidance": {
             "rate_hz": 50.0,
             "airspeed_mps": None,

@@ -10,6 +10,7 @@ from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.notes import origin_notes
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
+from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
@@ -21,6 +22,7 @@ from vfguide.link.messages import (
     Heartbeat,
     Message,
     SetAttitudeTarget,
+    Timesync,
 )
 
 SECOND = 1_000_000
@@ -32,7 +34,8 @@ ORIGIN_RETRY = SECOND
 OUGHT_TO_SEND = SECOND
 """Without a setpoint for this long the operator is told why."""
 HEEDED = frozenset(
-    message.MSGID for message in (*OBSERVED, Heartbeat, CurrentMode, AttitudeQuaternion, CommandAck)
+    message.MSGID
+    for message in (*OBSERVED, Heartbeat, CurrentMode, AttitudeQuaternion, CommandAck, Timesync)
 )
 """Ids of the messages that `Companion.receive` does something with."""
 STATUS = {
@@ -61,6 +64,7 @@ class Companion:
         self._control = Control(sysid, engage=engage)
         self._known = Knowledge()
         self._requests = Requests()
+        self._round_trip = RoundTrip()
         self._news: list[str] = []
         self._heard = 0
         self._beat: int | None = None
@@ -91,6 +95,9 @@ class Companion:
                 self._control.answer(message)
                 if complaint := self._requests.answer(message):
                     self._news.append(complaint)
+            case Timesync():
+                if note := self._round_trip.hear(now, message):
+                    self._news.append(note)
             case _:
                 return out
         return out + self._housekeeping(now)
@@ -128,6 +135,7 @@ class Companion:
             self._known = Knowledge()
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
+            self._round_trip = RoundTrip()
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, self.route.plan.rate))
 
@@ -143,6 +151,7 @@ class Companion:
             self._origin_asked = now
             self._requests.ask([request_origin(self.sysid)])
         self._tell_why_silent(now)
+        out += self._round_trip.due(now)
         due = (self._requests.due(now), self._control.request(now))
         return out + [request for request in due if request]
 
@@ -151,7 +160,7 @@ class Companion:
         if not self._control.may_send:
             self.route.pause()
             return []
-        setpoint = self.route.guide(self._known, self._control.follows)
+        setpoint = self.route.guide(self._known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
             return []
         if self.route.take_jump():  # the origin may have moved, and nobody tells that by himself

@@ -66,10 +66,11 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     return after
 
 
-def heard(known: Knowledge) -> Heard | None:
+def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
     """What `place_state` makes the flight state of; None while anything is missing or old.
 
-    Airspeed and wind that are not told, or not any more, are not a number.
+    Airspeed and wind that are not told, or not any more, are not a number. `lead`: how long after
+    the attitude the state is wanted [s].
     """
     attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
     if attitude is None or position is None or hud is None or origin is None:
@@ -90,6 +91,8 @@ def heard(known: Knowledge) -> Heard | None:
         hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
         hud.alt,
         UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
+        lead,
     )
 
 

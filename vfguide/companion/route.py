@@ -18,6 +18,10 @@ from vfguide.companion.step import step_on
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.state import RateSetpoint
 
+HELD = 1.0
+"""A setpoint is made for the state so many of its periods after it begins to act: half of one for
+its own middle, half because the reference's turning is known for the period before."""
+
 
 class Route:
     """One vehicle's flight along its plan."""
@@ -36,15 +40,17 @@ class Route:
         """What is believed of the air."""
         return air_in(self._memory)
 
-    def guide(self, known: Knowledge, follows: bool) -> RateSetpoint | None:
+    def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
+
+        It acts `delay` [s] after that attitude, and is held until the next one does.
 
         Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
         the present goal begins anew.
         """
         if known.attitude is None or not self._due(known.attitude.time_boot_ms):
             return None
-        state = heard(known)
+        state = heard(known, delay + HELD / self.plan.rate)
         if state is None:
             return None
         if follows and not self._follows:

@@ -35,6 +35,8 @@ HEARD = (
     24.0,
     608.0,
     (1.0, 2.0, 0.0),
+    (0.1, 0.02, 0.03),
+    0.02,
 )
 """What the autopilot says, after its time and its origin."""
 SETPOINT = SetAttitudeTarget(

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from vfguide.scenario.aircraft_file import Aircraft
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, ScenarioFile
+from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile
 from vfguide.scenario.source import Location, Source
 from vfguide.scenario.tables import in_words
 
@@ -91,7 +91,7 @@ def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> Non
 
 
 def check_still_air(scenario: Scenario, source: Source) -> None:
-    """No wind is asked for where there is no air, no sensors where there is no autopilot.
+    """No wind is asked for where there is no air, no sensors or link where there is no autopilot.
 
     Raises:
         InputError: one is.
@@ -106,7 +106,7 @@ def check_still_air(scenario: Scenario, source: Source) -> None:
         raise source.error(at, f"{rule}, allowed 0", wind.shear_mps_per_100m)
     if wind.change:
         raise source.error(("wind", "change"), f"{rule}, allowed none")
-    for table, unused in (("sensors", None), ("autopilot", Autopilot())):
+    for table, unused in (("sensors", None), ("autopilot", Autopilot()), ("link", Link())):
         if getattr(scenario, table) != unused:
             raise source.error((table,), 'plant = "kinematic" has no autopilot, allowed none')
 

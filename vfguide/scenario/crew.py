@@ -74,13 +74,7 @@ def weather_of(scenario: Scenario, sysid: int) -> Weather:
         blowing(wind.speed_mps, wind.from_deg),
         Turbulence[wind.turbulence.upper()],
         random_seed(scenario.seed, sysid, GUSTS),
-        tuple(
-            (
-                its.time_s,
-                blowing(its.speed_mps, wind.from_deg if its.from_deg is None else its.from_deg),
-            )
-            for its in wind.change
-        ),
+        tuple((time, blowing(speed, from_deg)) for time, speed, from_deg in wind.stages[1:]),
         (shear * north, shear * east, 0.0),
         wind.shear_height_m,
     )

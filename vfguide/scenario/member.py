@@ -9,7 +9,7 @@ import numpy as np
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
-from vfguide.geometry.units import G0
+from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import SetAttitudeTarget
@@ -22,6 +22,7 @@ from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.result import TOUCH
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
+from vfguide.sim.delay_line import DelayLine
 from vfguide.sim.port import ONBOARD
 from vfguide.sim.truth import Truth
 
@@ -63,7 +64,8 @@ class Member:
         self._session = Session(self.companion, write_own)
         self._write_truth = write_truth
         self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
-        self._waiting: list[bytes] = []
+        self._down = DelayLine(round(scenario.link.delay_ms * MS / US))
+        self._up = DelayLine(round(scenario.link.delay_back_ms * MS / US))
         self._noted = array("d")  # records by the thousand would crowd the caches
         self.exchange()
         self.note()
@@ -80,15 +82,16 @@ class Member:
         self.note()
 
     def exchange(self) -> None:
-        """Carry bytes between autopilot and companion until both are silent."""
+        """Carry bytes between autopilot and companion until nothing more arrives now."""
         now = self.sim.now
-        down = self._waiting + self.sim.transmit(self._port)
+        self._down.send(now, self.sim.transmit(self._port))
         for _ in range(ROUNDS):
-            up = self._session.receive(now, b"".join(down)) if down else []
-            down = self.sim.receive(self._port, b"".join(up)) if up else []
-            if not down:
+            if down := self._down.arrived(now):
+                self._up.send(now, self._session.receive(now, down))
+            if up := self._up.arrived(now):
+                self._down.send(now, self.sim.receive(self._port, up))
+            if not (down or up):
                 break
-        self._waiting = down
 
     def note(self) -> None:
         """Note the truth of this instant."""

@@ -55,7 +55,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
     wind = flights.loaded.scenario.wind
-    if wind.speed_mps > 0.0:
+    if any(speed > 0.0 for _, speed, _ in wind.stages):
         outlines = [outline(body.surface[..., [1, 0]]) for body in flights.bodies]
         paths = [record.p_n[:, [1, 0]] for record in flights.records]
         draw_wind(figure, axes, wind, np.vstack((*paths, *outlines)))

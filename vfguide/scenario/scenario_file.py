@@ -23,6 +23,7 @@ Longitude = Annotated[float, between(-180, 180)]
 Altitude = Annotated[float, between(-500, 10_000)]
 Speed = Annotated[float, above(0, 150)]
 WindSpeed = Annotated[float, between(0, 50)]
+Delay = Annotated[float, between(0, 2000)]
 
 DEFAULT_AIRCRAFT = "aerosonde"
 KINEMATIC_AIRSPEED = 25.0
@@ -89,6 +90,15 @@ class Wind(Table):
     """Above the ground: where the wind has the written speed."""
     change: list[WindChange] = Field(default_factory=list[WindChange])
     """Linear from one to the next."""
+
+    @property
+    def stages(self) -> tuple[tuple[float, float, float], ...]:
+        """The winds between which it changes: from when [s], speed [m/s], where from [deg]."""
+        changes = (
+            (its.time_s, its.speed_mps, self.from_deg if its.from_deg is None else its.from_deg)
+            for its in self.change
+        )
+        return ((0.0, self.speed_mps, self.from_deg), *changes)
 
 
 class Guidance(Table):
@@ -170,6 +180,15 @@ class Autopilot(Table):
     reset: list[Reset] = Field(default_factory=list[Reset])
 
 
+class Link(Table):
+    """The way between each autopilot and its companion, as `vfguide run` simulates it."""
+
+    delay_ms: Delay = 0.0
+    """From the autopilot to the companion."""
+    delay_back_ms: Delay = 0.0
+    """From the companion to the autopilot."""
+
+
 class Sensors(Table):
     """Standard deviations of the autopilots' errors: typical of small ones."""
 
@@ -203,6 +222,7 @@ class ScenarioHead(Table):
     sensors: Sensors | None = None
     """None: every autopilot knows its state exactly."""
     autopilot: Autopilot = Autopilot()
+    link: Link = Link()
     guidance: Guidance = Guidance()
     avoidance: Avoidance = Avoidance()
 

@@ -1,4 +1,4 @@
-"""The arrow of the wind in a plan."""
+"""The arrows of the wind in a plan: of the one at the beginning, and of what it changes to."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,15 +10,35 @@ from vfguide.scenario.drawing import MUTED
 from vfguide.scenario.record import Array
 from vfguide.scenario.scenario_file import Wind
 
+ROW = 84.0
+"""From one arrow to the next below it [pt]."""
+
 
 def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
-    """An arrow that points where the wind blows, with its numbers, in the emptiest corner.
+    """Arrows that point where the wind blows, with their numbers, in the emptiest corner.
 
-    `drawn` are the points (n, 2) to keep away from, east and north.
+    One below the other in the order of time. `drawn` are the points (n, 2) to keep away from, east
+    and north.
     """
     corner = _emptiest_corner(axes, drawn)
-    centre = np.array((42.0, 52.0)) * (1.0 - 2.0 * np.array(corner)) + (0.0, 12.0 * corner[1])
-    toward = (wind.from_deg + 180.0) * DEG
+    highest = 52.0 + (1.0 - corner[1]) * ROW * (len(wind.stages) - 1)
+    centre = np.array((42.0, highest)) * (1.0 - 2.0 * np.array(corner)) + (0.0, 12.0 * corner[1])
+    for row, (time, speed, from_deg) in enumerate(wind.stages):
+        here = centre - (0.0, ROW * row)
+        text = f"Wind {speed:g} m/s\nfrom {from_deg % 360.0:03.0f}°" + f"\nat {time:g} s" * (
+            row > 0
+        )
+        below = _points_from(figure, axes, here - (0.0, 20.0))
+        axes.annotate(text, corner, xycoords=below, ha="center", va="top", color=MUTED, fontsize=9)
+        if speed > 0.0:
+            _draw_arrow(figure, axes, corner, here, from_deg)
+
+
+def _draw_arrow(
+    figure: Figure, axes: Axes, corner: tuple[float, float], centre: Array, from_deg: float
+) -> None:
+    """One arrow about a point off a corner [pt]."""
+    toward = (from_deg + 180.0) * DEG
     half = 17.0 * np.array((np.sin(toward), np.cos(toward)))
     axes.annotate(
         "",
@@ -28,9 +48,6 @@ def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
         textcoords=_points_from(figure, axes, centre - half),
         arrowprops={"arrowstyle": "-|>", "color": MUTED, "lw": 2.2, "mutation_scale": 16},
     )
-    text = f"Wind {wind.speed_mps:g} m/s\nfrom {wind.from_deg % 360.0:03.0f}°"
-    below = _points_from(figure, axes, centre - (0.0, 20.0))
-    axes.annotate(text, corner, xycoords=below, ha="center", va="top", color=MUTED, fontsize=9)
 
 
 def _points_from(figure: Figure, axes: Axes, offset: Array) -> Transform:

@@ -1,0 +1,24 @@
+"""One direction of a link that delivers late: what goes in comes out in order, after a delay."""
+
+from collections import deque
+from collections.abc import Sequence
+
+
+class DelayLine:
+    """Frames on their way. Times in us."""
+
+    def __init__(self, delay: int) -> None:
+        """An empty line that holds every frame for `delay` [us]."""
+        self._delay = delay
+        self._on_the_way: deque[tuple[int, bytes]] = deque()
+
+    def send(self, now: int, frames: Sequence[bytes]) -> None:
+        """Put frames in at `now`."""
+        self._on_the_way.extend((now + self._delay, frame) for frame in frames)
+
+    def arrived(self, now: int) -> bytes:
+        """Take out what has arrived at `now`, one frame after the other."""
+        frames: list[bytes] = []
+        while self._on_the_way and self._on_the_way[0][0] <= now:
+            frames.append(self._on_the_way.popleft()[1])
+        return b"".join(frames)
