@@ -14,6 +14,7 @@ from vfguide.flight.strong_wind import Stand, new_stand
 from vfguide.flight.way import Way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.safety.guard import GuardState, fresh_guard
 
 
 class RouteMemory(NamedTuple):
@@ -30,13 +31,16 @@ class RouteMemory(NamedTuple):
     jumps: Jumps
     stand: Stand
     air: AirState
+    guard: GuardState
 
 
 @compiled
-def fresh_route() -> RouteMemory:
-    """Memory of a vehicle that has not begun."""
-    zero = (0.0, 0.0, 0.0)
-    return RouteMemory(0, False, zero, zero, fresh_memory(), no_jumps(), new_stand(), fresh_air())
+def fresh_route(obstacles: int = 0) -> RouteMemory:
+    """Memory of a vehicle that has not begun, among so many obstacles."""
+    zero, guard = (0.0, 0.0, 0.0), fresh_guard(obstacles)
+    return RouteMemory(
+        0, False, zero, zero, fresh_memory(), no_jumps(), new_stand(), fresh_air(), guard
+    )
 
 
 @compiled
@@ -46,7 +50,7 @@ def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    return RouteMemory(goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air)
+    return RouteMemory(goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air, memory.guard)
 
 
 @compiled
@@ -54,17 +58,19 @@ def take_over(memory: RouteMemory) -> RouteMemory:
     """Memory when the autopilot begins to follow: only the way and the air are remembered."""
     zero = (0.0, 0.0, 0.0)
     return RouteMemory(
-        memory.goal, False, zero, zero, fresh_memory(), no_jumps(), memory.stand, memory.air
+        memory.goal, False, zero, zero, fresh_memory(), no_jumps(), memory.stand, memory.air, memory.guard
     )
 
 
 PackedMemory = NDArray[np.float64]
-"""(AIR + AIR_NUMBERS,), the numbers of a RouteMemory in their order: an array crosses into
+"""(GUARD + KNOWN + M,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
 OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 42, 45, 46, 48, 49, 51
 AIR_TIME = AIR
 """Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
 airspeed and whether it is too large, the air's numbers and the first of them."""
+GUARD = AIR + AIR_NUMBERS
+"""Places: what the guard remembers."""
 
 
 @compiled
@@ -81,9 +87,10 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     learned = (f.thrust_integral, f.alpha_bias)
     jumped = (*jumps.offset_n, float(jumps.number), jumps.size, jumps.age)
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
-    packed = np.empty(AIR + AIR_NUMBERS)
+    packed = np.empty(GUARD + len(memory.guard))
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))
-    packed[AIR:] = memory.air
+    packed[AIR:GUARD] = memory.air
+    packed[GUARD:] = memory.guard
     return packed
 
 
@@ -111,7 +118,7 @@ def holds_in(memory: PackedMemory) -> bool:
 @compiled
 def air_in(memory: PackedMemory) -> AirReport:
     """What is believed of the air."""
-    return report_air(memory[AIR:])
+    return report_air(memory[AIR:GUARD])
 
 
 @compiled
@@ -130,5 +137,6 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         flight,
         Jumps((a[42], a[43], a[44]), int(a[45]), a[46], a[47]),
         Stand(a[48], a[49] != 0.0, a[50]),
-        a[AIR:].copy(),
+        a[AIR:GUARD].copy(),
+        a[GUARD:].copy(),
     )

@@ -27,7 +27,8 @@ from vfguide.flight.strong_wind import in_air_frame, into_wind, stand_against
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
-from vfguide.safety.limits import guide_within_limits
+from vfguide.safety.guard import Watch, guide_clear
+from vfguide.safety.hazards import Hazards
 
 Quaternion = tuple[float, float, float, float]
 
@@ -46,7 +47,7 @@ NO_PASSAGE = Passage(math.inf, math.inf)
 
 @compiled
 def step(
-    state: FlightState, legs: Legs, law: Law, memory: RouteMemory
+    state: FlightState, legs: Legs, law: Law, memory: RouteMemory, hazards: Hazards, t: float
 ) -> tuple[RateSetpoint, RouteMemory, Wish, Passage]:
     """The setpoint for this state, within the limits of the aircraft.
 
@@ -55,6 +56,8 @@ def step(
         legs: of `leg_rows`.
         law: aircraft and gains, of `packed`.
         memory: of the step before.
+        hazards: what to keep clear of.
+        t: on the clock of the obstacles [s].
 
     Returns:
         The setpoint, the memory for the next step, what the law wished for, and how the goal
@@ -77,15 +80,24 @@ def step(
         flown_in, target = in_air_frame(state), into_wind(stand, state)
     else:
         flown_in, target = state, target_of(legs, memory.goal)
-    setpoint, flight, wish = guide_within_limits(flown_in, target, law, memory.flight)
+    watch, guard = Watch(hazards, t, 1.0), memory.guard.copy()
+    setpoint, flight, wish = guide_clear(
+        state, flown_in, target, law, memory.flight, watch, guard
+    )
     air[THRUST] = setpoint.thrust
-    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, jumps, stand, air)
+    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, jumps, stand, air, guard)
     return setpoint, after, wish, passage
 
 
 @compiled
 def step_on(
-    heard: Heard, origin: Vec3, legs: Legs, law: Law, memory: PackedMemory
+    heard: Heard,
+    origin: Vec3,
+    legs: Legs,
+    law: Law,
+    memory: PackedMemory,
+    hazards: Hazards,
+    t: float,
 ) -> tuple[Vec3, float, Quaternion, PackedMemory, float]:
     """`step` for what the autopilot said, in the tangent plane at `origin`.
 
@@ -93,7 +105,7 @@ def step_on(
         Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
     """
     state = place_state(heard, origin)
-    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory))
+    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory), hazards, t)
     miss = passage.miss
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss
 

@@ -6,7 +6,7 @@ and is banked as the aeroplane would be.
 """
 
 from vfguide.field.rate_law import rate_law
-from vfguide.flight.guidance import guide, reference_rate
+from vfguide.flight.guidance import plan_flight, reference_rate
 from vfguide.flight.memory import Memory, Target
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState
@@ -22,13 +22,13 @@ def guide_body(state: FlightState, target: Target, law: Law, memory: Memory) -> 
     Lemma 4 with the reference's own rate, as for an aeroplane. `law` is what `packed` gives.
     """
     aircraft, gains = unpacked(law)
-    _, m, wish = guide(state, target, aircraft, gains, memory)
+    wish, m = plan_flight(state, target, aircraft, gains, memory)
     R_na = from_euler(wish.bank, wish.gamma, wish.azimuth)
     omega_a = (0.0, 0.0, 0.0)
     if memory.time >= 0.0:
         dt = max(state.time - memory.time, 1e-3)
         omega_a = reference_rate(memory, R_na, gains.smoothing, dt)
     after = Memory(
-        m.time, m.leg, m.slope, m.turning, R_na, omega_a, m.thrust_integral, m.alpha_bias
+        state.time, m.leg, m.slope, m.turning, R_na, omega_a, m.thrust_integral, m.alpha_bias
     )
     return rate_law(state.R_nb, R_na, omega_a, gains.k_w), after

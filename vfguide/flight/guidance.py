@@ -28,22 +28,31 @@ def guide(
     state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
 ) -> tuple[RateSetpoint, Memory, Wish]:
     """One step of the flight law; the setpoint is not limited yet."""
-    first = memory.time < 0.0
-    dt = FIRST_STEP if first else min(max(state.time - memory.time, 1e-3), LONGEST_STEP)
+    wish, planned = plan_flight(state, target, aircraft, gains, memory)
+    setpoint, after = fly_wish(state, wish, aircraft, gains, planned)
+    return setpoint, after, wish
+
+
+@compiled
+def plan_flight(
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
+) -> tuple[Wish, Memory]:
+    """The first half of a step: where to fly, as a bank, a load factor and a path angle.
+
+    The memory has what was planned; its time is still that of the step before.
+    """
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
-    bank_max = usable_bank(aircraft, gains, speed)
     steady = usable_bank(aircraft, gains, gains.airspeed)
     leg = keep_radius(memory.leg, flyable_radius(state, steady, gains))
     leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
-    gamma = math.asin(max(-1.0, min(1.0, -air[2] / speed)))
+    gamma = path_of(air, speed)
     heading = heading_for_course(
         target.course + course.chi,
         course.chi_rate,
         (state.wind_n[0], state.wind_n[1]),
         speed * math.cos(gamma),
     )
-
     slope = plan_slope(
         state,
         target,
@@ -52,38 +61,72 @@ def guide(
         course.remaining,
         heading.groundspeed,
         memory.slope,
-        dt,
+        time_since(memory, state),
     )
     limits = path_limits(norm(air), gains.airspeed, aircraft)
-    gamma_wanted = path_angle(slope, heading.groundspeed, state.wind_n[2], speed, limits)
-
-    azimuth = math.atan2(air[1], air[0])
+    bank_max = usable_bank(aircraft, gains, speed)
     lift, turning = plan_turn(
-        heading, azimuth, gamma, speed, bank_max, aircraft, gains, memory.turning
+        heading, azimuth_of(air), gamma, speed, bank_max, aircraft, gains, memory.turning
     )
-
-    alpha_bias = learn_alpha(memory.alpha_bias, gamma_wanted - gamma, gains, dt)
-    alpha = aircraft.alpha_zero + aircraft.alpha_load * lift.load / speed**2 + alpha_bias
-    elevation = gamma_wanted + gains.k_elevation * (gamma_wanted - gamma)
-    R_na = attitude_for_lift(azimuth, elevation, lift.bank, alpha)
-    omega_a = (0.0, 0.0, 0.0) if first else reference_rate(memory, R_na, gains.smoothing, dt)
-    omega = rate_law(state.R_nb, R_na, omega_a, gains.k_w)
-
-    error = gains.airspeed - state.airspeed
-    thrust = thrust_for(aircraft, error, gamma_wanted, lift.load, memory.thrust_integral)
-    integral = integrate_error(aircraft, error, thrust, memory.thrust_integral, dt)
-    after = Memory(state.time, leg, slope, turning, R_na, omega_a, integral, alpha_bias)
     wish = Wish(
         target.course + course.chi,
         heading.psi,
-        gamma_wanted,
+        path_angle(slope, heading.groundspeed, state.wind_n[2], speed, limits),
         lift.bank,
         lift.load,
         course.remaining,
         leg.phase,
         leg.radius,
     )
-    return RateSetpoint(omega, thrust, to_quaternion(R_na)), after, wish
+    m = memory
+    return wish, Memory(
+        m.time, leg, slope, turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
+    )
+
+
+@compiled
+def fly_wish(
+    state: FlightState, wish: Wish, aircraft: Performance, gains: Gains, memory: Memory
+) -> tuple[RateSetpoint, Memory]:
+    """The second half: body rates and thrust that fly the bank, load factor and path angle."""
+    air, dt = sub(state.v_n, state.wind_n), time_since(memory, state)
+    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    climbing = wish.gamma - path_of(air, speed)
+    alpha_bias = learn_alpha(memory.alpha_bias, climbing, gains, dt)
+    alpha = aircraft.alpha_zero + aircraft.alpha_load * wish.load / speed**2 + alpha_bias
+    elevation = wish.gamma + gains.k_elevation * climbing
+    R_na = attitude_for_lift(azimuth_of(air), elevation, wish.bank, alpha)
+    omega_a = (0.0, 0.0, 0.0)
+    if memory.time >= 0.0:
+        omega_a = reference_rate(memory, R_na, gains.smoothing, dt)
+    omega = rate_law(state.R_nb, R_na, omega_a, gains.k_w)
+
+    error = gains.airspeed - state.airspeed
+    thrust = thrust_for(aircraft, error, wish.gamma, wish.load, memory.thrust_integral)
+    integral = integrate_error(aircraft, error, thrust, memory.thrust_integral, dt)
+    m = memory
+    after = Memory(state.time, m.leg, m.slope, m.turning, R_na, omega_a, integral, alpha_bias)
+    return RateSetpoint(omega, thrust, to_quaternion(R_na)), after
+
+
+@compiled
+def time_since(memory: Memory, state: FlightState) -> float:
+    """Time since the step before, bounded [s]."""
+    if memory.time < 0.0:
+        return FIRST_STEP
+    return min(max(state.time - memory.time, 1e-3), LONGEST_STEP)
+
+
+@compiled
+def azimuth_of(air: Vec3) -> float:
+    """Azimuth of the velocity through the air [rad]."""
+    return math.atan2(air[1], air[0])
+
+
+@compiled
+def path_of(air: Vec3, speed: float) -> float:
+    """Path angle through the air [rad]."""
+    return math.asin(max(-1.0, min(1.0, -air[2] / speed)))
 
 
 @compiled

@@ -1,0 +1,159 @@
+"""The flight law with hazards: what it wishes is flown only if a way out remains after it."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.field.near import distance_bound
+from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
+from vfguide.flight.memory import Memory, Target, Wish
+from vfguide.flight.performance import Law, unpacked
+from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3, sub
+from vfguide.safety.assurance import Decision, Reason, Stored, assurance, assure
+from vfguide.safety.hazards import Hazards
+from vfguide.safety.limits import limit_setpoint
+from vfguide.safety.motion import Motion
+
+SIDE, TURNING, CLIMB, ACTING = 0, 1, 2, 3
+"""Places of what the last decision stored."""
+REASON, LEAST, CONFLICT, HAZARD = 4, 5, 6, 7
+"""Places of the last decision itself."""
+KNOWN = 8
+"""First of as many places as there are obstacles: 1 once they are known."""
+
+GuardState = NDArray[np.float64]
+"""(KNOWN + M,), what the guard remembers."""
+OUT_OF_SIGHT = 1e9
+"""An obstacle that is not known yet counts as so far away [m]."""
+
+
+class Watch(NamedTuple):
+    """What the guard looks at."""
+
+    hazards: Hazards
+    """All of the plan, known or not."""
+    time: float
+    """On the clock of the obstacles [s]."""
+    gust: float
+    """Speed of the gusts, one standard deviation [m/s]."""
+
+
+@compiled
+def fresh_guard(obstacles: int) -> GuardState:
+    """Nothing decided, no obstacle known."""
+    return np.zeros(KNOWN + obstacles)
+
+
+@compiled
+def has_hazards(hazards: Hazards) -> bool:
+    """Whether there is anything to keep clear of."""
+    many = len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones)
+    return many > 0 or hazards.floor > -math.inf or hazards.ceiling < math.inf
+
+
+@compiled
+def guide_clear(
+    state: FlightState,
+    flown_in: FlightState,
+    target: Target,
+    law: Law,
+    memory: Memory,
+    watch: Watch,
+    guard: GuardState,
+) -> tuple[RateSetpoint, Memory, Wish]:
+    """One step of the flight law that leaves a way out, within the limits; fills `guard`.
+
+    Args:
+        state: of the vehicle.
+        flown_in: the same in the frame that the flight law flies in.
+        target: what it flies to.
+        law: aircraft and gains, of `packed`.
+        memory: of the step before.
+        watch: what to keep clear of.
+        guard: what was decided at the step before.
+    """
+    aircraft, gains = unpacked(law)
+    wish, planned = plan_flight(flown_in, target, aircraft, gains, memory)
+    if has_hazards(watch.hazards):
+        dt = 0.0 if memory.time < 0.0 else max(state.time - memory.time, 0.0)
+        wind_n = (state.wind_n[0], state.wind_n[1], 0.0)
+        decision, stored = assure(
+            motion_of(state),
+            (wish.bank, wish.gamma),
+            wind_n,
+            watch.gust,
+            in_sight(watch.hazards, guard, state.p_n, watch.time),
+            watch.time,
+            dt,
+            assurance(aircraft, gains),
+            Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
+        )
+        note_decision(guard, decision, stored)
+        wish = as_decided(wish, decision)
+    setpoint, after = fly_wish(flown_in, wish, aircraft, gains, planned)
+    return limit_setpoint(setpoint, aircraft), after, wish
+
+
+@compiled
+def motion_of(state: FlightState) -> Motion:
+    """The motion from which tracks are predicted."""
+    air, R = sub(state.v_n, state.wind_n), state.R_nb
+    speed = max(state.airspeed, 1.0)
+    bank = math.atan2(R[2][1], R[2][2])
+    return Motion(state.p_n, azimuth_of(air), bank, path_of(air, speed), speed)
+
+
+@compiled
+def in_sight(hazards: Hazards, guard: GuardState, p_n: Vec3, t: float) -> Hazards:
+    """The hazards with every obstacle that is not known yet out of the way; once known stays so."""
+    obstacles = hazards.obstacles
+    if len(obstacles) == 0:
+        return hazards
+    seen = obstacles.copy()
+    for i in range(len(obstacles)):
+        if guard[KNOWN + i] == 0.0 and comes_into_sight(obstacles, i, p_n, t):
+            guard[KNOWN + i] = 1.0
+        if guard[KNOWN + i] == 0.0:
+            seen[i, 1] = OUT_OF_SIGHT
+    return Hazards(seen, hazards.traffic, hazards.fences, hazards.floor, hazards.ceiling)
+
+
+@compiled
+def comes_into_sight(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
+    """Whether obstacle `i` is near enough to be seen from `p_n` (NED)."""
+    visible_from = obstacles[i, VISIBLE_FROM]
+    if distance_bound(obstacles, i, p_n, t) > visible_from:
+        return False
+    return obstacle_distance(obstacles, i, p_n, t) <= visible_from
+
+
+@compiled
+def note_decision(guard: GuardState, decision: Decision, stored: Stored) -> None:
+    """Fill the places of the guard."""
+    guard[SIDE], guard[TURNING] = stored.side, stored.turning
+    guard[CLIMB], guard[ACTING] = stored.climb, stored.acting
+    guard[REASON], guard[LEAST] = float(decision.reason), decision.margin
+    guard[CONFLICT], guard[HAZARD] = decision.conflict, float(decision.hazard)
+
+
+@compiled
+def as_decided(wish: Wish, decision: Decision) -> Wish:
+    """The wish, or what is flown instead: the lift carries the weight in the bank decided on."""
+    if decision.reason == Reason.CLEAR.value:
+        return wish
+    load = math.cos(decision.gamma) / math.cos(decision.bank)
+    return Wish(
+        wish.course,
+        wish.azimuth,
+        decision.gamma,
+        decision.bank,
+        load,
+        wish.remaining,
+        wish.phase,
+        wish.radius,
+    )
