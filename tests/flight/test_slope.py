@@ -17,6 +17,7 @@ from vfguide.flight.vertical import (
     airspeed_over_ground,
     descent_at_airspeed,
     goal_slope,
+    highest_path,
     path_angle,
     plan_slope,
     profile_height,
@@ -139,3 +140,24 @@ def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspee
     here = state((-100.0, 0.0, GOAL.p_n[2] + 50.0), 0.0)
     after = plan_slope(here, GOAL, AEROSONDE, airspeed, 100.0, airspeed, 0.0, 0.02)
     assert after * airspeed / 0.02 == pytest.approx(2.5)
+
+
+def test_speed_goes_before_height():
+    safe, room = 1.15 * AEROSONDE.airspeed_min, 0.12 * 25.0
+    climb, glide = math.sin(AEROSONDE.climb_max), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
+    for airspeed, sine in (
+        (25.0, climb),
+        (safe + room, climb),
+        (safe + 0.5 * room, 0.5 * climb),
+        (safe, 0.0),
+        (safe - 0.5 * room, -0.5 * glide),
+        (safe - room, -glide),
+        (0.0, -glide),
+    ):
+        assert highest_path(airspeed, 25.0, AEROSONDE) == pytest.approx(sine, abs=1e-12)
+
+
+def test_an_airspeed_near_the_slowest_may_be_flown():
+    slowest = AEROSONDE.airspeed_min
+    assert highest_path(slowest, slowest, AEROSONDE) == math.sin(AEROSONDE.climb_max)
+    assert highest_path(0.88 * slowest, slowest, AEROSONDE) == pytest.approx(0.0, abs=1e-12)

@@ -20,6 +20,11 @@ GENTLE = 0.06
 AIRSPEED_BAND = 0.03
 """Within this of the limits of the airspeed climbs and descents become flatter, as a share of
 the airspeed to fly."""
+SAFE = 1.15
+"""Below this times the slowest airspeed height is given up for airspeed."""
+ROOM = 0.12
+"""This much above it the steepest climb is flown, as a share of the airspeed to fly. Less of it and
+the airspeed swings, as the slope follows slowly."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
 SLOPE_RATE = 2.5
@@ -58,6 +63,7 @@ def plan_slope(
     band = AIRSPEED_BAND * airspeed
     steepest = steepest_path(state.airspeed, wanted, target.slope, aircraft, band)
     wanted = max(-up * steepest, min(up * steepest, wanted))
+    wanted = min(up * highest_path(state.airspeed, airspeed, aircraft), wanted)
     change = SLOPE_RATE / airspeed * dt
     return max(before - change, min(before + change, wanted))
 
@@ -87,6 +93,21 @@ def steepest_path(
         return math.sin(aircraft.climb_max) * share(airspeed - aircraft.airspeed_min, band)
     steepest = descent_at_airspeed(aircraft, goal_slope)
     return math.sin(steepest) * share(aircraft.airspeed_max - airspeed, band)
+
+
+@compiled
+def highest_path(airspeed: float, flown: float, aircraft: Performance) -> float:
+    """Largest sine of the path angle that the airspeed allows: speed goes before height.
+
+    It falls with the airspeed from the steepest climb to the glide without thrust, over ROOM on
+    either side of SAFE times the slowest airspeed, where it is level. An airspeed to fly, `flown`
+    [m/s], that leaves no such room puts it lower.
+    """
+    room = ROOM * flown
+    safe = min(SAFE * aircraft.airspeed_min, flown - room)
+    part = max(-1.0, min(1.0, (airspeed - safe) / room))
+    steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
+    return part * math.sin(steepest)
 
 
 @compiled
