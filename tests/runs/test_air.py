@@ -128,6 +128,30 @@ def test_a_wind_above_the_airspeed_is_held_against_until_it_falls(tmp_path, chan
     assert flight.record.airspeed.min() > 1.2 * 17.6
 
 
+@pytest.mark.parametrize(
+    "motor",
+    [
+        ("autopilot.thrust_scale=0.75",),
+        ("autopilot.thrust_scale=1.4",),
+        ("autopilot.thrust_sag_per_min=0.8", "autopilot.thrust_floor=0.5"),
+    ],
+)
+def test_a_wrong_thrust_map_is_absorbed(tmp_path, motor):
+    flight = fly(tmp_path, *motor)
+    assert goal_of(flight).reached
+    assert goal_of(flight).miss_m <= 0.2
+    assert flight.record.airspeed.min() > 24.0
+    assert flight.record.airspeed.max() < 26.0
+
+
+@pytest.mark.parametrize("scale", [0.3, 0.2])  # 30 % of the thrust carries level flight
+def test_without_thrust_for_both_speed_goes_before_height(tmp_path, scale):
+    goal = "vehicle.0.goal.0.position_m=[2500.0, 0.0, -160.0]"
+    flight = fly(tmp_path, f"autopilot.thrust_scale={scale}", goal, "duration_s=60.0")
+    assert flight.record.airspeed.min() > 17.6  # the stall
+    assert (flight.record.p_n[-1, 2] > -120.0) == (scale < 0.3)
+
+
 def test_strong_wind_with_shear_is_estimated(tmp_path):
     flight = fly(tmp_path, "wind.speed_mps=15.0", "wind.shear_mps_per_100m=4.0", UNTOLD)
     assert goal_of(flight).reached

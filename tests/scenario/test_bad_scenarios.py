@@ -362,6 +362,18 @@ def instead_of_goal(lines: str) -> str:
             'allowed "missing", "frozen", "blocked"',
         ),
         (
+            at_top("[autopilot]\nthrust_scale = 0.0"),
+            "autopilot.thrust_scale = 0.0: too small, allowed above 0, up to 2",
+        ),
+        (
+            at_top("[autopilot]\nthrust_sag_per_min = 1.1"),
+            "autopilot.thrust_sag_per_min = 1.1: too large, allowed 0 to 1",
+        ),
+        (
+            at_top("[autopilot]\nthrust_floor = -0.1"),
+            "autopilot.thrust_floor = -0.1: too small, allowed 0 to 1",
+        ),
+        (
             at_top("[autopilot]\nwind_message = 0"),
             "autopilot.wind_message = 0: wrong type, true or false is required",
         ),

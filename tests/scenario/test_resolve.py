@@ -131,6 +131,9 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
         "autopilot": {
             "airspeed_fails_at_s": None,
             "airspeed_fault": "missing",
+            "thrust_scale": 1.0,
+            "thrust_sag_per_min": 0.0,
+            "thrust_floor": 0.5,
             "wind_message": True,
             "reset": [],
         },

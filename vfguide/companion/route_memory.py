@@ -50,7 +50,9 @@ def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    return RouteMemory(goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air, memory.guard)
+    return RouteMemory(
+        goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air, memory.guard
+    )
 
 
 @compiled
@@ -58,7 +60,15 @@ def take_over(memory: RouteMemory) -> RouteMemory:
     """Memory when the autopilot begins to follow: only the way and the air are remembered."""
     zero = (0.0, 0.0, 0.0)
     return RouteMemory(
-        memory.goal, False, zero, zero, fresh_memory(), no_jumps(), memory.stand, memory.air, memory.guard
+        memory.goal,
+        False,
+        zero,
+        zero,
+        fresh_memory(),
+        no_jumps(),
+        memory.stand,
+        memory.air,
+        memory.guard,
     )
 
 

@@ -81,9 +81,7 @@ def step(
     else:
         flown_in, target = state, target_of(legs, memory.goal)
     watch, guard = Watch(hazards, t, 1.0), memory.guard.copy()
-    setpoint, flight, wish = guide_clear(
-        state, flown_in, target, law, memory.flight, watch, guard
-    )
+    setpoint, flight, wish = guide_clear(state, flown_in, target, law, memory.flight, watch, guard)
     air[THRUST] = setpoint.thrust
     after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, jumps, stand, air, guard)
     return setpoint, after, wish, passage

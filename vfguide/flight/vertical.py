@@ -17,12 +17,14 @@ SOON = 0.55
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
-SLOWEST_CLIMB = 1.14
+SAFE = 1.15
+"""Below this times the slowest airspeed height is given up for airspeed."""
+ROOM = 0.12
+"""This much above it the steepest climb is flown, as a share of the airspeed to fly."""
 FASTEST_DESCENT = 1.03
-"""Half the climb is given up at this times the slowest airspeed, half the descent at this times
-the fastest, ..."""
+"""At this times the fastest airspeed half the descent is given up, ..."""
 AIRSPEED_BAND = 0.06
-"""... all of it so much of the cruise airspeed beyond: there the height is left to fall or rise."""
+"""... all of it so much of the cruise airspeed above."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
 SLOPE_RATE = 2.5
@@ -85,6 +87,21 @@ def steepest_path(slope: float, goal_slope: float, aircraft: Performance) -> flo
 
 
 @compiled
+def highest_path(airspeed: float, flown: float, aircraft: Performance) -> float:
+    """Largest sine of the path angle that the airspeed allows: speed goes before height.
+
+    It falls with the airspeed from the steepest climb to the glide without thrust, over ROOM on
+    either side of SAFE times the slowest airspeed, where it is level. An airspeed to fly, `flown`
+    [m/s], that leaves no such room puts it lower.
+    """
+    room = ROOM * flown
+    safe = min(SAFE * aircraft.airspeed_min, flown - room)
+    part = max(-1.0, min(1.0, (airspeed - safe) / room))
+    steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
+    return part * math.sin(steepest)
+
+
+@compiled
 def share(margin: float, band: float) -> float:
     """Part of the path angle that is flown with the airspeed `margin` inside its limit [m/s]."""
     return max(0.0, min(1.0, 0.5 + 0.5 * margin / band))
@@ -97,17 +114,15 @@ def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
 
 
 @compiled
-def path_limits(airspeed: float, wanted: float, aircraft: Performance) -> tuple[float, float]:
+def path_limits(airspeed: float, flown: float, aircraft: Performance) -> tuple[float, float]:
     """Steepest path angles through the air, down and up [rad], at an airspeed without its gusts.
 
-    The airspeed comes before the height, also where it is the air that sinks or rises; `wanted`
-    is the airspeed to fly, at which height can be changed however slow or fast it is [m/s].
+    The airspeed comes before the height, also where it is the air that sinks or rises; `flown`
+    is the airspeed to fly [m/s].
     """
     band = AIRSPEED_BAND * aircraft.airspeed_cruise
-    low = min(SLOWEST_CLIMB * aircraft.airspeed_min, wanted - band)
-    up = share(airspeed - max(low, aircraft.airspeed_min), band)
     down = share(FASTEST_DESCENT * aircraft.airspeed_max - airspeed, band)
-    return -down * aircraft.descent_max, up * aircraft.climb_max
+    return -down * aircraft.descent_max, math.asin(highest_path(airspeed, flown, aircraft))
 
 
 @compiled
@@ -120,7 +135,7 @@ def path_angle(
 ) -> float:
     """Path angle through the air that makes good the slope over ground [rad], within limits."""
     sine = (slope * groundspeed + wind_down) / airspeed
-    return max(limits[0], min(limits[1], math.asin(max(-1.0, min(1.0, sine)))))
+    return min(limits[1], max(limits[0], math.asin(max(-1.0, min(1.0, sine)))))
 
 
 @compiled

@@ -8,7 +8,7 @@ from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG, US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.instruments import instruments_from
+from vfguide.scenario.instruments import instruments_from, motor_from
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.models import model_of
 from vfguide.scenario.resolve import plane_of
@@ -62,6 +62,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
             random_seed(scenario.seed, vehicle.id, STATE_ERRORS),
             random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
         ),
+        motor_from(scenario.autopilot),
     )
 
 

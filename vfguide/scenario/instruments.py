@@ -1,10 +1,11 @@
-"""From a scenario to what its software autopilots measure with."""
+"""From a scenario to what its software autopilots measure with, and the motors they have."""
 
 import math
 
 from vfguide.geometry.units import DEG
 from vfguide.scenario.scenario_file import Autopilot, Sensors
 from vfguide.sim.instruments import AirspeedFault, Errors, Instruments, Reset
+from vfguide.sim.motor import Motor
 
 
 def instruments_from(
@@ -22,6 +23,11 @@ def instruments_from(
         autopilot.wind_message,
         tuple(sorted(resets, key=lambda reset: reset.time)),
     )
+
+
+def motor_from(autopilot: Autopilot) -> Motor:
+    """What the motor of each aircraft gives."""
+    return Motor(autopilot.thrust_scale, autopilot.thrust_sag_per_min, autopilot.thrust_floor)
 
 
 def errors_from(sensors: Sensors) -> Errors:

@@ -175,6 +175,12 @@ class Autopilot(Table):
     airspeed_fails_at_s: Annotated[float, between(0, 86_400)] | None = None
     """When the airspeed sensor fails; 0: there is none; None: it never does."""
     airspeed_fault: AirspeedFault = "missing"
+    thrust_scale: Annotated[float, above(0, 2)] = 1.0
+    """Thrust at the start, as a share of what the map of the motor says."""
+    thrust_sag_per_min: Annotated[float, between(0, 1)] = 0.0
+    """What the share loses in a minute."""
+    thrust_floor: Annotated[float, between(0, 1)] = 0.5
+    """The share falls no lower than this."""
     wind_message: bool = True
     """Whether WIND_COV is sent."""
     reset: list[Reset] = Field(default_factory=list[Reset])

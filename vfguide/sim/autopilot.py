@@ -18,6 +18,7 @@ from vfguide.sim.hold import Hold
 from vfguide.sim.identify import Airframe
 from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.instruments import Instruments
+from vfguide.sim.motor import SOUND, Motor
 from vfguide.sim.noise import RateNoise
 from vfguide.sim.parameters import HOLD_ACTION, Parameters
 from vfguide.sim.port import SECOND, Port
@@ -46,6 +47,7 @@ class Autopilot:
         airspeed: float,
         first: Truth,
         instruments: Instruments,
+        motor: Motor = SOUND,
     ) -> None:
         """An autopilot that has just taken over.
 
@@ -56,6 +58,7 @@ class Autopilot:
             airspeed: true airspeed of its hold [m/s].
             first: the truth at its start; the local frame begins there.
             instruments: what it measures with.
+            motor: what it gets of the thrust that it sets; it does not know.
         """
         self.sysid = sysid
         self.mode = Mode.HOLD
@@ -76,6 +79,8 @@ class Autopilot:
         self.setpoint: SetAttitudeTarget | None = None
         self._setpoint_at = -SECOND * 3600
         self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
+        self._motor = motor
+        self._thrust_share = motor.share(first.time)
         self._is_flyable = True  # else PX4 puts all surfaces to trim and stops the motor
         self._integral: Vec3 = (0.0, 0.0, 0.0)
         self._throttle = 0.0
@@ -94,8 +99,9 @@ class Autopilot:
             inner = self._rates.measure(inner, self._estimator.error.airspeed)
         if not self._has_airspeed:
             inner = (*inner[:5], self._cruise, inner[6])  # PX4 then scales with the trim airspeed
+        p, q, r, thrust = self._wanted
         controls, self._integral = inner_loop(
-            self._airframe.tables, inner, self._wanted, self._integral, dt
+            self._airframe.tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt
         )
         self._throttle = controls[3]
         return controls
@@ -106,6 +112,7 @@ class Autopilot:
         rate_error = (0.0, 0.0, 0.0) if self._rates is None else self._rates.last
         self.estimate = self._estimator.update(truth, rate_error)
         self._has_airspeed = self._estimator.has_airspeed(truth.time)
+        self._thrust_share = self._motor.share(truth.time)
         self._watch_stream()
         if self.mode is not Mode.OFFBOARD:
             wanted = self._hold.step(self.estimate)

@@ -9,6 +9,7 @@ from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.dialogue import receive
 from vfguide.sim.identify import identify
 from vfguide.sim.instruments import EXACT, Instruments
+from vfguide.sim.motor import SOUND, Motor
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.port import Port
 from vfguide.sim.truth import Truth
@@ -39,6 +40,7 @@ class Setup:
     """[m] above the ellipsoid."""
     instruments: Instruments = EXACT
     """What the autopilot measures with."""
+    motor: Motor = SOUND
 
 
 class Vehicle:
@@ -59,7 +61,13 @@ class Vehicle:
         self.truth: Truth = self.plant.truth()
         airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.ground_altitude)
         self.autopilot = Autopilot(
-            setup.sysid, airframe, setup.aircraft, setup.airspeed, self.truth, setup.instruments
+            setup.sysid,
+            airframe,
+            setup.aircraft,
+            setup.airspeed,
+            self.truth,
+            setup.instruments,
+            setup.motor,
         )
         self._start_us = start_us
         self.renew()
