@@ -5,12 +5,13 @@ from typing import NamedTuple
 
 from vfguide.companion.place import Heard
 from vfguide.companion.plausible import is_plausible
-from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.geometry.units import DEG_E7, MM, MS, US
 from vfguide.link.messages import (
     AttitudeQuaternion,
     GpsGlobalOrigin,
     LocalPositionNed,
     Message,
+    SystemTime,
     VfrHud,
     WindCov,
 )
@@ -20,6 +21,8 @@ STALE = 0.5
 the flight goes on."""
 WIND_STALE = 5.0
 """A wind older than this is not flown on, but estimated [s]."""
+FIRST_DATE = 946_684_800_000_000
+"""An earlier date than the year 2000 is none [us since 1970]."""
 UNKNOWN = (math.nan, math.nan, math.nan)
 ROLLOVER = 2**32
 """time_boot_ms counts milliseconds in 32 bits: 49.7 days."""
@@ -37,6 +40,7 @@ class Knowledge(NamedTuple):
     wind: WindCov | None = None
     wind_time: int = 0
     """The same of the wind."""
+    date: SystemTime | None = None
 
 
 _PLACES: dict[type[Message], int] = {
@@ -45,6 +49,7 @@ _PLACES: dict[type[Message], int] = {
     LocalPositionNed: Knowledge._fields.index("position"),
     VfrHud: Knowledge._fields.index("hud"),
     WindCov: Knowledge._fields.index("wind"),
+    SystemTime: Knowledge._fields.index("date"),
 }
 """Where each kind of message is kept: the number of its field."""
 OBSERVED = tuple(_PLACES)
@@ -94,6 +99,19 @@ def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
         (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
         lead,
     )
+
+
+def obstacle_time(known: Knowledge, epoch: int, began_ms: int) -> float:
+    """Time on the clock of the obstacles at the newest attitude [s].
+
+    It counts from `epoch` [us since 1970] where the autopilot tells the date, else from its time
+    `began_ms` since boot, when the companion began.
+    """
+    now = 0 if known.attitude is None else known.attitude.time_boot_ms
+    date = known.date
+    if date is None or date.time_unix_usec < FIRST_DATE:
+        return elapsed(began_ms, now)
+    return (date.time_unix_usec - epoch) * US + elapsed(date.time_boot_ms, now)
 
 
 def lacking(known: Knowledge) -> str | None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from vfguide.companion.legs import Goal, Legs, leg_rows
 from vfguide.flight.performance import Gains, Law, Performance, packed
 from vfguide.geometry.vector import Vec3
+from vfguide.safety.hazards import NO_HAZARDS, Hazards
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,10 @@ class Plan:
     """Guidance steps in a second [Hz]."""
     aircraft: Performance
     gains: Gains
+    hazards: Hazards = NO_HAZARDS
+    """What to keep clear of."""
+    epoch: int = 0
+    """When the obstacles are at their places [us since 1970]."""
     legs: Legs = field(init=False, compare=False)
     """Goals and circle, of `leg_rows`."""
     law: Law = field(init=False, compare=False)

@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard
+from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.notes import air_notes, passage_note, route_note
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
@@ -28,10 +28,11 @@ class Route:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        self._memory = packed_memory(fresh_route())
+        self._memory = packed_memory(fresh_route(len(plan.hazards.obstacles)))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._stepped: int | None = None
+        self._began = 0
         self._follows = False
         self._jumped = False
 
@@ -58,7 +59,13 @@ class Route:
         self._follows = follows
         plan, before = self.plan, self._memory
         omega_b, thrust, q_nb, after, miss = step_on(
-            state, plan.origin, plan.legs, plan.law, before
+            state,
+            plan.origin,
+            plan.legs,
+            plan.law,
+            before,
+            plan.hazards,
+            obstacle_time(known, plan.epoch, self._began),
         )
         if follows:
             self._memory = after
@@ -84,7 +91,9 @@ class Route:
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time; one far back starts anew."""
-        if self._stepped is not None:
+        if self._stepped is None:
+            self._began = time_boot_ms
+        else:
             since = elapsed(self._stepped, time_boot_ms)
             if -STALE < since < 0.9 / self.plan.rate:
                 return False

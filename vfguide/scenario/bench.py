@@ -106,7 +106,9 @@ def guide_often(plan: Plan) -> None:
     memory = packed_memory(fresh_route())
     for k in range(GUIDANCE_STEPS):
         said = (0.02 * k, plan.origin, *HEARD)
-        *_, memory, _ = step_on(said, plan.origin, plan.legs, plan.law, memory)
+        *_, memory, _ = step_on(
+            said, plan.origin, plan.legs, plan.law, memory, plan.hazards, 0.02 * k
+        )
 
 
 def turn_messages() -> None:

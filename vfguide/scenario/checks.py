@@ -20,8 +20,8 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
     if entry.law == "paper" and entry.plant != "kinematic":
         rule = 'only plant = "kinematic" flies it, allowed here "flight"'
         raise source.error(("law",), rule, entry.law)
-    if entry.law == "flight" and entry.obstacle:
-        rule = 'not supported yet with law = "flight", allowed with law = "paper"'
+    if entry.law == "flight" and entry.plant == "kinematic" and entry.obstacle:
+        rule = 'law = "flight" avoids them on plant = "jsbsim" only, allowed with law = "paper"'
         raise source.error(("obstacle",), rule)
 
 

@@ -5,14 +5,14 @@ import math
 import numpy as np
 
 from vfguide.geometry.geodesy import ned_to_geodetic
-from vfguide.geometry.units import DEG, US
+from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.instruments import instruments_from, motor_from
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.models import model_of
 from vfguide.scenario.resolve import plane_of
-from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
@@ -23,11 +23,6 @@ from vfguide.sim.vehicle import Vehicle as SimVehicle
 
 GUSTS, STATE_ERRORS, RATE_ERRORS = 1, 2, 3
 """Purposes of random streams."""
-
-
-def start_us(scenario: Scenario) -> int:
-    """The date of time zero [us since 1970]."""
-    return round(scenario.start_time.timestamp() / US)
 
 
 def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:

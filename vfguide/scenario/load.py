@@ -12,6 +12,7 @@ from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
 from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft, find_scenario
 from vfguide.scenario.errors import InputError
+from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.overrides import parse_override
 from vfguide.scenario.resolve import aircraft_of, resolve
@@ -93,6 +94,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
         checks.check_still_air(scenario, source)
     checks.check_room(scenario, source)
     check_obstacles(scenario, source)
+    check_fence(scenario, source)
     return LoadedScenario(scenario, source.path, files, aircraft)
 
 

@@ -6,10 +6,11 @@ from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
 from vfguide.scenario.errors import InputError
+from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
-from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 
 SIDES = {"right": 1.0, "left": -1.0}
 LOITER_RADIUS = 1.57
@@ -41,6 +42,8 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         guidance.rate_hz,
         loaded.performance(vehicle),
         loaded.gains(vehicle),
+        hazards_of(loaded.scenario),
+        start_us(loaded.scenario),
     )
 
 

@@ -6,6 +6,7 @@ import tomli_w
 from pydantic import Field
 
 from vfguide import __version__
+from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.obstacle_entry import ShapeName
 from vfguide.scenario.scenario_file import ScenarioHead
@@ -85,6 +86,11 @@ class Scenario(ScenarioHead):
             del table["obstacle"]
         head = f"# Resolved by vfguide {__version__}: every default filled in.\n\n"
         return head + _LIST.sub(_on_one_line, tomli_w.dumps(table))
+
+
+def start_us(scenario: Scenario) -> int:
+    """The date of time zero [us since 1970]."""
+    return round(scenario.start_time.timestamp() / US)
 
 
 def _on_one_line(numbers: re.Match[str]) -> str:

@@ -10,14 +10,13 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, US
 from vfguide.link.codec import Encoder
 from vfguide.scenario.arrivals import Arrivals
-from vfguide.scenario.crew import start_us
 from vfguide.scenario.fleet import Ending
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.pilots import FlightPilot, PaperPilot, Pilot
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolve import place_of
-from vfguide.scenario.resolved import Vehicle
+from vfguide.scenario.resolved import Vehicle, start_us
 from vfguide.scenario.result import FAR_AWAY
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, body_message
 from vfguide.sim.kinematic import Bodies, Commands, advance, sightings

@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, AwareDatetime, Field
 
+from vfguide.scenario.fence import Fence
 from vfguide.scenario.obstacle_entry import ObstacleEntry
 from vfguide.scenario.tables import (
     Angle,
@@ -231,6 +232,7 @@ class ScenarioHead(Table):
     link: Link = Link()
     guidance: Guidance = Guidance()
     avoidance: Avoidance = Avoidance()
+    fence: Fence = Fence()
 
 
 class ScenarioFile(ScenarioHead):

@@ -1,0 +1,75 @@
+"""The fence of a scenario: zones and heights, as written and for the guard."""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from vfguide.safety.fence import Zone
+from vfguide.scenario.source import Location, Source
+from vfguide.scenario.tables import Table, above, between, rule_broken, word
+
+Height = Annotated[float, between(-500, 10_000)]
+
+
+def _two(value: object) -> object:
+    if not isinstance(value, list | tuple) or len(value) != 2:
+        raise rule_broken("a list of two numbers, north and east, is required")
+    return tuple(value)
+
+
+Place = Annotated[tuple[float, float], BeforeValidator(_two)]
+"""North and east of the origin [m]."""
+
+
+class ZoneEntry(Table):
+    """An upright polygon or circle to stay in or out of."""
+
+    kind: Annotated[Literal["include", "exclude"], word("include", "exclude")]
+    polygon_m: list[Place] | None = None
+    centre_m: Place | None = None
+    radius_m: Annotated[float, above(0, 100_000)] | None = None
+    lowest_m: Height | None = None
+    highest_m: Height | None = None
+    """Heights above the origin between which it holds; None: any."""
+
+
+class Fence(Table):
+    """Where every vehicle has to stay; heights are above the origin's altitude."""
+
+    floor_m: Height | None = None
+    ceiling_m: Height | None = None
+    zone: list[ZoneEntry] = Field(default_factory=list[ZoneEntry])
+
+
+def zone_of(entry: ZoneEntry) -> Zone:
+    """A zone in SI units."""
+    corners = entry.polygon_m or [entry.centre_m or (0.0, 0.0)]
+    low = -math.inf if entry.lowest_m is None else entry.lowest_m
+    high = math.inf if entry.highest_m is None else entry.highest_m
+    return Zone(entry.kind == "include", tuple(corners), entry.radius_m or 0.0, low, high)
+
+
+def check_zones(fence: Fence, source: Source) -> None:
+    """Every zone is a polygon or a circle, and reaches up; so does the fence.
+
+    Raises:
+        InputError: one does not.
+    """
+    for index, zone in enumerate(fence.zone):
+        at: Location = ("fence", "zone", index)
+        if (zone.polygon_m is None) == (zone.centre_m is None):
+            raise source.error(at, "must be given in exactly one way: polygon_m, or centre_m")
+        if (zone.centre_m is None) != (zone.radius_m is None):
+            raise source.error(at, "a circle needs centre_m and radius_m, a polygon neither")
+        if zone.polygon_m is not None and len(zone.polygon_m) < 3:
+            rule = "too few corners, allowed at least three"
+            raise source.error((*at, "polygon_m"), rule, zone.polygon_m)
+        if _upside_down(zone.lowest_m, zone.highest_m):
+            raise source.error((*at, "highest_m"), "not above lowest_m", zone.highest_m)
+    if _upside_down(fence.floor_m, fence.ceiling_m):
+        raise source.error(("fence", "ceiling_m"), "not above floor_m", fence.ceiling_m)
+
+
+def _upside_down(low: float | None, high: float | None) -> bool:
+    return low is not None and high is not None and low >= high

@@ -1,0 +1,80 @@
+"""What the vehicles of a scenario have to keep clear of."""
+
+import math
+
+import numpy as np
+
+from vfguide.field.obstacle import VISIBLE_FROM
+from vfguide.safety.fence import fence_distance, fences
+from vfguide.safety.hazards import Hazards, traffic_rows
+from vfguide.scenario.fence import Fence, check_zones, zone_of
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.source import Source
+from vfguide.scenario.tables import in_words
+
+
+def hazards_of(scenario: Scenario) -> Hazards:
+    """Everything to keep clear of that is written; obstacles are known from their distance on."""
+    rows = rows_of(scenario.obstacles)
+    rows[:, VISIBLE_FROM] = [its.visible_from_m for its in scenario.obstacles]
+    fence = scenario.fence
+    return Hazards(
+        rows,
+        traffic_rows(()),
+        fences([zone_of(zone) for zone in fence.zone]),
+        -math.inf if fence.floor_m is None else fence.floor_m,
+        math.inf if fence.ceiling_m is None else fence.ceiling_m,
+    )
+
+
+def check_fence(scenario: Scenario, source: Source) -> None:
+    """The fence makes sense, and every start and goal is inside it.
+
+    Raises:
+        InputError: it does not, or one is not.
+    """
+    check_zones(scenario.fence, source)
+    if scenario.fence != Fence() and scenario.plant != "jsbsim":
+        raise source.error(("fence",), 'plant = "kinematic" has none, allowed none')
+    for index, vehicle in enumerate(scenario.vehicles):
+        places = [(("vehicle", index, "position_m"), vehicle.position_m)]
+        places += [
+            (("vehicle", index, "goal", number), goal.position_m)
+            for number, goal in enumerate(vehicle.goals)
+        ]
+        for at, p_n in places:
+            if broken := broken_fence(scenario.fence, p_n):
+                raise source.error(at, broken, p_n)
+
+
+def broken_fence(fence: Fence, p_n: tuple[float, float, float]) -> str:
+    """Which rule of the fence a place breaks, in words; empty: none."""
+    height = -p_n[2]
+    if fence.floor_m is not None and height < fence.floor_m:
+        return f"below the fence, allowed above fence.floor_m = {in_words(fence.floor_m)}"
+    if fence.ceiling_m is not None and height > fence.ceiling_m:
+        return f"above the fence, allowed below fence.ceiling_m = {in_words(fence.ceiling_m)}"
+    zones = fences([zone_of(zone) for zone in fence.zone])
+    for index in range(len(fence.zone)):
+        if fence_distance(zones, index, p_n) < 0.0:
+            kind = "outside" if fence.zone[index].kind == "include" else "inside"
+            return f"{kind} fence.zone[{index}], allowed {_other(kind)} it"
+    return ""
+
+
+def fence_clearance(scenario: Scenario, p_n: np.ndarray) -> float:
+    """Least distance of positions (n, 3) from where the fence is violated [m], negative there."""
+    fence, zones = scenario.fence, fences([zone_of(zone) for zone in scenario.fence.zone])
+    least, height = math.inf, -p_n[:, 2]
+    if fence.floor_m is not None:
+        least = min(least, float((height - fence.floor_m).min()))
+    if fence.ceiling_m is not None:
+        least = min(least, float((fence.ceiling_m - height).min()))
+    for index in range(len(fence.zone)):
+        least = min(least, *(fence_distance(zones, index, tuple(p)) for p in p_n.tolist()))
+    return least
+
+
+def _other(kind: str) -> str:
+    return "inside" if kind == "outside" else "outside"
