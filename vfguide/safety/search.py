@@ -166,6 +166,9 @@ def judged(
 
     The merit of one that is found not to reach `beat` is minus infinity.
     """
+    if beat == math.inf:
+        seen = follow(world, motion, plan, t, (margin, margin), suspect)
+        return seen, -math.inf
     seen = follow(world, motion, plan, t, (CONTACT, CONTACT), suspect)
     if seen.hazard >= 0:
         if beat >= CONTACT + KEPT:
