@@ -15,10 +15,19 @@ import numpy as np
 from vfguide.flight.performance import Gains, Performance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.safety.clearance import Clearance
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.manoeuvre import Manoeuvre, bank_of, climb_of, remainder, time_scale
 from vfguide.safety.motion import Dynamics, Motion, advance, dynamics
-from vfguide.safety.search import LENGTH, World, escape_from, least_bad, time_to_conflict
+from vfguide.safety.search import (
+    LENGTH,
+    Found,
+    World,
+    best_from,
+    follow,
+    time_to_conflict,
+    way_out,
+)
 
 MARGIN = 12.0
 """Distance that a clear track keeps, at 25 m/s and 50 degrees of bank [m] ..."""
@@ -26,6 +35,9 @@ LEAST_MARGIN = 6.0
 """... less for smaller aircraft, but not less than this [m]."""
 RETURN = 3.0
 """More than the margin that must be kept for the wish to be followed again [m]."""
+LEEWAY = 1.0 / 6.0
+"""Part of the margin that a manoeuvre may lose while it is flown, to gusts and errors of the
+model, before another is looked for."""
 HOLD = 0.1
 """The wish is held for at least this part of the scaled time [s]."""
 GUST_GROWTH = 0.3
@@ -131,16 +143,23 @@ def assure(
         plan = remainder(plan, dt)
     margin = aircraft.margin
 
-    hold = max(dt, HOLD * aircraft.scale)
-    after = advance(motion, wish[0], wish[1], wind_n, limits, hold)
-    need = margin + RETURN * stored.acting
-    out = escape_from(world, after, t + hold, wish, plan, (need, need))
-    if out.seen.hazard < 0:
-        decision = Decision(wish[0], wish[1], Reason.CLEAR.value, out.seen.least, math.inf, -1)
-        return decision, Stored(out.plan.side, out.plan.turning, out.plan.climb, 0.0)
-    out, reason = escape_from(world, motion, t, wish, plan, (margin, margin)), Reason.ESCAPE.value
-    if out.seen.hazard >= 0:
-        out, reason = least_bad(world, motion, t, plan, margin), Reason.LEAST_BAD.value
+    acting = stored.acting > 0.0
+    seen = Clearance(0.0, 0.0, 0)
+    if acting:
+        kept = margin * (1.0 - LEEWAY)
+        seen = follow(world, motion, plan, t, (kept, kept), 0)
+    if not acting or seen.hazard < 0:
+        hold = max(dt, HOLD * aircraft.scale)
+        after = advance(motion, wish[0], wish[1], wind_n, limits, hold)
+        need = margin + RETURN * stored.acting
+        out = way_out(world, after, t + hold, wish, plan, need, acting)
+        if out.seen.hazard < 0:
+            decision = Decision(wish[0], wish[1], Reason.CLEAR.value, out.seen.least, math.inf, -1)
+            return decision, Stored(out.plan.side, out.plan.turning, out.plan.climb, 0.0)
+    out = Found(plan, seen)
+    if seen.hazard >= 0:
+        out = best_from(world, motion, t, wish, plan, margin)
+    reason = Reason.ESCAPE.value if out.seen.hazard < 0 else Reason.LEAST_BAD.value
     conflict = time_to_conflict(world, motion, t, wish)
     bank, gamma = bank_of(out.plan, limits), climb_of(out.plan, limits)
     decision = Decision(bank, gamma, reason, out.seen.least, conflict.lost, conflict.hazard)

@@ -17,7 +17,7 @@ HORIZON, STEP = 15.2, 0.2
 """Length and step of a track [s]."""
 KINDS = 33
 """Straight, and the turns to either side; each level, climbing and descending."""
-STEADY = 1e-3
+STEADY = 5e-3
 """A bank or path angle this near to the commanded one is there [rad]."""
 
 
@@ -92,7 +92,10 @@ def fly_out(
             steps = last - k
             if flown.turning > 0.0:
                 steps = int(min(float(steps), flown.turning / dt))
-            motion = fly_steadily(motion, bank, wind_n, dt, track[k : k + steps + 1])
+            there = Motion(
+                motion.p_n, motion.azimuth, bank, climb_of(flown, limits), motion.airspeed
+            )
+            motion = fly_steadily(there, wind_n, dt, track[k : k + steps + 1])
             flown, k = remainder(flown, steps * dt), k + steps
             if steps > 0:
                 continue
@@ -101,9 +104,9 @@ def fly_out(
 
 
 @compiled
-def fly_steadily(motion: Motion, bank: float, wind_n: Vec3, dt: float, track: Rows) -> Motion:
+def fly_steadily(motion: Motion, wind_n: Vec3, dt: float, track: Rows) -> Motion:
     """The same while neither bank nor path angle changes: every chord turned by one angle."""
-    turn = dt * G0 * math.tan(bank) / motion.airspeed
+    turn = dt * G0 * math.tan(motion.bank) / motion.airspeed
     c, s = math.cos(turn), math.sin(turn)
     along, flat = motion.azimuth + 0.5 * turn, dt * motion.airspeed * math.cos(motion.gamma)
     u, v = flat * math.cos(along), flat * math.sin(along)
@@ -114,4 +117,5 @@ def fly_steadily(motion: Motion, bank: float, wind_n: Vec3, dt: float, track: Ro
         x, y, z = x + u + dt * wind_n[0], y + v + dt * wind_n[1], z + down
         u, v = c * u - s * v, s * u + c * v
         track[k, 0], track[k, 1], track[k, 2] = x, y, z
-    return Motion((x, y, z), motion.azimuth + steps * turn, bank, motion.gamma, motion.airspeed)
+    azimuth = motion.azimuth + steps * turn
+    return Motion((x, y, z), azimuth, motion.bank, motion.gamma, motion.airspeed)

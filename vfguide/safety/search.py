@@ -89,26 +89,29 @@ def clear(
 
 
 @compiled
-def escape_from(
+def way_out(
     world: World,
     motion: Motion,
     t: float,
     wish: Command,
     stored: Manoeuvre,
-    need: tuple[float, float],
+    margin: float,
+    level: bool,
 ) -> Found:
-    """A manoeuvre that stays clear from `motion` on, the nearest to the wish.
+    """A manoeuvre that stays clear from `motion` on, the stored one or the nearest to the wish.
 
-    The stored one comes first if `need`, the margins for the stored one and for new ones [m],
-    differ. What is found has `seen.hazard` -1; if nothing is, it is the stored one.
+    What is found has `seen.hazard` -1; if nothing is, it is the stored one. With `level` climbs
+    and descents are not tried.
     """
-    seen = follow(world, motion, stored, t, (need[0], need[0]), 0)
-    if seen.hazard < 0:
+    seen = follow(world, motion, stored, t, (margin, margin), 0)
+    if seen.hazard < 0 or seen.lost == 0.0:
         return Found(stored, seen)
     suspect = seen.hazard
     for kind in np.argsort(distances_from_wish(world, wish)):
         plan = manoeuvre(kind, world.scale)
-        other = follow(world, motion, plan, t, (need[1], need[1]), suspect)
+        if level and plan.climb != 0.0:
+            continue
+        other = follow(world, motion, plan, t, (margin, margin), suspect)
         if other.hazard < 0:
             return Found(plan, other)
         suspect = other.hazard
@@ -129,16 +132,21 @@ def distances_from_wish(world: World, wish: Command) -> Rows:
 
 
 @compiled
-def least_bad(world: World, motion: Motion, t: float, stored: Manoeuvre, margin: float) -> Found:
-    """The manoeuvre that goes least deep; of several without contact, the one that gets away.
+def best_from(
+    world: World, motion: Motion, t: float, wish: Command, stored: Manoeuvre, margin: float
+) -> Found:
+    """The clear manoeuvre nearest to the wish, or the least bad one.
 
-    The stored one is kept unless another is better by a metre.
+    That goes least deep; of several without contact it is the one that gets away. The stored one
+    is kept unless another is better by a metre.
     """
-    seen, merit = judged(world, motion, t, stored, margin, 0)
+    seen, merit = judged(world, motion, t, stored, margin, -math.inf, 0)
     best, merit = Found(stored, seen), merit + KEPT
-    for kind in range(KINDS):
+    for kind in np.argsort(distances_from_wish(world, wish)):
         plan = manoeuvre(kind, world.scale)
-        seen, other = judged(world, motion, t, plan, margin, max(best.seen.hazard, 0))
+        seen, other = judged(world, motion, t, plan, margin, merit, max(best.seen.hazard, 0))
+        if seen.hazard < 0:
+            return Found(plan, seen)
         if other > merit:
             best, merit = Found(plan, seen), other
     return best
@@ -146,14 +154,32 @@ def least_bad(world: World, motion: Motion, t: float, stored: Manoeuvre, margin:
 
 @compiled
 def judged(
-    world: World, motion: Motion, t: float, plan: Manoeuvre, margin: float, suspect: int
+    world: World,
+    motion: Motion,
+    t: float,
+    plan: Manoeuvre,
+    margin: float,
+    beat: float,
+    suspect: int,
 ) -> tuple[Clearance, float]:
-    """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact."""
-    seen = follow(world, motion, plan, t, (margin, CONTACT), suspect)
-    if seen.lost < math.inf:
-        least = clear(world, motion, t, 0, (CONTACT, -math.inf), seen.hazard).least
-        return Clearance(least, seen.lost, seen.hazard), least
-    away = clear(world, motion, t, AFTER, (margin, CONTACT), max(seen.hazard, 0))
+    """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact.
+
+    The merit of one that is found not to reach `beat` is minus infinity.
+    """
+    if beat == math.inf:
+        seen = follow(world, motion, plan, t, (margin, margin), suspect)
+        return seen, -math.inf
+    seen = follow(world, motion, plan, t, (CONTACT, CONTACT), suspect)
+    if seen.hazard >= 0:
+        if beat >= CONTACT + KEPT:
+            return seen, -math.inf
+        deepest = clear(world, motion, t, 0, (CONTACT, beat), seen.hazard)
+        merit = deepest.least if deepest.lost == math.inf else -math.inf
+        return Clearance(deepest.least, seen.lost, deepest.hazard), merit
+    seen = clear(world, motion, t, 0, (margin, CONTACT), suspect)
+    if seen.hazard < 0:
+        return seen, math.inf
+    away = clear(world, motion, t, AFTER, (margin, CONTACT), seen.hazard)
     return seen, NO_CONTACT + seen.least + away.least
 
 

@@ -1,0 +1,180 @@
+"""A point mass flown through a world, its wish the worst there is: straight to the goal."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from avoidance_worlds import TICK, World
+
+from vfguide.field.near import distance_bound
+from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3, add
+from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assure, fresh_stored
+from vfguide.safety.fence import fence_distance
+from vfguide.safety.hazards import Hazards
+from vfguide.safety.motion import Dynamics, Motion, advance
+
+ROLLING = 1.15
+"""The aircraft's lags over those that the assurance believes."""
+REACHED = 60.0
+"""Within this of the goal the aircraft turns round and flies back to where it came from [m]."""
+
+
+class Flown(NamedTuple):
+    """What one flight gave."""
+
+    least: float
+    """Least distance from any surface [m]; negative if one was entered."""
+    when: float
+    """Time of it [s]."""
+    hazard: int
+    escapes: int
+    """Ticks on which a way out was flown, ..."""
+    least_bad: int
+    """... and on which nothing was clear."""
+    first_bad: float
+    """Time of the first of these [s]."""
+    unclear_start: bool
+    """Whether nothing was clear at the start."""
+    legs: int
+    """How often the goal or the start was reached."""
+
+
+@compiled
+def wish_for(motion: Motion, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
+    """Bank towards the goal, path angle towards its height."""
+    north, east = goal[0] - motion.p_n[0], goal[1] - motion.p_n[1]
+    error = wrap(math.atan2(east, north) - motion.azimuth)
+    bank = math.atan(motion.airspeed * error / G0)
+    gamma = (motion.p_n[2] - goal[2]) / max(math.hypot(north, east), 60.0)
+    bank = max(-limits.bank_max, min(limits.bank_max, bank))
+    return bank, max(-limits.descent_max, min(limits.climb_max, gamma))
+
+
+@compiled
+def move_obstacles(rows: Rows, turning: Rows, t: float) -> None:
+    """Turn those that have begun to, keeping where they are at `t` and changing where they go."""
+    for i in range(len(rows)):
+        if turning[i, 0] == 0.0 or t < turning[i, 2]:
+            continue
+        c, s = math.cos(turning[i, 0] * TICK), math.sin(turning[i, 0] * TICK)
+        u, v = c * rows[i, 4] - s * rows[i, 5], s * rows[i, 4] + c * rows[i, 5]
+        before = (rows[i, 4], rows[i, 5], rows[i, 6])
+        rows[i, 4], rows[i, 5], rows[i, 6] = u, v, turning[i, 1]
+        for k in range(3):
+            rows[i, 1 + k] += t * (before[k] - rows[i, 4 + k])
+
+
+@compiled
+def come_in_sight(rows: Rows, p_n: Vec3, t: float, known: Rows) -> bool:
+    """Mark those that are known from here on; whether there is a new one."""
+    new = False
+    for i in range(len(rows)):
+        far = rows[i, VISIBLE_FROM]
+        if known[i] == 0.0 and (far == math.inf or obstacle_distance(rows, i, p_n, t) <= far):
+            known[i], new = 1.0, True
+    return new
+
+
+@compiled
+def true_distance(world: World, rows: Rows, p_n: Vec3, t: float) -> tuple[float, int]:
+    """Distance from the nearest surface, fence, floor or ceiling [m], and which it is."""
+    least = min(-p_n[2] - world.floor, world.ceiling + p_n[2])
+    nearest = len(rows) + len(world.fences.zones)
+    for i in range(len(world.fences.zones)):
+        distance = fence_distance(world.fences, i, p_n)
+        if distance < least:
+            least, nearest = distance, len(rows) + i
+    for i in range(len(rows)):
+        if distance_bound(rows, i, p_n, t) < min(least, 30.0):
+            distance = obstacle_distance(rows, i, p_n, t)
+            if distance < least:
+                least, nearest = distance, i
+    return least, nearest
+
+
+@compiled
+def slowed(limits: Dynamics) -> Dynamics:
+    """The dynamics of the aircraft that is flown."""
+    return Dynamics(
+        limits.bank_max,
+        limits.climb_max,
+        limits.descent_max,
+        limits.roll_rate / ROLLING,
+        limits.bank_lag * ROLLING,
+        limits.path_lag * ROLLING,
+    )
+
+
+@compiled
+def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
+    """The whole flight, a tick every 0.05 s; `log` (ticks, 24) takes what was decided."""
+    rows, motion, goal = world.rows.copy(), world.start, world.goal
+    known, limits, stored = np.zeros(len(rows)), aircraft.limits, fresh_stored()
+    slow = slowed(limits)
+    least, when, hazard, escapes, bad, first_bad, legs = math.inf, 0.0, -1, 0, 0, math.inf, 0
+    for k in range(len(log)):
+        t = k * TICK
+        move_obstacles(rows, world.turning, t)
+        come_in_sight(rows, motion.p_n, t, known)
+        hazards = Hazards(
+            rows[known > 0.0], np.zeros((0, 11)), world.fences, world.floor, world.ceiling
+        )
+        wish = wish_for(motion, goal, limits)
+        log[k, 16:20] = np.array(stored)
+        log[k, 20:22] = np.array(wish)
+        decision = Decision(wish[0], wish[1], Reason.CLEAR.value, 0.0, 0.0, -1)
+        if assured:
+            decision, stored = assure(
+                motion, wish, world.wind_n, world.gust, hazards, t, TICK, aircraft, stored
+            )
+        escapes += decision.reason != Reason.CLEAR.value
+        if decision.reason == Reason.LEAST_BAD.value:
+            bad, first_bad = bad + 1, min(first_bad, t)
+        log[k, 0] = t
+        log[k, 1], log[k, 2], log[k, 3] = motion.p_n
+        log[k, 4], log[k, 5], log[k, 6] = motion.azimuth, motion.bank, motion.gamma
+        log[k, 7], log[k, 8] = decision.bank, decision.gamma
+        log[k, 9], log[k, 10], log[k, 11] = decision.reason, decision.margin, decision.conflict
+        distance, nearest = true_distance(world, rows, motion.p_n, t)
+        log[k, 12], log[k, 13], log[k, 14], log[k, 15] = (
+            distance,
+            nearest,
+            len(hazards.obstacles),
+            stored.side,
+        )
+        if distance < least:
+            least, when, hazard = distance, t, nearest
+        gust = (world.gusts_n[k, 0], world.gusts_n[k, 1], world.gusts_n[k, 2])
+        motion = advance(motion, decision.bank, decision.gamma, add(world.wind_n, gust), slow, TICK)
+        if math.hypot(motion.p_n[0] - goal[0], motion.p_n[1] - goal[1]) < REACHED:
+            goal = (world.goal[0] - goal[0], world.goal[1] - goal[1], goal[2])
+            legs += 1
+    unclear = log[0, 9] == Reason.LEAST_BAD.value
+    return Flown(least, when, hazard, escapes, bad, first_bad, unclear, legs)
+
+
+@compiled
+def repeat_decision(world: World, aircraft: Assurance, row: Rows, times: int) -> float:
+    """Take the decision of one row of a log so many times; everything is known and stands."""
+    hazards = Hazards(world.rows, np.zeros((0, 11)), world.fences, world.floor, world.ceiling)
+    motion = Motion((row[1], row[2], row[3]), row[4], row[5], row[6], world.start.airspeed)
+    stored = Stored(row[16], row[17], row[18], row[19])
+    total = 0.0
+    for _ in range(times):
+        decision, _ = assure(
+            motion,
+            (row[20], row[21]),
+            world.wind_n,
+            world.gust,
+            hazards,
+            row[0],
+            TICK,
+            aircraft,
+            stored,
+        )
+        total += decision.bank
+    return total

@@ -1,0 +1,172 @@
+"""Random worlds to keep clear in: what stands, moves and appears between a start and a goal."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.field import shape
+from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
+from vfguide.field.shape import Shape
+from vfguide.geometry.vector import Vec3
+from vfguide.safety.fence import Fences, Zone, fences
+from vfguide.safety.motion import Motion
+
+HEIGHT = 150.0
+AIRSPEED = 25.0
+GUST_LAG = 2.0
+"""Time in which gusts are forgotten [s]."""
+TICK = 0.05
+"""Time between two decisions [s]."""
+
+
+class World(NamedTuple):
+    """One world, as compiled code takes it."""
+
+    start: Motion
+    goal: Vec3
+    rows: Rows
+    """Obstacles as `obstacle_rows` has them; those that turn are turned while it is flown."""
+    turning: Rows
+    """(M, 3): rate of turn [rad/s], vertical velocity [m/s], time at which both begin [s]."""
+    fences: Fences
+    floor: float
+    ceiling: float
+    wind_n: Vec3
+    gust: float
+    gusts_n: NDArray[np.float64]
+    """(ticks, 3) [m/s]."""
+
+
+def any_shape(rng: np.random.Generator, low: float, high: float) -> Shape:
+    """Any kind of shape, its semi-axes between two sizes [m]."""
+    a, b, c = (float(x) for x in rng.uniform(low, high, 3))
+    p, q, r = (float(x) for x in rng.uniform(1.0, 5.0, 3))
+    return (
+        shape.sphere(a),
+        shape.ellipsoid((a, b, c)),
+        shape.superquadric((a, b, c), (p, q, r)),
+        shape.box((2.0 * a, 2.0 * b, 2.0 * c)),
+        shape.cylinder(a, 2.0 * c),
+        shape.cone(a, 2.0 * c),
+    )[rng.integers(6)]
+
+
+def standing(rng: np.random.Generator) -> list[Obstacle]:
+    """5 to 15 obstacles 20 to 80 m high and wide, overlapping or not."""
+    return [
+        Obstacle(
+            any_shape(rng, 10.0, 40.0),
+            (rng.uniform(80.0, 920.0), rng.uniform(-180.0, 180.0), -HEIGHT + rng.uniform(-30, 30)),
+            rng.uniform(0.0, math.pi),
+        )
+        for _ in range(rng.integers(5, 16))
+    ]
+
+
+def crossing(
+    rng: np.random.Generator, course: float, speed: float, seen: float, radius: float
+) -> Obstacle:
+    """A mover that meets the straight way to the goal, more or less."""
+    meeting = rng.uniform(8.0, 30.0)
+    v_n = (speed * math.cos(course), speed * math.sin(course), 0.0)
+    at = (AIRSPEED * meeting, rng.uniform(-20.0, 20.0), -HEIGHT + rng.uniform(-15.0, 15.0))
+    p_n = (at[0] - meeting * v_n[0], at[1] - meeting * v_n[1], at[2])
+    body = shape.sphere(radius) if rng.random() < 0.5 else shape.cylinder(radius, 2.0 * radius)
+    return Obstacle(body, p_n, 0.0, v_n, visible_from=seen)
+
+
+def movers(rng: np.random.Generator) -> list[Obstacle]:
+    """1 to 4 that cross from any side, seen at 400 m."""
+    return [
+        crossing(
+            rng, rng.uniform(-math.pi, math.pi), rng.uniform(5, 20), 400.0, rng.uniform(20, 50)
+        )
+        for _ in range(rng.integers(1, 5))
+    ]
+
+
+def cluster(rng: np.random.Generator) -> list[Obstacle]:
+    """4 to 8 that come together, seen at 250 m."""
+    course, speed = rng.uniform(-math.pi, math.pi), rng.uniform(5.0, 18.0)
+    leader = crossing(rng, course, speed, 250.0, 15.0)
+    found = list[Obstacle]()
+    for _ in range(rng.integers(4, 9)):
+        x, y, z = rng.normal(size=3) * (60.0, 60.0, 20.0)
+        u, v = rng.normal(size=2)
+        p_n = (leader.p_n[0] + x, leader.p_n[1] + y, leader.p_n[2] + z)
+        v_n = (leader.v_n[0] + u, leader.v_n[1] + v, 0.0)
+        body = shape.sphere(rng.uniform(10.0, 30.0))
+        found.append(Obstacle(body, p_n, 0.0, v_n, visible_from=250.0))
+    return found
+
+
+def overtaking(rng: np.random.Generator) -> list[Obstacle]:
+    """1 to 3 along the same course: slower ones ahead, or faster ones from behind."""
+    found = list[Obstacle]()
+    for _ in range(rng.integers(1, 4)):
+        speed = rng.uniform(5.0, 20.0) if rng.random() < 0.5 else rng.uniform(28.0, 35.0)
+        course = rng.normal(0.0, 0.15)
+        found.append(crossing(rng, course, speed, 400.0, rng.uniform(20.0, 50.0)))
+    return found
+
+
+def popup(rng: np.random.Generator) -> list[Obstacle]:
+    """One on the way, known only from 60 to 150 m, and up to three beside it."""
+    radius = rng.uniform(40.0, 100.0)
+    at = (rng.uniform(350.0, 600.0), rng.uniform(-0.6, 0.6) * radius, -HEIGHT)
+    found = [Obstacle(shape.sphere(radius), at, visible_from=rng.uniform(60.0, 150.0))]
+    for _ in range(rng.integers(0, 4)):
+        place = (rng.uniform(200.0, 800.0), rng.uniform(-400.0, 400.0), -HEIGHT)
+        found.append(Obstacle(any_shape(rng, 20.0, 40.0), place, rng.uniform(0.0, math.pi)))
+    return found
+
+
+DRAWN = {
+    "static": standing,
+    "movers": movers,
+    "cluster": cluster,
+    "overtaking": overtaking,
+    "turning": movers,
+    "popup": popup,
+    "fence": lambda rng: standing(rng)[:5],
+}
+
+
+def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
+    """World `number` of a kind: from (seed, number) alone."""
+    rng = np.random.default_rng([seed, number, list(DRAWN).index(kind)])
+    rows = obstacle_rows(DRAWN[kind](rng))
+    turning = np.zeros((len(rows), 3))
+    if kind == "turning":
+        turning[:, 0] = rng.uniform(-0.15, 0.15, len(rows))
+        turning[:, 1] = rng.uniform(-3.0, 3.0, len(rows))
+        turning[:, 2] = rng.uniform(0.0, 25.0, len(rows))
+    zones, floor, ceiling = list[Zone](), -math.inf, math.inf
+    if kind == "fence":
+        zones, floor, ceiling = narrow_fence(rng), 100.0, 200.0
+    speed, toward = rng.uniform(0.0, 8.0), rng.uniform(-math.pi, math.pi)
+    wind_n = (speed * math.cos(toward), speed * math.sin(toward), 0.0)
+    gust = 1.5 * float(number % 2)
+    gusts = np.zeros((round(duration / TICK) + 1, 3))
+    keep = math.exp(-TICK / GUST_LAG)
+    for k in range(1, len(gusts)):
+        push = rng.normal(size=3) * (gust, gust, 0.5 * gust)
+        gusts[k] = keep * gusts[k - 1] + math.sqrt(1.0 - keep * keep) * push
+    start = Motion((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
+    goal = (1000.0, 0.0, -HEIGHT)
+    return World(start, goal, rows, turning, fences(zones), floor, ceiling, wind_n, gust, gusts)
+
+
+def narrow_fence(rng: np.random.Generator) -> list[Zone]:
+    """A fence with four to seven corners round start and goal, and two places to stay out of."""
+    wide = rng.uniform(150.0, 300.0)
+    count = rng.integers(4, 8)
+    angles = (np.arange(count) + rng.uniform(-0.3, 0.3, count)) * 2.0 * math.pi / count
+    reach = 900.0 / math.cos(math.pi / count)
+    corners = tuple((500.0 + reach * math.cos(a), wide * 2.0 * math.sin(a)) for a in angles)
+    out = Zone(False, ((rng.uniform(300.0, 700.0), rng.uniform(-wide, wide)),), 40.0, highest=170.0)
+    x, y = rng.uniform(300.0, 700.0), rng.uniform(-wide, wide)
+    triangle = Zone(False, ((x, y), (x + 60.0, y + 20.0), (x + 20.0, y + 70.0)))
+    return [Zone(True, corners), out, triangle]

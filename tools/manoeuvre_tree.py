@@ -1,0 +1,85 @@
+"""Whether an escape existed: every sequence of hard manoeuvres, by branch and bound.
+
+Nine actions (bank hard left, none, hard right; climb, level, descend), changed every 2 s, four
+times. The collision check is the exact distance at every 0.05 s.
+"""
+
+import math
+
+import numpy as np
+from avoidance_flights import true_distance
+from avoidance_worlds import TICK, World
+
+from vfguide.field.obstacle import Rows
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+from vfguide.safety.motion import Dynamics, Motion, advance
+
+ACTIONS, LEVELS, HOLD = 9, 4, 2.0
+
+
+@compiled
+def act(
+    world: World,
+    rows: Rows,
+    motion: Motion,
+    t: float,
+    action: int,
+    limits: Dynamics,
+    bound: float,
+) -> tuple[Motion, float]:
+    """The motion after one action, and the least distance on the way; ended below `bound`."""
+    bank = limits.bank_max * (action % 3 - 1)
+    gamma = limits.climb_max if action // 3 == 1 else 0.0
+    gamma = -limits.descent_max if action // 3 == 2 else gamma
+    least = math.inf
+    for k in range(round(HOLD / TICK)):
+        motion = advance(motion, bank, gamma, world.wind_n, limits, TICK)
+        least = min(least, true_distance(world, rows, motion.p_n, t + (k + 1) * TICK)[0])
+        if least <= bound:
+            break
+    return motion, least
+
+
+@compiled
+def best_escape(
+    world: World, rows: Rows, motion: Motion, t: float, limits: Dynamics, enough: float
+) -> float:
+    """The largest least distance of all sequences [m], not looked for above `enough`.
+
+    `rows` are the obstacles as they move at time `t`, all of them, known or not.
+    """
+    best = true_distance(world, rows, motion.p_n, t)[0]
+    if best <= 0.0:
+        return best
+    ceiling, best = min(best, enough), -math.inf
+    p_n = np.zeros((LEVELS + 1, 3))
+    angles = np.zeros((LEVELS + 1, 3))
+    least = np.full(LEVELS + 1, ceiling)
+    action = np.full(LEVELS + 1, -1)
+    p_n[0, 0], p_n[0, 1], p_n[0, 2] = motion.p_n
+    angles[0, 0], angles[0, 1], angles[0, 2] = motion.azimuth, motion.bank, motion.gamma
+    level = 0
+    while level >= 0 and best < ceiling:
+        action[level] += 1
+        if action[level] == ACTIONS:
+            action[level], level = -1, level - 1
+            continue
+        at: Vec3 = (p_n[level, 0], p_n[level, 1], p_n[level, 2])
+        before = Motion(at, angles[level, 0], angles[level, 1], angles[level, 2], motion.airspeed)
+        after, found = act(world, rows, before, t + level * HOLD, action[level], limits, best)
+        found = min(found, least[level])
+        if found <= best:
+            continue
+        if level == LEVELS - 1:
+            best = found
+            continue
+        level += 1
+        least[level] = found
+        p_n[level, 0], p_n[level, 1], p_n[level, 2] = after.p_n
+        angles[level, 0], angles[level, 1], angles[level, 2] = (
+            after.azimuth,
+            after.bank,
+            after.gamma,
+        )
+    return best
