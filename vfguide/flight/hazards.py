@@ -26,7 +26,7 @@ KEEP_OUT, KEEP_IN = 1.0, -1.0
 SIGN, X, Y, VX, VY, SPEED, BALL, FIRST, COUNT, SINCE, UNTIL, CONVEX = range(12)
 """Columns of a hazard: `KEEP_OUT` or `KEEP_IN`; place at t = 0 [m] and velocity [m/s], NED; speed;
 radius of a circle that holds it; its sides, none for a circle; from when until when it is there;
-whether it is convex with turns of no more than a right angle by three sides."""
+whether its farthest side is its distance, as it is round a footprint but for a fiftieth."""
 COLUMNS = 12
 
 

@@ -124,7 +124,7 @@ def add_edge(vias: Vias, edges: Edges, queue: Queue, begin: int, end: int) -> No
     if to_go < 0.0:
         to_go = math.hypot(goal[0] - there[0], goal[1] - there[1])
     hoped = vias.gone[begin] + math.hypot(there[0] - here[0], there[1] - here[1]) + EAGER * to_go
-    heappush(queue, (hoped, e))
+    heappush(queue, (float(hoped), e))
 
 
 @compiled
@@ -147,7 +147,8 @@ def find_word(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> 
     if length < math.inf:
         edges.words[e] = (word.first, word.arc, word.middle, word.reach, word.last, word.end)
         edges.known[e], edges.above[e] = True, length
-        heappush(queue, (vias.gone[begin] + radius * length + EAGER * vias.to_go[end], e))
+        hoped = vias.gone[begin] + radius * length + EAGER * vias.to_go[end]
+        heappush(queue, (float(hoped), e))
 
 
 @compiled
