@@ -1,0 +1,83 @@
+"""Reference for the length of ways: BIT* of the Open Motion Planning Library on Dubins paths.
+
+Not a dependency of the project; `pip install ompl`. Clearance is looked up on a fine grid of exact
+distances from the obstacles.
+"""
+
+import math
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from search_worlds import HEIGHT, World
+
+from vfguide.field.obstacle import Rows, obstacle_distance
+from vfguide.geometry.compiled import compiled
+
+CELL = 2.5
+"""Of the grid [m]."""
+AROUND = 500.0
+"""Beyond start and goal the reference may fly so far [m]."""
+
+
+def is_installed() -> bool:
+    """Whether the reference can be asked."""
+    return find_spec("ompl") is not None
+
+
+@compiled
+def free_cells(
+    obstacles: Rows, low: tuple[float, float], shape: tuple[int, int], apart: float
+) -> NDArray[np.bool_]:
+    """Which cells of a grid at HEIGHT are farther than `apart` [m] from all obstacles."""
+    free = np.ones(shape, np.bool_)
+    for m in range(shape[0]):
+        for n in range(shape[1]):
+            x, y = low[0] + CELL * m, low[1] + CELL * n
+            for i in range(len(obstacles)):
+                row = obstacles[i]
+                reach = math.hypot(row[9], row[10])
+                if math.hypot(x - row[1], y - row[2]) - reach > apart:
+                    continue
+                if obstacle_distance(obstacles, i, (x, y, -HEIGHT), 0.0) <= apart:
+                    free[m, n] = False
+                    break
+    return free
+
+
+def reference_length(world: World, radius: float, apart: float, seconds: float, seed: int) -> float:
+    """Length of the shortest path that BIT* finds in some seconds [m], infinite for none."""
+    from ompl import base, geometric, util  # noqa: PLC0415
+
+    util.setLogLevel(util.LogLevel.LOG_NONE)
+    util.RNG.setSeed(seed + 1)
+    ends = np.array([world.start, world.goal])[:, :2]
+    low, high = ends.min(axis=0) - AROUND, ends.max(axis=0) + AROUND
+    cells = tuple(int(n) for n in np.ceil((high - low) / CELL))
+    free = free_cells(world.obstacles, (float(low[0]), float(low[1])), (cells[0], cells[1]), apart)
+    space = base.DubinsStateSpace(radius)
+    bounds = base.RealVectorBounds(2)
+    for k in range(2):
+        bounds.setLow(k, float(low[k]))
+        bounds.setHigh(k, float(high[k]))
+    space.setBounds(bounds)
+    setup = geometric.SimpleSetup(space)
+
+    def is_valid(state: Any) -> bool:
+        m, n = int((state.getX() - low[0]) / CELL + 0.5), int((state.getY() - low[1]) / CELL + 0.5)
+        return 0 <= m < cells[0] and 0 <= n < cells[1] and bool(free[m, n])
+
+    setup.setStateValidityChecker(is_valid)
+    setup.getSpaceInformation().setStateValidityCheckingResolution(5.0 / space.getMaximumExtent())
+    begin, end = space.allocState(), space.allocState()
+    for state, pose in ((begin, world.start), (end, world.goal)):
+        state.setX(pose.x)
+        state.setY(pose.y)
+        state.setYaw(math.remainder(pose.course, 2.0 * math.pi))
+    setup.setStartAndGoalStates(begin, end)
+    setup.setPlanner(geometric.BITstar(setup.getSpaceInformation()))
+    setup.solve(seconds)
+    if not setup.haveExactSolutionPath():
+        return math.inf
+    return float(setup.getSolutionPath().length())

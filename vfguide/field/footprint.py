@@ -1,0 +1,140 @@
+"""What an obstacle covers of the horizontal plane in a band of heights.
+
+A circle, or a polygon round it: the section is widest at one height of the band, and SIDES
+of its tangents enclose it. Beyond the band the margin keeps the body away, so that a point
+farther than the margin from the footprint is farther than that from the body.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.field.level import TIP
+from vfguide.field.obstacle import Rows, obstacle_shape
+from vfguide.field.shape import EDGED, Kind, Shape
+from vfguide.geometry.compiled import compiled
+
+SIDES = 16
+"""Of the polygon round a section that is no circle."""
+STEP = 2.0 * math.pi / SIDES
+HALVINGS = 10
+"""Of the angle at which a superquadric of unequal exponents is touched."""
+WIDEST_CONE = 0.5 ** (0.5 / EDGED)
+"""Height of a cone's widest section below its centre, in half heights."""
+
+
+class Band(NamedTuple):
+    """Heights, down from the origin [m]."""
+
+    top: float
+    bottom: float
+
+
+class Section(NamedTuple):
+    """A horizontal section in the body's axes: the sizes and exponents of a superquadric.
+
+    Both sizes are zero where there is none.
+    """
+
+    a: float
+    b: float
+    p: float
+    q: float
+
+
+@compiled
+def widest_height(shape: Shape, band: Band) -> float:
+    """Height of the widest section in the band, which is about the body's centre, half heights."""
+    c = shape.semi_axes[2]
+    widest = WIDEST_CONE if shape.kind == Kind.CONE else 0.0
+    return max(band.top / c, min(band.bottom / c, widest))
+
+
+@compiled
+def section_at(shape: Shape, w: float) -> Section:
+    """The section `w` half heights below the centre."""
+    (a, b, _), (p, q, r) = shape.semi_axes, shape.exponents
+    if w < (TIP - 1.0 if shape.kind == Kind.CONE else -1.0) or w > 1.0:
+        return Section(0.0, 0.0, 1.0, 1.0)
+    if shape.kind == Kind.CONE:
+        s = w + (1.0 - max(0.0, w) ** (2.0 * EDGED)) ** (0.5 / EDGED)
+        part = 0.5 * math.sqrt(max(s * s - TIP * TIP, 0.0))
+        return Section(part * a, part * b, 1.0, 1.0)
+    left = 1.0 - abs(w) ** (2.0 * r)
+    if shape.kind == Kind.CYLINDER:
+        part = left ** (0.5 / EDGED)
+        return Section(part * a, part * b, 1.0, 1.0)
+    return Section(a * left ** (0.5 / p), b * left ** (0.5 / q), p, q)
+
+
+@compiled
+def is_round(section: Section) -> bool:
+    """Whether the section is a circle."""
+    return section.a == section.b and section.p == 1.0 and section.q == 1.0
+
+
+@compiled
+def touching(section: Section, nx: float, ny: float) -> float:
+    """How far the section reaches along the unit vector (nx, ny), neither of it negative [m].
+
+    The point whose normal that is lies at some angle of x = a cos^(1/p), y = b sin^(1/q); an error
+    of it counts squared.
+    """
+    a, b, p, q = section
+    if p == q:
+        dual = 2.0 * p / (2.0 * p - 1.0)
+        return ((a * nx) ** dual + (b * ny) ** dual) ** (1.0 / dual)
+    low, high = 0.0, 0.5 * math.pi
+    for _ in range(HALVINGS):
+        angle = 0.5 * (low + high)
+        wx, wy = math.cos(angle) ** (1.0 / p), math.sin(angle) ** (1.0 / q)
+        turned = q / b * wy ** (2.0 * q - 1.0) * nx - p / a * wx ** (2.0 * p - 1.0) * ny
+        low, high = (low, angle) if turned > 0.0 else (angle, high)
+    angle = 0.5 * (low + high)
+    wx, wy = math.cos(angle) ** (1.0 / p), math.sin(angle) ** (1.0 / q)
+    return a * wx * nx + b * wy * ny
+
+
+@compiled
+def sides_round(section: Section, c: float, s: float) -> NDArray[np.float64]:
+    """The polygon round a section, its axes turned by the angle of cosine `c` and sine `s`.
+
+    A row for each side: its outward unit normal, its distance from the centre [m], and the corner
+    where it meets the side before, about the centre; NED, clockwise from above.
+    """
+    sides, quarter = np.empty((SIDES, 5)), np.empty(SIDES // 4 + 1)
+    for k in range(len(quarter)):
+        quarter[k] = touching(section, max(math.cos(k * STEP), 0.0), math.sin(k * STEP))
+    for k in range(SIDES):
+        nx, ny = math.cos(k * STEP), math.sin(k * STEP)
+        mirrored = min(k % (SIDES // 2), -k % (SIDES // 2))
+        sides[k, :3] = (c * nx - s * ny, s * nx + c * ny, quarter[mirrored])
+    for k in range(SIDES):
+        last, this = sides[k - 1], sides[k]
+        sides[k, 3] = (last[2] * this[1] - this[2] * last[1]) / math.sin(STEP)
+        sides[k, 4] = (this[2] * last[0] - last[2] * this[0]) / math.sin(STEP)
+    return sides
+
+
+@compiled
+def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
+    """From when until when row `i` reaches into the band [s]; none where the first is later."""
+    half, height, rate = obstacles[i, 11], obstacles[i, 3], obstacles[i, 6]
+    if rate == 0.0:
+        reaches = band.top <= height + half and height - half <= band.bottom
+        return (-math.inf, math.inf) if reaches else (math.inf, -math.inf)
+    from_above = (band.top - half - height) / rate
+    from_below = (band.bottom + half - height) / rate
+    return min(from_above, from_below), max(from_above, from_below)
+
+
+@compiled
+def section_in(obstacles: Rows, i: int, band: Band) -> Section:
+    """The widest section of row `i` in the band: of all its sections where it climbs or sinks."""
+    shape, height = obstacle_shape(obstacles, i), obstacles[i, 3]
+    inside = Band(band.top - height, band.bottom - height)
+    if obstacles[i, 6] != 0.0:
+        inside = Band(-shape.semi_axes[2], shape.semi_axes[2])
+    return section_at(shape, widest_height(shape, inside))
