@@ -26,11 +26,17 @@ def test_nothing_is_hit_where_the_wish_alone_hits_something(kind):
     assert hit >= 2
 
 
-@pytest.mark.parametrize("number", [144, 286, 326, 351, 408])
-def test_what_appears_too_late_is_missed_as_well_as_the_tree_of_manoeuvres_can(number):
+IN_GUSTS = pytest.mark.xfail(reason="5.7 m worse than the tree, which knows no gusts")
+
+
+@pytest.mark.parametrize(
+    ("seed", "number"),
+    [(1, 144), (1, 286), (1, 326), (1, 351), (1, 408), pytest.param(3, 45, marks=IN_GUSTS)],
+)
+def test_what_appears_too_late_is_missed_as_well_as_the_tree_of_manoeuvres_can(seed, number):
     """By the time to contact alone, worlds 144 and 286 ended 17 and 18 m deep."""
-    flight, log = flown("popup", number)
-    world = draw_world("popup", 1, number, 60.0)
+    flight, log = flown("popup", number, seed=seed)
+    world = draw_world("popup", seed, number, 60.0)
     best = np.inf
     for k in np.flatnonzero(np.diff(log[:, 14]) > 0) + 1:
         at = Motion(tuple(map(float, log[k, 1:4])), *map(float, log[k, 4:7]), 25.0)

@@ -3,7 +3,7 @@
 The wish is held for one period in the model of the motion. If one of the escape manoeuvres, or
 what is left of the one stored before, stays clear from there, the wish is sent and that manoeuvre
 is stored. Else a manoeuvre that stays clear from now on is flown, the nearest to the wish; if
-there is none, the one that keeps its distance longest.
+there is none, the one that goes least deep.
 """
 
 import math
