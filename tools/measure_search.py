@@ -19,9 +19,9 @@ from search_worlds import HEIGHT, World, draw
 
 from vfguide.field.footprint import Band
 from vfguide.flight.detour import Detour, find_detour
-from vfguide.flight.hazards import hazards_of, no_fence
 from vfguide.flight.hop import next_word
 from vfguide.flight.hop_check import Air, Task, way_is_clear
+from vfguide.flight.outlines import NO_FENCE, hazards_of
 from vfguide.flight.shortest import length_of
 
 LEVEL = Band(-HEIGHT, -HEIGHT)
@@ -60,7 +60,7 @@ def measure(world: World, number: int, args: argparse.Namespace) -> Outcome:
     """Search one world."""
     air = Air(args.airspeed, args.wind, 0.0)
     task = Task(world.start, world.goal, args.radius, air, 0.0)
-    asked = (world.obstacles, no_fence(), LEVEL, task)
+    asked = (world.obstacles, NO_FENCE, LEVEL, task)
     detour = find_detour(*asked)
     free = args.radius * length_of(next_word(world.start, world.goal, args.radius, -1.0))
     reference = math.nan

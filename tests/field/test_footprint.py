@@ -9,7 +9,7 @@ from obstacle_samples import SHAPES, random_shape
 from vfguide.field.footprint import Band, Section, crossing_times, section_in, sides_round
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.flight.clearance import clearance_at
-from vfguide.flight.hazards import hazards_of
+from vfguide.flight.outlines import hazards_of
 
 MARGIN = 20.0
 

@@ -8,16 +8,16 @@ from vfguide.field import shape
 from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.flight.detour import find_detour
-from vfguide.flight.hazards import no_fence
 from vfguide.flight.hop import hop_in, pieces_of, pose_along
 from vfguide.flight.hop_check import Air, Task, ground_speed
+from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.way import Pose
 from vfguide.geometry.angles import wrap
 
 RADIUS = 80.0
 CALM = Air(25.0, 0.0, 0.0)
 LEVEL = Band(-100.0, -100.0)
-NO_FENCE = no_fence()
+NO_FENCE = NO_FENCE
 NOTHING = obstacle_rows([])
 
 

@@ -24,9 +24,9 @@ from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.field.shape import cone
 from vfguide.flight.detour import CLEARANCES, EFFORTS
-from vfguide.flight.hazards import KEEP_IN, circle, hazards_of, joined, no_fence, polygon
 from vfguide.flight.hop import hop_in, next_word
 from vfguide.flight.hop_check import Air, way_is_clear
+from vfguide.flight.outlines import KEEP_IN, NO_FENCE, circle, hazards_of, joined, polygon
 from vfguide.flight.roadmap import MOST_HOPS
 from vfguide.geometry.angles import wrap
 
@@ -235,5 +235,5 @@ def test_a_way_is_not_clear_any_more_where_something_new_stands_ahead():
     assert not way_is_clear(hazards, task, 12.0, detour.hops, 0, 0, 0.0)
     beyond = task_of((600.0, 0.0, 0.0), (1000.0, 0.0, 0.0))
     assert way_is_clear(hazards, beyond, 12.0, detour.hops, 0, 1, 600.0)
-    nothing = joined(hazards_of(NOTHING, LEVEL, 12.0), no_fence())
+    nothing = joined(hazards_of(NOTHING, LEVEL, 12.0), NO_FENCE)
     assert way_is_clear(nothing, task, 12.0, detour.hops, 0, 0, 0.0)

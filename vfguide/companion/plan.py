@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from vfguide.companion.legs import Goal, Legs, leg_rows
+from vfguide.flight.outlines import NO_FENCE, Outlines
 from vfguide.flight.performance import Gains, Law, Performance, packed
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.hazards import NO_HAZARDS, Hazards
@@ -26,6 +27,8 @@ class Plan:
     gains: Gains
     hazards: Hazards = NO_HAZARDS
     """What to keep clear of."""
+    fence: Outlines = NO_FENCE
+    """Its fence as the search for ways takes it."""
     epoch: int = 0
     """When the obstacles are at their places [us since 1970]."""
     legs: Legs = field(init=False, compare=False)

@@ -65,6 +65,7 @@ class Route:
             plan.law,
             before,
             plan.hazards,
+            plan.fence,
             obstacle_time(known, plan.epoch, self._began),
         )
         if follows:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from vfguide.companion.jump import Jumps, no_jumps, settled
 from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
+from vfguide.flight.detour_leg import DETOUR_NUMBERS, DetourState, fresh_detour
 from vfguide.flight.leg import Leg, new_leg
 from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.shortest import Word
@@ -32,6 +33,7 @@ class RouteMemory(NamedTuple):
     stand: Stand
     air: AirState
     guard: GuardState
+    detour: DetourState
 
 
 @compiled
@@ -39,7 +41,16 @@ def fresh_route(obstacles: int = 0) -> RouteMemory:
     """Memory of a vehicle that has not begun, among so many obstacles."""
     zero, guard = (0.0, 0.0, 0.0), fresh_guard(obstacles)
     return RouteMemory(
-        0, False, zero, zero, fresh_memory(), no_jumps(), new_stand(), fresh_air(), guard
+        0,
+        False,
+        zero,
+        zero,
+        fresh_memory(),
+        no_jumps(),
+        new_stand(),
+        fresh_air(),
+        guard,
+        fresh_detour(),
     )
 
 
@@ -50,26 +61,16 @@ def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    return RouteMemory(
-        goal, False, zero, zero, after, memory.jumps, memory.stand, memory.air, memory.guard
-    )
+    kept = (memory.jumps, memory.stand, memory.air, memory.guard, fresh_detour())
+    return RouteMemory(goal, False, zero, zero, after, *kept)
 
 
 @compiled
 def take_over(memory: RouteMemory) -> RouteMemory:
     """Memory when the autopilot begins to follow: only the way and the air are remembered."""
     zero = (0.0, 0.0, 0.0)
-    return RouteMemory(
-        memory.goal,
-        False,
-        zero,
-        zero,
-        fresh_memory(),
-        no_jumps(),
-        memory.stand,
-        memory.air,
-        memory.guard,
-    )
+    kept = (memory.stand, memory.air, memory.guard, fresh_detour())
+    return RouteMemory(memory.goal, False, zero, zero, fresh_memory(), no_jumps(), *kept)
 
 
 PackedMemory = NDArray[np.float64]
@@ -79,8 +80,9 @@ OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 42, 45, 46, 48, 49, 51
 AIR_TIME = AIR
 """Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
 airspeed and whether it is too large, the air's numbers and the first of them."""
-GUARD = AIR + AIR_NUMBERS
-"""Places: what the guard remembers."""
+DETOUR = AIR + AIR_NUMBERS
+GUARD = DETOUR + DETOUR_NUMBERS
+"""Places: the detour that is flown, and what the guard remembers."""
 
 
 @compiled
@@ -99,7 +101,8 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
     packed = np.empty(GUARD + len(memory.guard))
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))
-    packed[AIR:GUARD] = memory.air
+    packed[AIR:DETOUR] = memory.air
+    packed[DETOUR:GUARD] = memory.detour
     packed[GUARD:] = memory.guard
     return packed
 
@@ -128,7 +131,7 @@ def holds_in(memory: PackedMemory) -> bool:
 @compiled
 def air_in(memory: PackedMemory) -> AirReport:
     """What is believed of the air."""
-    return report_air(memory[AIR:GUARD])
+    return report_air(memory[AIR:DETOUR])
 
 
 @compiled
@@ -147,6 +150,7 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         flight,
         Jumps((a[42], a[43], a[44]), int(a[45]), a[46], a[47]),
         Stand(a[48], a[49] != 0.0, a[50]),
-        a[AIR:GUARD].copy(),
+        a[AIR:DETOUR].copy(),
         a[GUARD:].copy(),
+        a[DETOUR:GUARD].copy(),
     )

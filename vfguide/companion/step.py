@@ -21,6 +21,7 @@ from vfguide.flight.air_data import cautious, sense_air
 from vfguide.flight.air_state import THRUST
 from vfguide.flight.leg import FIELD
 from vfguide.flight.memory import Wish
+from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import AIRSPEED_GAIN, Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.strong_wind import in_air_frame, into_wind, stand_against
@@ -47,7 +48,13 @@ NO_PASSAGE = Passage(math.inf, math.inf)
 
 @compiled
 def step(
-    state: FlightState, legs: Legs, law: Law, memory: RouteMemory, hazards: Hazards, t: float
+    state: FlightState,
+    legs: Legs,
+    law: Law,
+    memory: RouteMemory,
+    hazards: Hazards,
+    fence: Outlines,
+    t: float,
 ) -> tuple[RateSetpoint, RouteMemory, Wish, Passage]:
     """The setpoint for this state, within the limits of the aircraft.
 
@@ -57,6 +64,7 @@ def step(
         law: aircraft and gains, of `packed`.
         memory: of the step before.
         hazards: what to keep clear of.
+        fence: its zones as the search for ways takes them.
         t: on the clock of the obstacles [s].
 
     Returns:
@@ -80,10 +88,14 @@ def step(
         flown_in, target = in_air_frame(state), into_wind(stand, state)
     else:
         flown_in, target = state, target_of(legs, memory.goal)
-    watch, guard = Watch(hazards, t, 1.0), memory.guard.copy()
-    setpoint, flight, wish = guide_clear(state, flown_in, target, law, memory.flight, watch, guard)
+    watch = Watch(hazards, t, 1.0, fence)
+    guard, detour = memory.guard.copy(), memory.detour.copy()
+    setpoint, flight, wish = guide_clear(
+        state, flown_in, target, law, memory.flight, watch, guard, detour
+    )
     air[THRUST] = setpoint.thrust
-    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, jumps, stand, air, guard)
+    kept = (jumps, stand, air, guard, detour)
+    after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, *kept)
     return setpoint, after, wish, passage
 
 
@@ -95,6 +107,7 @@ def step_on(
     law: Law,
     memory: PackedMemory,
     hazards: Hazards,
+    fence: Outlines,
     t: float,
 ) -> tuple[Vec3, float, Quaternion, PackedMemory, float]:
     """`step` for what the autopilot said, in the tangent plane at `origin`.
@@ -103,7 +116,7 @@ def step_on(
         Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
     """
     state = place_state(heard, origin)
-    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory), hazards, t)
+    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory), hazards, fence, t)
     miss = passage.miss
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.flight.hazards import (
+from vfguide.flight.outlines import (
     BALL,
     CONVEX,
     COUNT,
@@ -17,7 +17,7 @@ from vfguide.flight.hazards import (
     UNTIL,
     VX,
     VY,
-    Hazards,
+    Outlines,
     X,
     Y,
 )
@@ -67,7 +67,9 @@ def sides_distance(sides: NDArray[np.float64], x: float, y: float) -> float:
 
 
 @compiled
-def hazard_distance(hazards: Hazards, i: int, x: float, y: float, t: float, enough: float) -> float:
+def hazard_distance(
+    hazards: Outlines, i: int, x: float, y: float, t: float, enough: float
+) -> float:
     """Distance of (x, y) from the place of row `i` at time `t` [m], negative where one may not be.
 
     Where it is more than `enough`, a lower bound of it that is more, too.
@@ -88,7 +90,7 @@ def hazard_distance(hazards: Hazards, i: int, x: float, y: float, t: float, enou
 
 
 @compiled
-def clearance_at(hazards: Hazards, x: float, y: float, t: float) -> Nearest:
+def clearance_at(hazards: Outlines, x: float, y: float, t: float) -> Nearest:
     """Distance of (x, y), NED [m], from the nearest hazard at time `t` [s]."""
     least, nearest = math.inf, NOTHING
     for i in range(len(hazards.table)):
@@ -101,7 +103,7 @@ def clearance_at(hazards: Hazards, x: float, y: float, t: float) -> Nearest:
 
 
 @compiled
-def near_hazards(hazards: Hazards, x: float, y: float, reach: float) -> int:
+def near_hazards(hazards: Outlines, x: float, y: float, reach: float) -> int:
     """Those that can be nearer than `reach` [m] to (x, y), a bit each; all that may move."""
     near = 0
     for i in range(min(len(hazards.table), BITS)):
@@ -114,7 +116,7 @@ def near_hazards(hazards: Hazards, x: float, y: float, reach: float) -> int:
 
 @compiled
 def free_path(
-    hazards: Hazards,
+    hazards: Outlines,
     near: int,
     x: float,
     y: float,
@@ -125,7 +127,7 @@ def free_path(
 ) -> Nearest:
     """How far one may fly at `speed` [m/s] before a hazard can be nearer than `wanted` [m].
 
-    Hazards come towards one while one flies. Negative where one is nearer. `near` are those that
+    Outlines come towards one while one flies. Negative where one is nearer. `near` are those that
     count, and all that have no bit. What is not there yet leaves at least a `step` [m].
     """
     least, nearest = math.inf, NOTHING

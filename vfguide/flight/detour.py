@@ -6,9 +6,9 @@ import numpy as np
 
 from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Rows
-from vfguide.flight.hazards import Hazards, hazards_of, joined
 from vfguide.flight.hop import HOP_COLUMNS, Hops, next_word, way_length
 from vfguide.flight.hop_check import Task, demand_of
+from vfguide.flight.outlines import Outlines, hazards_of, joined
 from vfguide.flight.search import search
 from vfguide.flight.shortening import shortened
 from vfguide.flight.shortest import length_of
@@ -38,12 +38,12 @@ class Detour(NamedTuple):
 
 
 @compiled
-def find_detour(obstacles: Rows, fence: Hazards, band: Band, task: Task) -> Detour:
+def find_detour(obstacles: Rows, fence: Outlines, band: Band, task: Task) -> Detour:
     """The way round obstacles and within a fence.
 
     Args:
         obstacles: rows of `obstacle_rows`.
-        fence: as far as it is in the band; `hazards.no_fence()` for none.
+        fence: as far as it is in the band; `outlines.NO_FENCE` for none.
         band: heights between those of the start and of the goal.
         task: what is to be flown.
     """
@@ -64,7 +64,7 @@ def find_detour(obstacles: Rows, fence: Hazards, band: Band, task: Task) -> Deto
 
 @compiled
 def detour_with(
-    obstacles: Rows, fence: Hazards, band: Band, task: Task, wanted: float, effort: int
+    obstacles: Rows, fence: Outlines, band: Band, task: Task, wanted: float, effort: int
 ) -> Detour:
     """The way with one clearance [m]; arguments of `find_detour`."""
     hazards = joined(hazards_of(obstacles, band, wanted), fence)

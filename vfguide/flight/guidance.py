@@ -2,8 +2,11 @@
 
 import math
 
+import numpy as np
+
 from vfguide.field.rate_law import rate_law
 from vfguide.flight.attitude import attitude_for_lift
+from vfguide.flight.detour_leg import DetourState, detour_course, is_on_detour
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
 from vfguide.flight.leg import keep_radius
@@ -28,24 +31,33 @@ def guide(
     state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
 ) -> tuple[RateSetpoint, Memory, Wish]:
     """One step of the flight law; the setpoint is not limited yet."""
-    wish, planned = plan_flight(state, target, aircraft, gains, memory)
+    wish, planned = plan_flight(state, target, aircraft, gains, memory, np.zeros(0))
     setpoint, after = fly_wish(state, wish, aircraft, gains, planned)
     return setpoint, after, wish
 
 
 @compiled
 def plan_flight(
-    state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
+    state: FlightState,
+    target: Target,
+    aircraft: Performance,
+    gains: Gains,
+    memory: Memory,
+    detour: DetourState,
 ) -> tuple[Wish, Memory]:
     """The first half of a step: where to fly, as a bank, a load factor and a path angle.
 
-    The memory has what was planned; its time is still that of the step before.
+    While a `detour` is flown the leg waits. The memory has what was planned; its time is still
+    that of the step before.
     """
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     steady = usable_bank(aircraft, gains, gains.airspeed)
     leg = keep_radius(memory.leg, flyable_radius(state, steady, gains))
-    leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
+    if is_on_detour(detour):
+        course = detour_course(detour, soon(state, gains), leg, target.course)
+    else:
+        leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
     gamma = path_of(air, speed)
     heading = heading_for_course(
         target.course + course.chi,

@@ -4,8 +4,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.flight.clearance import NOTHING, clearance_at, free_path, near_hazards
-from vfguide.flight.hazards import Hazards
 from vfguide.flight.hop import Hop, Hops, Piece, hop_in, pieces_of, pose_along
+from vfguide.flight.outlines import Outlines
 from vfguide.flight.way import Pose
 from vfguide.geometry.compiled import compiled
 
@@ -80,7 +80,7 @@ def wanted_at(task: Task, demand: Demand, x: float, y: float) -> float:
 
 @compiled
 def check_piece(
-    hazards: Hazards, task: Task, demand: Demand, piece: Piece, begin: float, t: float
+    hazards: Outlines, task: Task, demand: Demand, piece: Piece, begin: float, t: float
 ) -> Check:
     """Whether a piece is clear from `begin` [m] after its beginning, where one is at `t`."""
     gone, radius = begin, task.radius
@@ -105,7 +105,7 @@ def check_piece(
 
 @compiled
 def hazards_beside(
-    hazards: Hazards, demand: Demand, piece: Piece, begin: float, radius: float
+    hazards: Outlines, demand: Demand, piece: Piece, begin: float, radius: float
 ) -> int:
     """The hazards that matter for the rest of a piece, see `near_hazards`."""
     half = 0.5 * (piece.length - begin)
@@ -114,7 +114,7 @@ def hazards_beside(
 
 
 @compiled
-def check_hop(hazards: Hazards, task: Task, demand: Demand, hop: Hop, t: float) -> Check:
+def check_hop(hazards: Outlines, task: Task, demand: Demand, hop: Hop, t: float) -> Check:
     """Whether a hop that begins at `t` is clear."""
     one, two, three = pieces_of(hop, task.radius)
     found = check_piece(hazards, task, demand, one, 0.0, t)
@@ -126,7 +126,7 @@ def check_hop(hazards: Hazards, task: Task, demand: Demand, hop: Hop, t: float) 
 
 
 @compiled
-def demand_of(hazards: Hazards, task: Task, wanted: float) -> Demand:
+def demand_of(hazards: Outlines, task: Task, wanted: float) -> Demand:
     """The clearance that is wanted, and what there is at the ends."""
     slack = SHORTEST_STEP * wanted  # what begins along a hazard is not blocked
     start, goal = task.start, task.goal
@@ -137,7 +137,7 @@ def demand_of(hazards: Hazards, task: Task, wanted: float) -> Demand:
 
 @compiled
 def way_is_clear(
-    hazards: Hazards,
+    hazards: Outlines,
     task: Task,
     wanted: float,
     hops: Hops,

@@ -60,6 +60,13 @@ class Wish(NamedTuple):
 
 
 @compiled
+def with_leg(m: Memory, leg: Leg) -> Memory:
+    """The memory with another leg."""
+    learned = (m.thrust_integral, m.alpha_bias)
+    return Memory(m.time, leg, m.slope, m.turning, m.R_na, m.omega_a, *learned)
+
+
+@compiled
 def fresh_memory() -> Memory:
     """Memory before the first step."""
     level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

@@ -11,9 +11,9 @@ from heapq import heappop
 import numpy as np
 
 from vfguide.flight.clearance import NOTHING
-from vfguide.flight.hazards import Hazards
 from vfguide.flight.hop import HOP_COLUMNS, Hops, hop_row
 from vfguide.flight.hop_check import Demand, Task, check_hop
+from vfguide.flight.outlines import Outlines
 from vfguide.flight.roadmap import (
     GOAL,
     MOST_HOPS,
@@ -38,7 +38,7 @@ CHECK_EFFORT = 6
 
 
 @compiled
-def search(hazards: Hazards, task: Task, demand: Demand, effort: int) -> tuple[Hops, int]:
+def search(hazards: Outlines, task: Task, demand: Demand, effort: int) -> tuple[Hops, int]:
     """Hops from the start to the goal, none where nothing is found, and the effort that is left.
 
     Args:
@@ -81,7 +81,7 @@ def begin(vias: Vias, edges: Edges, task: Task) -> Queue:
 
 @compiled
 def follow(
-    hazards: Hazards,
+    hazards: Outlines,
     task: Task,
     demand: Demand,
     vias: Vias,
@@ -105,7 +105,7 @@ def follow(
 
 @compiled
 def go_round(
-    hazards: Hazards,
+    hazards: Outlines,
     demand: Demand,
     vias: Vias,
     edges: Edges,
@@ -130,7 +130,7 @@ def go_round(
 def fan_out(task: Task, vias: Vias, edges: Edges, queue: Queue) -> bool:
     """Queues hops from all that is reached to poses near the ends, once; whether there are any.
 
-    Hazards that no hop has met may still leave no room to turn into the hops that were tried.
+    Outlines that no hop has met may still leave no room to turn into the hops that were tried.
     """
     fan = len(vias.blocks) - 1
     if vias.blocks[fan, 1] > 0:

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from vfguide.flight.clearance import NOTHING
-from vfguide.flight.hazards import SINCE, SPEED, Hazards
 from vfguide.flight.hop import Hop, Hops, hop_in, hop_row, next_word, way_length
 from vfguide.flight.hop_check import Demand, Task, check_hop
+from vfguide.flight.outlines import SINCE, SPEED, Outlines
 from vfguide.flight.way import Pose
 from vfguide.geometry.compiled import compiled
 
@@ -18,7 +18,7 @@ WORTH = 0.5
 
 
 @compiled
-def shortened(hazards: Hazards, task: Task, demand: Demand, hops: Hops) -> Hops:
+def shortened(hazards: Outlines, task: Task, demand: Demand, hops: Hops) -> Hops:
     """The way without the via poses that it needs not, and the others slid where it is shorter."""
     i = 1
     while i < len(hops):
@@ -33,7 +33,7 @@ def shortened(hazards: Hazards, task: Task, demand: Demand, hops: Hops) -> Hops:
 
 
 @compiled
-def slid(hazards: Hazards, task: Task, demand: Demand, hops: Hops, i: int, size: float) -> Hops:
+def slid(hazards: Outlines, task: Task, demand: Demand, hops: Hops, i: int, size: float) -> Hops:
     """The way with the beginning of hop `i` slid to the sides, along the course and turned."""
     for side in (1.0, -1.0):
         for k in range(3):
@@ -51,7 +51,7 @@ def slid(hazards: Hazards, task: Task, demand: Demand, hops: Hops, i: int, size:
 
 @compiled
 def is_better(
-    hazards: Hazards, task: Task, demand: Demand, trial: Hops, hops: Hops, first: int, last: int
+    hazards: Outlines, task: Task, demand: Demand, trial: Hops, hops: Hops, first: int, last: int
 ) -> bool:
     """Whether a way is shorter than another and clear; only hops `first` to `last` are new."""
     saved = way_length(hops, task.radius) - way_length(trial, task.radius)
@@ -69,7 +69,7 @@ def is_better(
 
 
 @compiled
-def moves(hazards: Hazards) -> bool:
+def moves(hazards: Outlines) -> bool:
     """Whether it matters when one is where."""
     for i in range(len(hazards.table)):
         if hazards.table[i, SPEED] > 0.0 or hazards.table[i, SINCE] > -math.inf:

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.flight.clearance import hazard_distance
-from vfguide.flight.hazards import (
+from vfguide.flight.hop_check import SHORTEST_STEP
+from vfguide.flight.outlines import (
     BALL,
     CONVEX,
     COUNT,
@@ -16,11 +17,10 @@ from vfguide.flight.hazards import (
     SPEED,
     VX,
     VY,
-    Hazards,
+    Outlines,
     X,
     Y,
 )
-from vfguide.flight.hop_check import SHORTEST_STEP
 from vfguide.flight.way import Pose, after_turn
 from vfguide.geometry.compiled import compiled
 
@@ -42,7 +42,7 @@ Poses = NDArray[np.float64]
 
 
 @compiled
-def support(hazards: Hazards, i: int, nx: float, ny: float) -> tuple[float, float]:
+def support(hazards: Outlines, i: int, nx: float, ny: float) -> tuple[float, float]:
     """The point of row `i` farthest along (nx, ny), about its place [m]."""
     row = hazards.table[i]
     if row[COUNT] == 0.0:
@@ -57,7 +57,7 @@ def support(hazards: Hazards, i: int, nx: float, ny: float) -> tuple[float, floa
 
 @compiled
 def add_via(
-    hazards: Hazards, vias: Poses, used: int, x: float, y: float, course: float, wanted: float
+    hazards: Outlines, vias: Poses, used: int, x: float, y: float, course: float, wanted: float
 ) -> int:
     """Adds a pose and the opposite one where they are clear of all that does not move.
 
@@ -72,7 +72,7 @@ def add_via(
 
 
 @compiled
-def clearance_at_rest(hazards: Hazards, x: float, y: float) -> float:
+def clearance_at_rest(hazards: Outlines, x: float, y: float) -> float:
     """Distance from the nearest hazard that does not move [m]."""
     least = math.inf
     for i in range(len(hazards.table)):
@@ -82,7 +82,7 @@ def clearance_at_rest(hazards: Hazards, x: float, y: float) -> float:
 
 
 @compiled
-def round_convex(hazards: Hazards, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
+def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
     """Adds via poses round a convex hazard where it is at time `t`; returns how many there are.
 
     They touch its outline grown by the wanted clearance; round a circle to keep in, from inside.
@@ -100,7 +100,7 @@ def round_convex(hazards: Hazards, i: int, t: float, wanted: float, vias: Poses,
 
 
 @compiled
-def round_corners(hazards: Hazards, i: int, wanted: float, vias: Poses, used: int) -> int:
+def round_corners(hazards: Outlines, i: int, wanted: float, vias: Poses, used: int) -> int:
     """Adds via poses round the corners of a polygon that point at where one may be."""
     row = hazards.table[i]
     first, count = int(row[FIRST]), int(row[COUNT])
@@ -129,7 +129,7 @@ def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
 
 
 @compiled
-def add_vias(hazards: Hazards, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
+def add_vias(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
     """Adds via poses round row `i` where it is at time `t`; returns how many there are."""
     row = hazards.table[i]
     if row[COUNT] == 0.0 or row[CONVEX] == 1.0:

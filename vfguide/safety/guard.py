@@ -8,10 +8,13 @@ from numpy.typing import NDArray
 
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
-from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
-from vfguide.flight.memory import Memory, Target, Wish
+from vfguide.flight.detour_leg import SHIFTED, DetourState
+from vfguide.flight.guidance import azimuth_of, fly_wish, guide, path_of, plan_flight
+from vfguide.flight.memory import Memory, Target, Wish, with_leg
+from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.way_round import seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, sub
 from vfguide.safety.assurance import Decision, Reason, Stored, assurance, assure
@@ -41,6 +44,8 @@ class Watch(NamedTuple):
     """On the clock of the obstacles [s]."""
     gust: float
     """Speed of the gusts, one standard deviation [m/s]."""
+    fence: Outlines
+    """The fence as the search for ways takes it."""
 
 
 @compiled
@@ -65,8 +70,9 @@ def guide_clear(
     memory: Memory,
     watch: Watch,
     guard: GuardState,
+    detour: DetourState,
 ) -> tuple[RateSetpoint, Memory, Wish]:
-    """One step of the flight law that leaves a way out, within the limits; fills `guard`.
+    """One step of the flight law that leaves a way out; fills `guard` and `detour`.
 
     Args:
         state: of the vehicle.
@@ -76,27 +82,51 @@ def guide_clear(
         memory: of the step before.
         watch: what to keep clear of.
         guard: what was decided at the step before.
+        detour: that is flown.
     """
     aircraft, gains = unpacked(law)
-    wish, planned = plan_flight(flown_in, target, aircraft, gains, memory)
-    if has_hazards(watch.hazards):
-        dt = 0.0 if memory.time < 0.0 else max(state.time - memory.time, 0.0)
-        wind_n = (state.wind_n[0], state.wind_n[1], 0.0)
-        decision, stored = assure(
-            motion_of(state),
-            (wish.bank, wish.gamma),
-            wind_n,
-            watch.gust,
-            in_sight(watch.hazards, guard, state.p_n, watch.time),
-            watch.time,
-            dt,
-            assurance(aircraft, gains),
-            Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
+    if not has_hazards(watch.hazards):
+        setpoint, after, wish = guide(flown_in, target, aircraft, gains, memory)
+        return limit_setpoint(setpoint, aircraft), after, wish
+    hazards = in_sight(watch.hazards, guard, state.p_n, watch.time)
+    leg = memory.leg
+    if target.circle == 0.0:
+        leg = seek_way(
+            state, target, leg, gains, hazards.obstacles, watch.fence, watch.time, detour
         )
-        note_decision(guard, decision, stored)
-        wish = as_decided(wish, decision)
+    wish, planned = plan_flight(flown_in, target, aircraft, gains, with_leg(memory, leg), detour)
+    if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:
+        detour[SHIFTED] = 1.0
+    wish = assured(state, wish, hazards, watch, law, memory.time, guard)
     setpoint, after = fly_wish(flown_in, wish, aircraft, gains, planned)
     return limit_setpoint(setpoint, aircraft), after, wish
+
+
+@compiled
+def assured(
+    state: FlightState,
+    wish: Wish,
+    hazards: Hazards,
+    watch: Watch,
+    law: Law,
+    before: float,
+    guard: GuardState,
+) -> Wish:
+    """The wish, or what is flown instead; `before` is the time of the step before [s]."""
+    aircraft, gains = unpacked(law)
+    decision, stored = assure(
+        motion_of(state),
+        (wish.bank, wish.gamma),
+        (state.wind_n[0], state.wind_n[1], 0.0),
+        watch.gust,
+        hazards,
+        watch.time,
+        0.0 if before < 0.0 else max(state.time - before, 0.0),
+        assurance(aircraft, gains),
+        Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
+    )
+    note_decision(guard, decision, stored)
+    return as_decided(wish, decision)
 
 
 @compiled

@@ -107,7 +107,7 @@ def guide_often(plan: Plan) -> None:
     for k in range(GUIDANCE_STEPS):
         said = (0.02 * k, plan.origin, *HEARD)
         *_, memory, _ = step_on(
-            said, plan.origin, plan.legs, plan.law, memory, plan.hazards, 0.02 * k
+            said, plan.origin, plan.legs, plan.law, memory, plan.hazards, plan.fence, 0.02 * k
         )
 
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from vfguide.field.obstacle import VISIBLE_FROM
+from vfguide.flight.outlines import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
 from vfguide.safety.fence import fence_distance, fences
 from vfguide.safety.hazards import Hazards, traffic_rows
 from vfguide.scenario.fence import Fence, check_zones, zone_of
@@ -26,6 +27,19 @@ def hazards_of(scenario: Scenario) -> Hazards:
         -math.inf if fence.floor_m is None else fence.floor_m,
         math.inf if fence.ceiling_m is None else fence.ceiling_m,
     )
+
+
+def outlines_of(fence: Fence) -> Outlines:
+    """The zones of the fence in the plane, at whatever height they hold."""
+    outlines = NO_FENCE
+    for zone in fence.zone:
+        sign = KEEP_IN if zone.kind == "include" else KEEP_OUT
+        if zone.polygon_m is not None:
+            outline = polygon(zone.polygon_m, sign)
+        else:
+            outline = circle(*(zone.centre_m or (0.0, 0.0)), zone.radius_m or 0.0, sign)
+        outlines = joined(outlines, outline)
+    return outlines
 
 
 def check_fence(scenario: Scenario, source: Source) -> None:

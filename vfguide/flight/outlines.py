@@ -30,7 +30,7 @@ whether its farthest side is its distance, as it is round a footprint but for a 
 COLUMNS = 12
 
 
-class Hazards(NamedTuple):
+class Outlines(NamedTuple):
     """Circles and polygons, and the sides of the polygons about their places."""
 
     table: Rows
@@ -40,7 +40,7 @@ class Hazards(NamedTuple):
 
 
 @compiled
-def hazards_of(obstacles: Rows, band: Band, margin: float) -> Hazards:
+def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
     """What obstacles cover of a band of heights that is wider by `margin` [m] on both sides.
 
     A point in the band that is farther than `margin` from all of it is farther than that from
@@ -64,7 +64,7 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> Hazards:
             table[used, BALL], table[used, COUNT] = ball_of(there), SIDES
             points += SIDES
         used += 1
-    return Hazards(table[:used], sides[:points])
+    return Outlines(table[:used], sides[:points])
 
 
 @compiled
@@ -76,13 +76,13 @@ def ball_of(sides: NDArray[np.float64]) -> float:
     return most
 
 
-def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> Hazards:
+def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> Outlines:
     """A circle of a fence at (x, y), NED [m]."""
     row = (sign, x, y, 0.0, 0.0, 0.0, radius, 0.0, 0.0, -math.inf, math.inf, 1.0)
-    return Hazards(np.array([row]), np.zeros((0, 5)))
+    return Outlines(np.array([row]), np.zeros((0, 5)))
 
 
-def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> Hazards:
+def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> Outlines:
     """A polygon of a fence by its corners, NED [m], either way round."""
     points = np.array(corners, dtype=float)
     following = np.roll(points, -1, axis=0)
@@ -92,7 +92,7 @@ def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> H
     sides = sides_of(points - centre)
     place = (sign, *centre, 0.0, 0.0, 0.0)
     row = (*place, ball_of(sides), 0.0, len(points), -math.inf, math.inf, 0.0)
-    return Hazards(np.array([row]), sides)
+    return Outlines(np.array([row]), sides)
 
 
 def sides_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -104,13 +104,12 @@ def sides_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @compiled
-def joined(one: Hazards, other: Hazards) -> Hazards:
+def joined(one: Outlines, other: Outlines) -> Outlines:
     """The hazards of both."""
     table = np.concatenate((one.table, other.table))
     table[len(one.table) :, FIRST] += len(one.sides)
-    return Hazards(table, np.concatenate((one.sides, other.sides)))
+    return Outlines(table, np.concatenate((one.sides, other.sides)))
 
 
-def no_fence() -> Hazards:
-    """Nothing."""
-    return Hazards(np.zeros((0, COLUMNS)), np.zeros((0, 5)))
+NO_FENCE = Outlines(np.zeros((0, COLUMNS)), np.zeros((0, 5)))
+"""Nothing to keep clear of."""

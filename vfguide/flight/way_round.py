@@ -1,0 +1,202 @@
+"""When to look for a way round hazards, and what becomes of the leg then.
+
+The way that is flown is looked along several times a second; where something that is known comes
+too near to it, or where the flight law has changed it by itself, the coarse search finds another.
+"""
+
+import math
+
+from vfguide.field.footprint import Band
+from vfguide.field.obstacle import Rows
+from vfguide.flight.approach import arc_to_goal
+from vfguide.flight.clearance import NOTHING
+from vfguide.flight.detour import CLEARANCES, find_detour
+from vfguide.flight.detour_leg import (
+    CLEARANCE,
+    COUNT,
+    INDEX,
+    LEFT,
+    LOOKED,
+    PIECE,
+    SHIFTED,
+    SOUGHT,
+    DetourState,
+    begin_detour,
+    go_on_detour,
+    hops_left,
+    is_on_detour,
+    vehicle_from,
+)
+from vfguide.flight.hop import Hop, Piece, hop_row
+from vfguide.flight.hop_check import Air, Task, check_piece, demand_of, way_is_clear
+from vfguide.flight.leg import FIELD, NEW, WAY, Leg, with_final
+from vfguide.flight.memory import Target
+from vfguide.flight.outlines import Outlines, hazards_of, joined
+from vfguide.flight.performance import Gains
+from vfguide.flight.state import FlightState
+from vfguide.flight.way import FIRST_TURN, MIDDLE, TURN_IN, Pose
+from vfguide.geometry.compiled import compiled
+
+LOOK = 0.2
+"""Between two looks along the way [s]."""
+SEEK = 1.0
+"""Between two searches that found nothing [s]."""
+TOLERATED = 0.6
+"""Part of the clearance that was found of which so much is left when a way is given up."""
+
+
+@compiled
+def seek_way(
+    state: FlightState,
+    target: Target,
+    leg: Leg,
+    gains: Gains,
+    obstacles: Rows,
+    fence: Outlines,
+    t: float,
+    detour: DetourState,
+) -> Leg:
+    """The leg with a way that keeps clear of the hazards, if it needs another; fills `detour`.
+
+    Args:
+        state: of the vehicle.
+        target: the goal.
+        leg: memory of the leg.
+        gains: of the approach.
+        obstacles: that are known.
+        fence: to stay in or out of.
+        t: now, on the clock of the obstacles [s].
+        detour: memory of the detour.
+    """
+    if is_on_detour(detour):
+        leg = go_on_detour(detour, state, leg)
+    if leg.phase == NEW or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
+        return leg
+    detour[LOOKED], detour[SHIFTED] = t, 0.0
+    if is_clear(state, target, leg, gains, obstacles, fence, t, detour):
+        return leg
+    if detour[CLEARANCE] < 0.0 and t - detour[SOUGHT] < SEEK:
+        return leg
+    return with_new_way(state, target, leg, gains, obstacles, fence, t, detour)
+
+
+@compiled
+def band_of(state: FlightState, target: Target) -> Band:
+    """Heights from here to the goal."""
+    z, goal = state.p_n[2], target.p_n[2]
+    return Band(min(z, goal), max(z, goal))
+
+
+@compiled
+def task_from(
+    start: Pose, goal: Pose, radius: float, state: FlightState, gains: Gains, t: float
+) -> Task:
+    """What is to be flown from a pose in this wind."""
+    air = Air(gains.airspeed, state.wind_n[0], state.wind_n[1])
+    return Task(start, goal, radius, air, t)
+
+
+@compiled
+def entry_of(target: Target, final: float) -> Pose:
+    """Where the straight end of the approach begins."""
+    c, s = math.cos(target.course), math.sin(target.course)
+    return Pose(target.p_n[0] - final * c, target.p_n[1] - final * s, target.course)
+
+
+@compiled
+def pose_of(state: FlightState, ahead: float) -> Pose:
+    """Where the vehicle will be `ahead` [s] from now, straight on."""
+    x = state.p_n[0] + ahead * state.v_n[0]
+    y = state.p_n[1] + ahead * state.v_n[1]
+    return Pose(x, y, math.atan2(state.v_n[1], state.v_n[0]))
+
+
+@compiled
+def is_clear(
+    state: FlightState,
+    target: Target,
+    leg: Leg,
+    gains: Gains,
+    obstacles: Rows,
+    fence: Outlines,
+    t: float,
+    detour: DetourState,
+) -> bool:
+    """Whether the rest of the way is clear."""
+    wanted = TOLERATED * (detour[CLEARANCE] if detour[CLEARANCE] > 0.0 else CLEARANCES[0])
+    hazards = joined(hazards_of(obstacles, band_of(state, target), wanted), fence)
+    here, entry = pose_of(state, 0.0), entry_of(target, leg.final)
+    task = task_from(here, entry_of(target, 0.0), leg.radius, state, gains, t)
+    if is_on_detour(detour):
+        gone = gone_in(detour, leg.radius)
+        index, piece = int(detour[INDEX]), int(detour[PIECE])
+        return way_is_clear(hazards, task, wanted, hops_left(detour), index, piece, gone)
+    if leg.phase == WAY:
+        way = leg.way
+        hop = Hop(placed(entry, Pose(way.x, way.y, way.course)), way.word)
+        rows = hop_row(hop).reshape(1, 9)
+        lengths = (way.word.arc, way.word.reach, way.word.end)
+        gone = way.radius * max(0.0, lengths[way.piece] - way.left)
+        return way_is_clear(hazards, task, wanted, rows, 0, way.piece, gone)
+    if leg.phase == FIELD:
+        return field_is_clear(state, leg, hazards, task, entry, wanted)
+    return True
+
+
+@compiled
+def field_is_clear(
+    state: FlightState, leg: Leg, hazards: Outlines, task: Task, entry: Pose, wanted: float
+) -> bool:
+    """Whether the arc of the paper's field from here to the straight end is clear."""
+    at = vehicle_from(entry, state)
+    radius = max((at.x * at.x + at.y * at.y) / max(2.0 * abs(at.y), 1e-3), leg.radius)
+    begin = placed(entry, Pose(at.x, at.y, 2.0 * math.atan2(at.y, at.x)))
+    arc = Piece(begin, 1.0 if at.y > 0.0 else -1.0, arc_to_goal(at.x, at.y))
+    if at.x >= 0.0:
+        arc = Piece(entry, 0.0, leg.final)
+    demand = demand_of(hazards, task, wanted)
+    task = Task(task.start, task.goal, radius, task.air, task.t)
+    return check_piece(hazards, task, demand, arc, 0.0, task.t).blocker == NOTHING
+
+
+@compiled
+def gone_in(detour: DetourState, radius: float) -> float:
+    """Length of the piece of a detour that lies behind [m]."""
+    row = hops_left(detour)[int(detour[INDEX])]
+    piece = int(detour[PIECE])
+    length = row[4] if piece == FIRST_TURN else row[6] if piece == MIDDLE else row[8]
+    return radius * max(0.0, length - detour[LEFT])
+
+
+@compiled
+def placed(frame: Pose, pose: Pose) -> Pose:
+    """A pose that is given in the axes of another, NED."""
+    c, s = math.cos(frame.course), math.sin(frame.course)
+    x = frame.x + c * pose.x - s * pose.y
+    return Pose(x, frame.y + s * pose.x + c * pose.y, frame.course + pose.course)
+
+
+@compiled
+def with_new_way(
+    state: FlightState,
+    target: Target,
+    leg: Leg,
+    gains: Gains,
+    obstacles: Rows,
+    fence: Outlines,
+    t: float,
+    detour: DetourState,
+) -> Leg:
+    """The leg along what the search finds; as it was where it finds nothing."""
+    final = gains.final * leg.radius
+    entry, begin = entry_of(target, final), pose_of(state, TURN_IN)
+    task = task_from(begin, entry, leg.radius, state, gains, t + TURN_IN)
+    found = find_detour(obstacles, fence, band_of(state, target), task)
+    detour[SOUGHT] = detour[LOOKED] = t
+    detour[COUNT] = 0.0
+    if len(found.hops) == 0:
+        detour[CLEARANCE] = -1.0
+        return leg
+    detour[CLEARANCE] = found.clearance
+    begin_detour(detour, found, entry, leg.radius)
+    return go_on_detour(detour, state, with_final(leg, final))
