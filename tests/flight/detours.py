@@ -17,7 +17,6 @@ from vfguide.geometry.angles import wrap
 RADIUS = 80.0
 CALM = Air(25.0, 0.0, 0.0)
 LEVEL = Band(-100.0, -100.0)
-NO_FENCE = NO_FENCE
 NOTHING = obstacle_rows([])
 
 

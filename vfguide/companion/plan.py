@@ -6,7 +6,7 @@ from vfguide.companion.legs import Goal, Legs, leg_rows
 from vfguide.flight.outlines import NO_FENCE, Outlines
 from vfguide.flight.performance import Gains, Law, Performance, packed
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.hazards import NO_HAZARDS, Hazards
+from vfguide.safety.hazards import Hazards
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class Plan:
     """Guidance steps in a second [Hz]."""
     aircraft: Performance
     gains: Gains
-    hazards: Hazards = NO_HAZARDS
-    """What to keep clear of."""
+    hazards: Hazards | None = None
+    """What to keep clear of; None: nothing."""
     fence: Outlines = NO_FENCE
     """Its fence as the search for ways takes it."""
     epoch: int = 0

@@ -8,6 +8,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     JUMPS,
     air_in,
+    decision_in,
     fresh_route,
     goal_in,
     packed_memory,
@@ -28,7 +29,8 @@ class Route:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        self._memory = packed_memory(fresh_route(len(plan.hazards.obstacles)))
+        obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
+        self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._stepped: int | None = None
@@ -40,6 +42,11 @@ class Route:
     def air(self) -> AirReport:
         """What is believed of the air."""
         return air_in(self._memory)
+
+    @property
+    def decision(self) -> tuple[float, float, float, float]:
+        """What the assurance decided last: reason, margin [m], conflict [s], hazard."""
+        return decision_in(self._memory)
 
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.

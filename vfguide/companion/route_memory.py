@@ -15,7 +15,7 @@ from vfguide.flight.strong_wind import Stand, new_stand
 from vfguide.flight.way import Way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.guard import GuardState, fresh_guard
+from vfguide.safety.guard import HAZARD, REASON, GuardState, fresh_guard
 
 
 class RouteMemory(NamedTuple):
@@ -110,6 +110,12 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
 def goal_in(memory: PackedMemory) -> int:
     """Index of the goal that is flown to."""
     return int(memory[0])
+
+
+def decision_in(memory: PackedMemory) -> tuple[float, float, float, float]:
+    """What the guard decided last: reason, margin [m], conflict [s], hazard."""
+    reason, least, conflict, hazard = memory[GUARD + REASON : GUARD + HAZARD + 1]
+    return reason, least, conflict, hazard
 
 
 def settled_in(memory: PackedMemory) -> bool:

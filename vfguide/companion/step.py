@@ -30,6 +30,7 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.safety.guard import Watch, guide_clear
 from vfguide.safety.hazards import Hazards
+from vfguide.safety.limits import guide_within_limits
 
 Quaternion = tuple[float, float, float, float]
 
@@ -52,7 +53,7 @@ def step(
     legs: Legs,
     law: Law,
     memory: RouteMemory,
-    hazards: Hazards,
+    hazards: Hazards | None,
     fence: Outlines,
     t: float,
 ) -> tuple[RateSetpoint, RouteMemory, Wish, Passage]:
@@ -63,7 +64,7 @@ def step(
         legs: of `leg_rows`.
         law: aircraft and gains, of `packed`.
         memory: of the step before.
-        hazards: what to keep clear of.
+        hazards: what to keep clear of; None compiles to a step that knows nothing of it.
         fence: its zones as the search for ways takes them.
         t: on the clock of the obstacles [s].
 
@@ -88,11 +89,15 @@ def step(
         flown_in, target = in_air_frame(state), into_wind(stand, state)
     else:
         flown_in, target = state, target_of(legs, memory.goal)
-    watch = Watch(hazards, t, 1.0, fence)
-    guard, detour = memory.guard.copy(), memory.detour.copy()
-    setpoint, flight, wish = guide_clear(
-        state, flown_in, target, law, memory.flight, watch, guard, detour
-    )
+    guard, detour = memory.guard, memory.detour
+    if hazards is None:
+        setpoint, flight, wish = guide_within_limits(flown_in, target, law, memory.flight)
+    else:
+        guard, detour = guard.copy(), detour.copy()
+        watch = Watch(hazards, fence, t, 1.0)
+        setpoint, flight, wish = guide_clear(
+            state, flown_in, target, law, memory.flight, watch, guard, detour
+        )
     air[THRUST] = setpoint.thrust
     kept = (jumps, stand, air, guard, detour)
     after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, *kept)
@@ -106,7 +111,7 @@ def step_on(
     legs: Legs,
     law: Law,
     memory: PackedMemory,
-    hazards: Hazards,
+    hazards: Hazards | None,
     fence: Outlines,
     t: float,
 ) -> tuple[Vec3, float, Quaternion, PackedMemory, float]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
 from vfguide.flight.detour_leg import SHIFTED, DetourState
-from vfguide.flight.guidance import azimuth_of, fly_wish, guide, path_of, plan_flight
+from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import Law, unpacked
@@ -40,25 +40,18 @@ class Watch(NamedTuple):
 
     hazards: Hazards
     """All of the plan, known or not."""
+    fence: Outlines
+    """The fence as the search for ways takes it."""
     time: float
     """On the clock of the obstacles [s]."""
     gust: float
     """Speed of the gusts, one standard deviation [m/s]."""
-    fence: Outlines
-    """The fence as the search for ways takes it."""
 
 
 @compiled
 def fresh_guard(obstacles: int) -> GuardState:
     """Nothing decided, no obstacle known."""
     return np.zeros(KNOWN + obstacles)
-
-
-@compiled
-def has_hazards(hazards: Hazards) -> bool:
-    """Whether there is anything to keep clear of."""
-    many = len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones)
-    return many > 0 or hazards.floor > -math.inf or hazards.ceiling < math.inf
 
 
 @compiled
@@ -85,9 +78,6 @@ def guide_clear(
         detour: that is flown.
     """
     aircraft, gains = unpacked(law)
-    if not has_hazards(watch.hazards):
-        setpoint, after, wish = guide(flown_in, target, aircraft, gains, memory)
-        return limit_setpoint(setpoint, aircraft), after, wish
     hazards = in_sight(watch.hazards, guard, state.p_n, watch.time)
     leg = memory.leg
     if target.circle == 0.0:

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.near import distance_bound, upright_distance
-from vfguide.field.obstacle import Rows, obstacle_rows
+from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.fence import Fences, fence_distance, fences
+from vfguide.safety.fence import Fences, fence_distance
 
 MOVER_GROWTH = 0.1
 """Growth of the doubt where a moving obstacle is, as a part of its speed."""
@@ -50,10 +50,6 @@ def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
     """The intruders as an array (K, 11), its columns the fields in order."""
     rows = [(*a.p_n, *a.v_n, *a[2:]) for a in intruders]
     return np.array(rows, dtype=float).reshape(-1, 11)
-
-
-NO_HAZARDS = Hazards(obstacle_rows(()), traffic_rows(()), fences(()), -math.inf, math.inf)
-"""Nothing to keep clear of."""
 
 
 @compiled

@@ -15,8 +15,10 @@ from vfguide.scenario.source import Source
 from vfguide.scenario.tables import in_words
 
 
-def hazards_of(scenario: Scenario) -> Hazards:
+def hazards_of(scenario: Scenario) -> Hazards | None:
     """Everything to keep clear of that is written; obstacles are known from their distance on."""
+    if not scenario.obstacles and scenario.fence == Fence():
+        return None
     rows = rows_of(scenario.obstacles)
     rows[:, VISIBLE_FROM] = [its.visible_from_m for its in scenario.obstacles]
     fence = scenario.fence

@@ -31,7 +31,7 @@ Write = Callable[[int, bytes], None]
 
 ROUNDS = 4
 """Messages go back and forth at most this often at one instant; the rest waits for the next."""
-COLUMNS = 32
+COLUMNS = 36
 """Numbers that are noted of one instant, see `_row`."""
 NOTHING_YET = (math.nan, math.nan, math.nan, math.nan)
 
@@ -107,6 +107,7 @@ class Member:
         self._noted.extend(_row(truth, sample, self.sim.autopilot.setpoint))
         self._noted.extend(self._position_error(p_n))
         self._noted.extend(self.companion.route.air[:5])
+        self._noted.extend(self.companion.route.decision)
 
     def _position_error(self, p_n: Vec3) -> Vec3:
         """Position that the autopilot tells less the true one, scenario frame [m]."""
@@ -120,7 +121,7 @@ class Member:
     def record(self) -> FlightRecord:
         """What was noted."""
         rows = np.array(self._noted).reshape(-1, COLUMNS)
-        rows, error, air, airspeed = np.split(rows, np.cumsum([24, 3, 3]), axis=1)
+        rows, error, air, airspeed, guard = np.split(rows, np.cumsum([24, 3, 3, 2]), axis=1)
         time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
             np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
         )
@@ -142,6 +143,7 @@ class Member:
             position_error_n=error,
             wind_believed=air,
             airspeed_believed=airspeed,
+            guard=guard if self.companion.route.plan.hazards is not None else None,
         )
 
 

@@ -56,6 +56,9 @@ class FlightRecord:
     """(n, 3) what the companion makes of the wind: north, east, standard deviation [m/s]."""
     airspeed_believed: Array | None = None
     """(n, 2) of the airspeed: true airspeed, standard deviation [m/s]."""
+    guard: Array | None = None
+    """(n, 4) what the assurance decided: its `Reason`, least clearance of the way out [m], time
+    to the conflict that it saw [s], number of the hazard; None: nothing to keep clear of."""
     arrives: bool = False
     """It slows down towards its goals, and stands still at the last one."""
 

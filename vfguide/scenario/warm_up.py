@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.member import Member
 from vfguide.scenario.rigid_bodies import RigidBodies
@@ -13,15 +14,15 @@ UPDATES = 100
 def warm_up(loaded: LoadedScenario) -> None:
     """Compile or load all the compiled code that flies the scenario."""
     if loaded.scenario.plant == "jsbsim":
-        _fly_an_aeroplane()
+        _fly_an_aeroplane("first-flight" if hazards_of(loaded.scenario) is None else "towers")
     else:
         RigidBodies(loaded, _ignore).advance()
 
 
 @cache
-def _fly_an_aeroplane() -> None:
-    """Once in a process."""
-    loaded = load_scenario("first-flight")
+def _fly_an_aeroplane(name: str) -> None:
+    """Once in a process, in the shipped scenario of that name."""
+    loaded = load_scenario(name)
     member = Member(loaded, loaded.scenario.vehicles[0], _ignore, _ignore)
     for _ in range(UPDATES):
         member.fly(1)

@@ -1,0 +1,262 @@
+"""Random worlds as scenarios that are flown: fields, movers, obstacles seen late, dead ends, fences."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.random import Generator
+
+HEIGHT = 150.0
+"""Of start and goal above the ground [m]."""
+ROOM = 60.0
+"""Round start and goal [m]."""
+SPEED = 25.0
+Table = dict[str, Any]
+SHAPES = ("sphere", "ellipsoid", "superquadric", "box", "cylinder", "cone")
+
+
+def sizes_of(rng: Generator, shape: str, low: float, high: float) -> Table:
+    """Sizes of a shape, its widths and its height between two [m]."""
+    a, b, c = (round(float(x), 2) for x in rng.uniform(low, high, 3))
+    if shape == "sphere":
+        return {"radius_m": a / 2}
+    if shape == "box":
+        return {"size_m": [a, b, c]}
+    if shape in ("cylinder", "cone"):
+        return {"radius_m": a / 2, "height_m": c}
+    table: Table = {"semi_axes_m": [a / 2, b / 2, c / 2]}
+    if shape == "superquadric":
+        table["exponents"] = [round(float(x), 2) for x in rng.uniform(1.0, 5.0, 3)]
+    return table
+
+
+def body(rng: Generator, place: tuple[float, float, float], low: float, high: float) -> Table:
+    """An obstacle of any shape."""
+    shape = str(rng.choice(SHAPES))
+    return {
+        "shape": shape,
+        "position_m": [round(x, 2) for x in place],
+        "heading_deg": round(float(rng.uniform(0.0, 180.0)), 2),
+        **sizes_of(rng, shape, low, high),
+    }
+
+
+def frame(rng: Generator, number: int, apart: float, aligned: float) -> Table:
+    """Start at the origin, goal `apart` [m] to the north, headings within `aligned` [deg]."""
+    return {
+        "name": f"world {number}",
+        "duration_s": 240.0,
+        "seed": number + 1,
+        "wind": {
+            "speed_mps": round(float(rng.uniform(0.0, 8.0)), 2),
+            "from_deg": round(float(rng.uniform(0.0, 360.0)), 1),
+            "turbulence": "moderate" if number % 2 else "none",
+        },
+        "vehicle": [
+            {
+                "id": 1,
+                "position_m": [0.0, 0.0, -HEIGHT],
+                "heading_deg": round(float(rng.uniform(-aligned, aligned)), 1),
+                "goal": [
+                    {
+                        "position_m": [apart, 0.0, -HEIGHT + float(rng.uniform(-20.0, 20.0))],
+                        "heading_deg": round(float(rng.uniform(-aligned, aligned)), 1),
+                    }
+                ],
+            }
+        ],
+    }
+
+
+def field(rng: Generator, number: int) -> Table:
+    """5 to 15 obstacles of 20 to 80 m, overlapping or not."""
+    apart = float(rng.uniform(800.0, 1500.0))
+    world = frame(rng, number, apart, 180.0)
+    obstacles: list[Table] = []
+    for _ in range(int(rng.integers(5, 16))):
+        while True:
+            x, y = float(rng.uniform(-0.1, 1.1) * apart), float(rng.uniform(-0.3, 0.3) * apart)
+            if min(math.hypot(x, y), math.hypot(x - apart, y)) > ROOM + 60.0:
+                break
+        obstacles.append(body(rng, (x, y, -HEIGHT + float(rng.uniform(-30.0, 30.0))), 20.0, 80.0))
+    world["obstacle"] = obstacles
+    return world
+
+
+def mover(rng: Generator, course: float, speed: float, seen: float, radius: float) -> Table:
+    """One that meets the straight way to the goal, more or less."""
+    meeting = float(rng.uniform(10.0, 35.0))
+    v = (speed * math.cos(course), speed * math.sin(course))
+    x, y = SPEED * meeting - meeting * v[0], float(rng.uniform(-20.0, 20.0)) - meeting * v[1]
+    z = -HEIGHT + float(rng.uniform(-15.0, 15.0))
+    shape = "sphere" if rng.random() < 0.5 else "cylinder"
+    sizes: Table = {"radius_m": radius}
+    if shape == "cylinder":
+        sizes["height_m"] = 2.0 * radius
+    return {
+        "shape": shape,
+        "position_m": [round(x, 2), round(y, 2), round(z, 2)],
+        "velocity_mps": [round(v[0], 3), round(v[1], 3), 0.0],
+        "visible_from_m": seen,
+        **sizes,
+    }
+
+
+def apart_from_start(obstacles: list[Table]) -> list[Table]:
+    """Those that leave room at the start."""
+    return [
+        its
+        for its in obstacles
+        if math.hypot(*its["position_m"][:2]) > 150.0 + its.get("radius_m", 40.0)
+    ]
+
+
+def movers(rng: Generator, number: int) -> Table:
+    """1 to 4 that cross, seen at 400 m."""
+    world = frame(rng, number, 1100.0, 20.0)
+    found = [
+        mover(
+            rng,
+            float(rng.uniform(-math.pi, math.pi)),
+            float(rng.uniform(5.0, 20.0)),
+            400.0,
+            float(rng.uniform(20.0, 50.0)),
+        )
+        for _ in range(int(rng.integers(1, 5)))
+    ]
+    world["obstacle"] = apart_from_start(found)
+    return world
+
+
+def cluster(rng: Generator, number: int) -> Table:
+    """4 to 8 that come together, seen at 250 m."""
+    world = frame(rng, number, 1100.0, 20.0)
+    course, speed = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(5.0, 18.0))
+    leader = mover(rng, course, speed, 250.0, 15.0)
+    found: list[Table] = []
+    for _ in range(int(rng.integers(4, 9))):
+        shift, drift = rng.normal(size=3) * (60.0, 60.0, 20.0), rng.normal(size=2)
+        position = [
+            round(float(a + b), 2) for a, b in zip(leader["position_m"], shift, strict=True)
+        ]
+        velocity = [
+            round(float(a + b), 3)
+            for a, b in zip(leader["velocity_mps"], (*drift, 0.0), strict=True)
+        ]
+        found.append(
+            {
+                "shape": "sphere",
+                "radius_m": round(float(rng.uniform(10.0, 30.0)), 2),
+                "position_m": position,
+                "velocity_mps": velocity,
+                "visible_from_m": 250.0,
+            }
+        )
+    world["obstacle"] = apart_from_start(found)
+    return world
+
+
+def overtaking(rng: Generator, number: int) -> Table:
+    """1 to 3 along the same course: slower ones ahead, or faster ones from behind."""
+    world = frame(rng, number, 1100.0, 20.0)
+    found: list[Table] = []
+    for _ in range(int(rng.integers(1, 4))):
+        slow = rng.random() < 0.5
+        speed = float(rng.uniform(5.0, 20.0) if slow else rng.uniform(28.0, 35.0))
+        found.append(
+            mover(rng, float(rng.normal(0.0, 0.15)), speed, 400.0, float(rng.uniform(20.0, 50.0)))
+        )
+    world["obstacle"] = apart_from_start(found)
+    return world
+
+
+def popup(rng: Generator, number: int) -> Table:
+    """One on the way that is known only from 60, 80, 100 or 150 m, and up to three beside it."""
+    world = frame(rng, number, 1100.0, 10.0)
+    radius = round(float(rng.uniform(40.0, 100.0)), 1)
+    place = [float(rng.uniform(350.0, 600.0)), float(rng.uniform(-0.6, 0.6) * radius), -HEIGHT]
+    seen = float(rng.choice((60.0, 80.0, 100.0, 150.0)))
+    found: list[Table] = [
+        {"shape": "sphere", "radius_m": radius, "position_m": place, "visible_from_m": seen}
+    ]
+    for _ in range(int(rng.integers(0, 4))):
+        x, y = float(rng.uniform(200.0, 800.0)), float(rng.uniform(-400.0, 400.0))
+        found.append(body(rng, (x, y, -HEIGHT), 40.0, 80.0))
+    world["obstacle"] = apart_from_start(found)
+    return world
+
+
+def wall(begin: tuple[float, float], end: tuple[float, float], thick: float) -> Table:
+    """A wall from one place to another."""
+    dx, dy = end[0] - begin[0], end[1] - begin[1]
+    return {
+        "shape": "box",
+        "position_m": [0.5 * (begin[0] + end[0]), 0.5 * (begin[1] + end[1]), -HEIGHT],
+        "size_m": [math.hypot(dx, dy), thick, 290.0],
+        "heading_deg": math.degrees(math.atan2(dy, dx)),
+    }
+
+
+def dead_end(rng: Generator, number: int) -> Table:
+    """A wall with a gate, a U that opens towards the start, or a ring with a gap round the goal."""
+    apart = float(rng.uniform(900.0, 1300.0))
+    world = frame(rng, number, apart, 40.0)
+    middle, thick = 0.5 * apart + float(rng.uniform(-80.0, 80.0)), float(rng.uniform(8.0, 25.0))
+    kind = int(rng.integers(3))
+    if kind == 0:
+        gate, at = float(rng.uniform(60.0, 150.0)), float(rng.uniform(-250.0, 250.0))
+        walls = [
+            wall((middle, -450.0), (middle, at - 0.5 * gate), thick),
+            wall((middle, at + 0.5 * gate), (middle, 450.0), thick),
+        ]
+    elif kind == 1:
+        wide, deep = float(rng.uniform(120.0, 260.0)), float(rng.uniform(150.0, 350.0))
+        walls = [
+            wall((middle, -wide), (middle, wide), thick),
+            wall((middle - deep, -wide), (middle, -wide), thick),
+            wall((middle - deep, wide), (middle, wide), thick),
+        ]
+    else:
+        shift = float(rng.uniform(100.0, 250.0))
+        walls = [
+            wall((middle - shift, -500.0), (middle - shift, 150.0), thick),
+            wall((middle + shift, -150.0), (middle + shift, 500.0), thick),
+        ]
+    world["obstacle"] = [{**its, "visible_from_m": 1000.0} for its in walls]
+    return world
+
+
+def fence(rng: Generator, number: int) -> Table:
+    """A narrow fence round start and goal, with two places to stay out of, floor and ceiling."""
+    world = frame(rng, number, 1000.0, 20.0)
+    wide, count = float(rng.uniform(200.0, 350.0)), int(rng.integers(4, 8))
+    angles = (np.arange(count) + rng.uniform(-0.3, 0.3, count)) * 2.0 * math.pi / count
+    reach = 900.0 / math.cos(math.pi / count)
+    corners = [
+        [round(500.0 + reach * math.cos(a), 1), round(2.0 * wide * math.sin(a), 1)] for a in angles
+    ]
+    zones: list[Table] = [{"kind": "include", "polygon_m": corners}]
+    x, y = float(rng.uniform(300.0, 700.0)), float(rng.uniform(-wide, wide))
+    zones.append({"kind": "exclude", "centre_m": [x, y], "radius_m": 40.0})
+    x, y = float(rng.uniform(300.0, 700.0)), float(rng.uniform(-wide, wide))
+    triangle = [[x, y], [x + 60.0, y + 20.0], [x + 20.0, y + 70.0]]
+    zones.append({"kind": "exclude", "polygon_m": triangle})
+    world["fence"] = {"floor_m": 90.0, "ceiling_m": 210.0, "zone": zones}
+    return world
+
+
+DRAWN: dict[str, Callable[[Generator, int], Table]] = {
+    "field": field,
+    "movers": movers,
+    "cluster": cluster,
+    "overtaking": overtaking,
+    "popup": popup,
+    "dead-end": dead_end,
+    "fence": fence,
+}
+
+
+def scenario_of(kind: str, seed: int, number: int) -> Table:
+    """World `number` of a kind, from (seed, number) alone."""
+    return DRAWN[kind](np.random.default_rng([seed, number, list(DRAWN).index(kind)]), number)

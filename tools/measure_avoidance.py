@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Flights among obstacles in random worlds, over MAVLink on JSBSim, judged by the truth.
+
+    python tools/measure_avoidance.py --kind field --runs 100
+    python tools/measure_avoidance.py --kind movers --only 12 --out /tmp/flight
+
+World k of a kind is drawn from (seed, k) alone. Half of them have moderate turbulence; the wind
+is 0 to 8 m/s.
+"""
+
+import argparse
+import shutil
+import tempfile
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import tomli_w
+from flown_worlds import DRAWN, scenario_of
+
+from vfguide.scenario.hazards import fence_clearance
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.result import judge
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One flight."""
+
+    number: int
+    reached: bool
+    miss_m: float
+    angle_deg: float
+    clearance_m: float
+    """Least, of all obstacles and the fence."""
+    time_s: float
+    wall_s: float
+    acting: float
+    """Share of the setpoints that the assurance chose."""
+    reasons: tuple[str, ...]
+
+
+def fly(number: int, args: argparse.Namespace) -> Outcome:
+    """Fly one world."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        path = folder / "world.toml"
+        path.write_text(tomli_w.dumps(scenario_of(args.kind, args.seed, number)))
+        loaded = load_scenario(path, args.set)
+        flight = fly_scenario(loaded, folder)
+        if args.out is not None:
+            shutil.copy(path, args.out)
+    record = flight.records[0]
+    result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
+    vehicle = result.vehicles[0]
+    goal = vehicle.goals[0]
+    clearances = [its.min_clearance_m for its in vehicle.obstacles]
+    clearances.append(fence_clearance(loaded.scenario, record.p_n))
+    return Outcome(
+        number,
+        goal.reached,
+        np.inf if goal.miss_m is None else goal.miss_m,
+        max(abs(goal.course_error_deg or 0.0), abs(goal.climb_error_deg or 0.0)),
+        min(c for c in clearances if c is not None),
+        goal.time_s or np.nan,
+        flight.wall_s,
+        float(np.mean(record.guard[:, 0] > 0.0)),
+        result.reasons,
+    )
+
+
+def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
+    """Print the row, and the worst flights."""
+    n = len(outcomes)
+    within = [
+        sum(o.reached and o.miss_m <= miss and o.angle_deg <= angle for o in outcomes)
+        for miss, angle in ((5.0, 5.0), (2.0, 3.0))
+    ]
+    hit = [o for o in outcomes if o.clearance_m <= 0.0]
+    print(f"{args.kind}: seed {args.seed}, {n} worlds")
+    print(
+        f"penetrations           {len(hit)}, least clearance {min(o.clearance_m for o in outcomes):.2f} m"
+    )
+    print(f"reached within 5 m, 5 deg  {within[0]} ({100.0 * within[0] / n:.1f} %)")
+    print(f"reached within 2 m, 3 deg  {within[1]} ({100.0 * within[1] / n:.1f} %)")
+    print(f"time [s]               median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
+    print(f"assurance acting [%]   mean {100.0 * np.mean([o.acting for o in outcomes]):.2f}")
+    print(f"wall time of a flight [s]  {np.mean([o.wall_s for o in outcomes]):.2f}")
+    for o in outcomes:
+        if o.clearance_m <= 0.0 or not (o.reached and o.miss_m <= 5.0 and o.angle_deg <= 5.0):
+            print(
+                f"  world {o.number}: reached {o.reached} miss {o.miss_m:.2f} angle {o.angle_deg:.2f}"
+                f" clearance {o.clearance_m:.2f} acting {o.acting:.2f} {'; '.join(o.reasons)}"
+            )
+
+
+def main() -> None:
+    """Fly them all."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--kind", choices=list(DRAWN), default="field")
+    parser.add_argument("--runs", type=int, default=100)
+    parser.add_argument("--first", type=int, default=0, help="number of the first world")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", type=int, help="fly this world alone")
+    parser.add_argument("--out", type=Path, help="folder for its scenario")
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
+    args = parser.parse_args()
+    numbers = [args.only] if args.only is not None else range(args.first, args.first + args.runs)
+    with ProcessPoolExecutor(args.workers) as pool:
+        show(list(pool.map(partial(fly, args=args), numbers)), args)
+
+
+if __name__ == "__main__":
+    main()
