@@ -1,4 +1,4 @@
-"""Random worlds as scenarios that are flown: fields, movers, obstacles seen late, dead ends, fences."""
+"""Random worlds as scenarios: fields, movers, obstacles seen late, dead ends, fences."""
 
 import math
 from collections.abc import Callable
@@ -62,6 +62,7 @@ def frame(rng: Generator, number: int, apart: float, aligned: float) -> Table:
                     {
                         "position_m": [apart, 0.0, -HEIGHT + float(rng.uniform(-20.0, 20.0))],
                         "heading_deg": round(float(rng.uniform(-aligned, aligned)), 1),
+                        "tolerance_deg": 5.0,
                     }
                 ],
             }

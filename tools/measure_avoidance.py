@@ -82,19 +82,18 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
     ]
     hit = [o for o in outcomes if o.clearance_m <= 0.0]
     print(f"{args.kind}: seed {args.seed}, {n} worlds")
-    print(
-        f"penetrations           {len(hit)}, least clearance {min(o.clearance_m for o in outcomes):.2f} m"
-    )
-    print(f"reached within 5 m, 5 deg  {within[0]} ({100.0 * within[0] / n:.1f} %)")
-    print(f"reached within 2 m, 3 deg  {within[1]} ({100.0 * within[1] / n:.1f} %)")
-    print(f"time [s]               median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
-    print(f"assurance acting [%]   mean {100.0 * np.mean([o.acting for o in outcomes]):.2f}")
-    print(f"wall time of a flight [s]  {np.mean([o.wall_s for o in outcomes]):.2f}")
+    print(f"penetrations {len(hit)}, least clearance {min(o.clearance_m for o in outcomes):.2f} m")
+    print(f"reached within 5 m, 5 deg {within[0]} ({100.0 * within[0] / n:.1f} %)")
+    print(f"reached within 2 m, 3 deg {within[1]} ({100.0 * within[1] / n:.1f} %)")
+    print(f"time [s] median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
+    print(f"assurance acting [%] mean {100.0 * np.mean([o.acting for o in outcomes]):.2f}")
+    print(f"wall time of a flight [s] mean {np.mean([o.wall_s for o in outcomes]):.2f}")
     for o in outcomes:
         if o.clearance_m <= 0.0 or not (o.reached and o.miss_m <= 5.0 and o.angle_deg <= 5.0):
             print(
-                f"  world {o.number}: reached {o.reached} miss {o.miss_m:.2f} angle {o.angle_deg:.2f}"
-                f" clearance {o.clearance_m:.2f} acting {o.acting:.2f} {'; '.join(o.reasons)}"
+                f"  world {o.number}: reached {o.reached}, miss {o.miss_m:.2f} m,"
+                f" {o.angle_deg:.2f} deg, clearance {o.clearance_m:.2f} m,"
+                f" acting {100.0 * o.acting:.1f} %: {'; '.join(o.reasons)}"
             )
 
 

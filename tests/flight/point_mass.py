@@ -8,6 +8,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import RouteMemory, fresh_route
 from vfguide.companion.step import step
 from vfguide.flight.memory import Wish
+from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
@@ -75,7 +76,7 @@ def fly(
     while body.time < seconds and not (flown and until(flown[-1])):
         v_n = add(body.air_n, wind_n)
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)
-        setpoint, route, wish, _ = step(state, plan.legs, plan.law, route)
+        setpoint, route, wish, _ = step(state, plan.legs, plan.law, route, None, NO_FENCE, 0.0)
         flown.append(Moment(state, route, wish))
         for _ in range(SUBSTEPS):
             body = advance(body, setpoint.omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)

@@ -49,7 +49,7 @@ def test_every_leg_leads_on(x, y, course, path_needed):
         assert wanted.remaining >= min(0.0, -x) - 1e-9
 
 
-@given(st.floats(-1200.0, -400.0), st.floats(-0.4, 0.4))
+@given(st.floats(-1200.0, -400.0), st.floats(-0.28, 0.28))
 def test_far_before_the_goal_on_its_course_the_field_is_flown(x, share):
     y = share * x
     assert begun(x, y, 2.0 * math.atan2(-y, -x)).phase == FIELD

@@ -187,16 +187,20 @@ def with_new_way(
     t: float,
     detour: DetourState,
 ) -> Leg:
-    """The leg along what the search finds; as it was where it finds nothing."""
+    """The leg along what the search finds; as it was where it finds nothing.
+
+    Where there is no way to the beginning of the straight end, one to the goal itself is taken.
+    """
     final = gains.final * leg.radius
-    entry, begin = entry_of(target, final), pose_of(state, TURN_IN)
-    task = task_from(begin, entry, leg.radius, state, gains, t + TURN_IN)
-    found = find_detour(obstacles, fence, band_of(state, target), task)
     detour[SOUGHT] = detour[LOOKED] = t
-    detour[COUNT] = 0.0
-    if len(found.hops) == 0:
-        detour[CLEARANCE] = -1.0
-        return leg
-    detour[CLEARANCE] = found.clearance
-    begin_detour(detour, found, entry, leg.radius)
-    return go_on_detour(detour, state, with_final(leg, final))
+    detour[COUNT], detour[CLEARANCE] = 0.0, -1.0
+    begin, band = pose_of(state, TURN_IN), band_of(state, target)
+    for end in (final, 0.0):
+        entry = entry_of(target, end)
+        task = task_from(begin, entry, leg.radius, state, gains, t + TURN_IN)
+        found = find_detour(obstacles, fence, band, task)
+        if len(found.hops) > 0:
+            detour[CLEARANCE] = found.clearance
+            begin_detour(detour, found, entry, leg.radius)
+            return go_on_detour(detour, state, with_final(leg, end))
+    return leg

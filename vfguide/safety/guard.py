@@ -10,13 +10,14 @@ from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
 from vfguide.flight.detour_leg import SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
+from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.way_round import seek_way
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3, sub
+from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.safety.assurance import Decision, Reason, Stored, assurance, assure
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.limits import limit_setpoint
@@ -116,7 +117,8 @@ def assured(
         Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
     )
     note_decision(guard, decision, stored)
-    return as_decided(wish, decision)
+    air = norm(sub(state.v_n, state.wind_n))
+    return as_decided(wish, decision, usable_bank(aircraft, gains, max(air, state.airspeed)))
 
 
 @compiled
@@ -162,16 +164,20 @@ def note_decision(guard: GuardState, decision: Decision, stored: Stored) -> None
 
 
 @compiled
-def as_decided(wish: Wish, decision: Decision) -> Wish:
-    """The wish, or what is flown instead: the lift carries the weight in the bank decided on."""
+def as_decided(wish: Wish, decision: Decision, bank_max: float) -> Wish:
+    """The wish, or what is flown instead: the lift carries the weight in the bank decided on.
+
+    The bank is no larger than `bank_max` [rad], which the wing carries now.
+    """
     if decision.reason == Reason.CLEAR.value:
         return wish
-    load = math.cos(decision.gamma) / math.cos(decision.bank)
+    bank = max(-bank_max, min(bank_max, decision.bank))
+    load = math.cos(decision.gamma) / math.cos(bank)
     return Wish(
         wish.course,
         wish.azimuth,
         decision.gamma,
-        decision.bank,
+        bank,
         load,
         wish.remaining,
         wish.phase,

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.vertical import descent_at_airspeed
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
@@ -57,7 +58,7 @@ def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
     return Dynamics(
         usable_bank(aircraft, gains, gains.airspeed),
         aircraft.climb_max,
-        aircraft.descent_max,
+        descent_at_airspeed(aircraft, 0.0),
         ROLL_SHARE * aircraft.rate_max[0],
         1.0 / gains.k_w + RATE_LAG + gains.sluggish,
         PATH_LAG * gains.airspeed + gains.sluggish,
