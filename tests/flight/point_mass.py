@@ -8,7 +8,6 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import RouteMemory, fresh_route
 from vfguide.companion.step import step
 from vfguide.flight.memory import Wish
-from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
@@ -72,11 +71,14 @@ def fly(
     until: Callable[[Moment], bool] = lambda moment: False,
 ) -> list[Moment]:
     """The flight, a moment an update, for so long or until something is so."""
-    route, flown, airspeed = fresh_route(), list[Moment](), math.hypot(*body.air_n)
+    known = 0 if plan.hazards is None else len(plan.hazards.obstacles)
+    route, flown, airspeed = fresh_route(known), list[Moment](), math.hypot(*body.air_n)
     while body.time < seconds and not (flown and until(flown[-1])):
         v_n = add(body.air_n, wind_n)
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)
-        setpoint, route, wish, _ = step(state, plan.legs, plan.law, route, None, NO_FENCE, 0.0)
+        setpoint, route, wish, _ = step(
+            state, plan.legs, plan.law, route, plan.hazards, plan.fence, body.time
+        )
         flown.append(Moment(state, route, wish))
         for _ in range(SUBSTEPS):
             body = advance(body, setpoint.omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)

@@ -1,0 +1,30 @@
+"""Random worlds over MAVLink, judged by the truth: the issue's table on a small sample.
+
+The whole table is printed by tools/measure_avoidance.py.
+"""
+
+from argparse import Namespace
+
+import measure_avoidance
+import pytest
+
+KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence")
+
+
+def fly(kind, number):
+    return measure_avoidance.fly(number, Namespace(kind=kind, seed=77, out=None, set=[]))
+
+
+@pytest.mark.parametrize("number", range(2))
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_random_world_is_flown_through(kind, number):
+    flown = fly(kind, number)
+    assert flown.clearance_m > 0.0, flown
+    assert flown.reached, flown
+    assert flown.miss_m <= 5.0
+    assert flown.angle_deg <= 5.0
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_an_obstacle_that_is_seen_late_is_passed(number):
+    assert fly("popup", number).clearance_m > 0.0

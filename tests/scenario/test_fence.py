@@ -1,0 +1,74 @@
+"""The fence of a scenario: what it may say, and what the truth is held against."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+from flight_samples import MINIMAL
+
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.hazards import fence_clearance, hazards_of, outlines_of
+from vfguide.scenario.load import load_scenario
+
+SQUARE = "polygon_m = [[-900, -900], [-900, 900], [900, 900], [900, -900]]"
+
+
+def loaded(folder, text):
+    file = folder / "x.toml"
+    file.write_text(f"{MINIMAL}\n{text}\n")
+    return load_scenario(file)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('[[fence.zone]]\nkind = "include"', r"fence\.zone\[0\].*exactly one way: polygon_m, or"),
+        ('[[fence.zone]]\nkind = "in"\n' + SQUARE, r'allowed "include", "exclude"'),
+        ('[[fence.zone]]\nkind = "include"\npolygon_m = [[0, 0], [1, 1]]', "at least three"),
+        ('[[fence.zone]]\nkind = "include"\npolygon_m = [[0, 0, 1]]', "list of two numbers"),
+        ('[[fence.zone]]\nkind = "exclude"\ncentre_m = [0, 0]', "centre_m and radius_m"),
+        ('[[fence.zone]]\nkind = "exclude"\nradius_m = 5\n' + SQUARE, "centre_m and radius_m"),
+        (
+            '[[fence.zone]]\nkind = "exclude"\ncentre_m = [5000, 0]\nradius_m = 50\n'
+            "lowest_m = 100\nhighest_m = 90",
+            r"highest_m.*not above lowest_m",
+        ),
+        ("[fence]\nfloor_m = 100\nceiling_m = 50", "ceiling_m.*not above floor_m"),
+        ("[fence]\nfloor_m = 5000", "below the fence, allowed above fence.floor_m = 5000"),
+        ("[fence]\nceiling_m = 1", "above the fence, allowed below fence.ceiling_m = 1"),
+        (
+            '[[fence.zone]]\nkind = "include"\ncentre_m = [9000, 0]\nradius_m = 50',
+            r"outside fence\.zone\[0\], allowed inside it",
+        ),
+    ],
+)
+def test_a_fence_that_makes_no_sense_is_refused(tmp_path, text, message):
+    with pytest.raises(InputError) as error:
+        loaded(tmp_path, text)
+    assert re.search(message, str(error.value)), str(error.value)
+
+
+def test_a_fence_is_written_and_read_again(tmp_path):
+    text = f'[fence]\nfloor_m = 20\n[[fence.zone]]\nkind = "include"\n{SQUARE}'
+    scenario = loaded(tmp_path, text).scenario
+    again = tmp_path / "again.toml"
+    again.write_text(scenario.to_toml())
+    assert load_scenario(again).scenario == scenario
+    hazards = hazards_of(scenario)
+    assert (hazards.floor, hazards.ceiling) == (20.0, math.inf)
+    assert len(outlines_of(scenario.fence).table) == 1
+
+
+def test_without_obstacles_and_fence_there_is_nothing_to_keep_clear_of(tmp_path):
+    assert hazards_of(loaded(tmp_path, "").scenario) is None
+
+
+def test_the_truth_is_held_against_the_fence(tmp_path):
+    text = f'[fence]\nfloor_m = 20\nceiling_m = 400\n[[fence.zone]]\nkind = "include"\n{SQUARE}'
+    scenario = loaded(tmp_path, text).scenario
+    path = np.array([[0.0, 0.0, -100.0], [880.0, 0.0, -100.0]])
+    assert fence_clearance(scenario, path) == pytest.approx(20.0)
+    assert fence_clearance(scenario, np.add(path, (0.0, 0.0, 95.0))) == pytest.approx(-15.0)
+    assert fence_clearance(scenario, np.add(path, (100.0, 0.0, 0.0))) == pytest.approx(-80.0)
+    assert fence_clearance(scenario, np.add(path, (0.0, 0.0, -310.0))) == pytest.approx(-10.0)
