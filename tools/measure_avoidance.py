@@ -9,6 +9,7 @@ is 0 to 8 m/s.
 """
 
 import argparse
+import math
 import shutil
 import tempfile
 from collections.abc import Sequence
@@ -20,10 +21,16 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 from flown_worlds import DRAWN, scenario_of
+from reference_path import HEIGHT, reference_length
+from search_worlds import World
 
+from vfguide.flight.way import Pose
+from vfguide.geometry.units import G0
 from vfguide.scenario.hazards import fence_clearance
-from vfguide.scenario.load import load_scenario
+from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.result import judge
 
 
@@ -41,6 +48,10 @@ class Outcome:
     wall_s: float
     acting: float
     """Share of the setpoints that the assurance chose."""
+    length_m: float
+    """Flown to the goal."""
+    reference_m: float
+    """Of the shortest path that BIT* finds; infinite where none, NaN where it was not asked."""
     reasons: tuple[str, ...]
 
 
@@ -69,8 +80,28 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
         goal.time_s or np.nan,
         flight.wall_s,
         float(np.mean(record.guard[:, 0] > 0.0)),
+        flown_length(record, goal.time_s),
+        reference(loaded, number, args.reference_s) if args.reference_s > 0.0 else np.nan,
         result.reasons,
     )
+
+
+def flown_length(record: FlightRecord, until: float | None) -> float:
+    """Length of the path to the goal [m]."""
+    flown = record.p_n[record.time <= (until or np.inf)]
+    return float(np.linalg.norm(np.diff(flown, axis=0), axis=1).sum())
+
+
+def reference(loaded: LoadedScenario, number: int, seconds: float) -> float:
+    """Shortest path at the goal's height with 5 m of clearance and turns in still air [m]."""
+    vehicle = loaded.scenario.vehicles[0]
+    goal, rows = vehicle.goals[0], rows_of(loaded.scenario.obstacles)
+    rows[:, 3] -= goal.position_m[2] + HEIGHT
+    start = Pose(*vehicle.position_m[:2], math.radians(vehicle.euler_deg[2]))
+    end = Pose(*goal.position_m[:2], math.radians(goal.heading_deg))
+    gains = loaded.gains(vehicle)
+    radius = gains.airspeed**2 / (G0 * math.tan(gains.bank_max))
+    return reference_length(World("flown", start, end, rows), radius, 5.0, seconds, number)
 
 
 def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
@@ -87,6 +118,12 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
     print(f"reached within 2 m, 3 deg {within[1]} ({100.0 * within[1] / n:.1f} %)")
     print(f"time [s] median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
     print(f"assurance acting [%] mean {100.0 * np.mean([o.acting for o in outcomes]):.2f}")
+    over = [o.length_m / o.reference_m for o in outcomes if o.reached and o.reference_m < np.inf]
+    if over:
+        median, high, most = np.quantile(over, (0.5, 0.9, 1.0))
+        print(
+            f"length over BIT* median {median:.3f}, 90 % {high:.3f}, most {most:.3f} ({len(over)})"
+        )
     print(f"wall time of a flight [s] mean {np.mean([o.wall_s for o in outcomes]):.2f}")
     for o in outcomes:
         if o.clearance_m <= 0.0 or not (o.reached and o.miss_m <= 5.0 and o.angle_deg <= 5.0):
@@ -109,6 +146,7 @@ def main() -> None:
     parser.add_argument("--only", type=int, help="fly this world alone")
     parser.add_argument("--out", type=Path, help="folder for its scenario")
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     args = parser.parse_args()
     numbers = [args.only] if args.only is not None else range(args.first, args.first + args.runs)

@@ -12,7 +12,9 @@ KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence")
 
 
 def fly(kind, number):
-    return measure_avoidance.fly(number, Namespace(kind=kind, seed=77, out=None, set=[]))
+    return measure_avoidance.fly(
+        number, Namespace(kind=kind, seed=77, out=None, reference_s=0.0, set=[])
+    )
 
 
 @pytest.mark.parametrize("number", range(2))
