@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
-from vfguide.flight.detour_leg import SHIFTED, DetourState
+from vfguide.flight.detour_leg import CLEARANCE, SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
 from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
@@ -18,7 +18,7 @@ from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.way_round import seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
-from vfguide.safety.assurance import Decision, Reason, Stored, assurance, assure
+from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assurance, assure
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.limits import limit_setpoint
 from vfguide.safety.motion import Motion
@@ -32,6 +32,9 @@ KNOWN = 8
 
 GuardState = NDArray[np.float64]
 """(KNOWN + M,), what the guard remembers."""
+NARROW, LEAST_ROOM = 1.25, 4.0
+"""Where the way has less room than the margin times the first, the margin is less in proportion,
+down to the second [m]."""
 OUT_OF_SIGHT = 1e9
 """An obstacle that is not known yet counts as so far away [m]."""
 
@@ -88,7 +91,8 @@ def guide_clear(
     wish, planned = plan_flight(flown_in, target, aircraft, gains, with_leg(memory, leg), detour)
     if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:
         detour[SHIFTED] = 1.0
-    wish = assured(state, wish, hazards, watch, law, memory.time, guard)
+    room = detour[CLEARANCE]
+    wish = assured(state, wish, hazards, watch, law, memory.time, room, guard)
     setpoint, after = fly_wish(flown_in, wish, aircraft, gains, planned)
     return limit_setpoint(setpoint, aircraft), after, wish
 
@@ -101,9 +105,14 @@ def assured(
     watch: Watch,
     law: Law,
     before: float,
+    room: float,
     guard: GuardState,
 ) -> Wish:
-    """The wish, or what is flown instead; `before` is the time of the step before [s]."""
+    """The wish, or what is flown instead.
+
+    `before` is the time of the step before [s], `room` the clearance of the way that was found
+    [m], not above zero where there is none.
+    """
     aircraft, gains = unpacked(law)
     decision, stored = assure(
         motion_of(state),
@@ -113,12 +122,20 @@ def assured(
         hazards,
         watch.time,
         0.0 if before < 0.0 else max(state.time - before, 0.0),
-        assurance(aircraft, gains),
+        in_room(assurance(aircraft, gains), room),
         Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
     )
     note_decision(guard, decision, stored)
     air = norm(sub(state.v_n, state.wind_n))
     return as_decided(wish, decision, usable_bank(aircraft, gains, max(air, state.airspeed)))
+
+
+@compiled
+def in_room(aircraft: Assurance, room: float) -> Assurance:
+    """The assurance with a smaller margin on a way that has little room: else it forbids it."""
+    part = min(1.0, room / (NARROW * aircraft.margin)) if room > 0.0 else 1.0
+    margin = min(aircraft.margin, max(LEAST_ROOM, part * aircraft.margin))
+    return Assurance(aircraft.limits, aircraft.scale, margin)
 
 
 @compiled
