@@ -75,7 +75,9 @@ def fly(
     while body.time < seconds and not (flown and until(flown[-1])):
         v_n = add(body.air_n, wind_n)
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)
-        setpoint, route, wish, _ = step(state, plan.legs, plan.law, route)
+        setpoint, route, wish, _ = step(
+            state, plan.legs, plan.law, route, plan.hazards, plan.fence, body.time
+        )
         flown.append(Moment(state, route, wish))
         for _ in range(SUBSTEPS):
             body = advance(body, setpoint.omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)
