@@ -67,6 +67,15 @@ def test_both_goals_are_met_in_their_poses_from_any_attitude(p_n, euler):
     assert (np.abs(rates) <= np.array(AEROSONDE.rate_max) + 1e-12).all()
 
 
+def test_a_goal_that_is_missed_too_often_is_given_up():
+    exact = GOALS[0]._replace(tolerance=1e-9, attempts=2)
+    p, _, _, leg = fly((exact, GOALS[1]), (-600.0, 30.0, -50.0), (0.0, 0.0, 0.0), 240.0)
+    assert leg[-1] == 2
+    approaching = (p[leg == 0] - exact.p_n) @ (math.cos(exact.course), math.sin(exact.course), 0.0)
+    near = np.linalg.norm(p[leg == 0] - exact.p_n, axis=1) < 20.0
+    assert np.count_nonzero(np.diff((near & (approaching < 0.0)).astype(int)) == 1) == 2
+
+
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_after_the_last_goal_it_flies_a_level_circle_that_leaves_the_goal(side):
     goal = GOALS[0]

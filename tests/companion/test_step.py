@@ -1,11 +1,13 @@
 """Goals in their order: passed, reached, missed, and the circle after the last one."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from vfguide.companion.legs import Goal, goal_of, leg_rows, target_of
+from vfguide.companion.notes import passage_note
 from vfguide.companion.place import place_state
 from vfguide.companion.route_memory import (
     HOLDS,
@@ -15,6 +17,7 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import note_passage, passage_of, passage_since, step, step_on
+from vfguide.companion.tries import Tries, no_tries
 from vfguide.flight.leg import FIELD, WAY, new_leg
 from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.performance import Gains, packed
@@ -29,6 +32,7 @@ GOALS = (
     Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
 )
 LEGS = leg_rows(GOALS, -1.0, 120.0)
+STUBBORN = leg_rows([goal._replace(attempts=2) for goal in GOALS], -1.0, 120.0)
 LAW = packed(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
 
 
@@ -41,13 +45,14 @@ def state(p_n, course=0.0, climb=0.0, time=1.0):
     return FlightState(time, p_n, v_n, from_euler(0.0, 0.05, course), 25.0, (0.0, 0.0, 0.0))
 
 
-def passed(offset, course=0.0, climb=0.0, phase=FIELD):
+def passed(offset, course=0.0, climb=0.0, phase=FIELD, legs=LEGS, missed=0):
     """The memory after passing the first goal at some offset to the side."""
     before = state((-0.3, offset, -150.0), course, climb)
     after = state((0.2, offset, -150.0), course, climb, time=1.02)
     flight = fresh_route().flight._replace(leg=new_leg()._replace(phase=phase))
     memory = fresh_route()._replace(begun=True, p_n=before.p_n, v_n=before.v_n, flight=flight)
-    return note_passage(passage_since(memory, after, LEGS), LEGS, memory)
+    memory = memory._replace(tries=Tries(missed, 0))
+    return note_passage(passage_since(memory, after, legs), legs, memory)
 
 
 def test_a_goal_that_is_reached_gives_way_to_the_next():
@@ -65,6 +70,33 @@ def test_a_goal_that_is_missed_is_flown_to_again(how):
     assert memory.flight.leg == fresh_route().flight.leg
     on_the_way = passed(**how, phase=WAY)
     assert (on_the_way.goal, on_the_way.begun) == (0, True)
+
+
+def test_a_goal_is_given_up_when_it_was_missed_as_often_as_it_may_be():
+    first = passed(5.1, legs=STUBBORN)
+    assert (first.goal, first.tries) == (0, Tries(1, 0))
+    second = passed(5.1, legs=STUBBORN, missed=1)
+    assert (second.goal, second.begun, second.tries) == (1, False, Tries(0, 1))
+    assert passed(4.9, legs=STUBBORN, missed=1).tries == no_tries()
+    without_end = passed(5.1, missed=1000)
+    assert (without_end.goal, without_end.tries) == (0, Tries(1001, 0))
+    on_the_way = passed(5.1, phase=WAY, legs=STUBBORN, missed=1)
+    assert (on_the_way.goal, on_the_way.tries) == (0, Tries(1, 0))
+
+
+def note(goal_before, missed, goal_after, given_up):
+    """What is told where a goal was passed 5.1 m off."""
+    before = fresh_route()._replace(goal=goal_before, tries=Tries(missed, 0))
+    after = fresh_route()._replace(goal=goal_after, tries=Tries(0, given_up))
+    plan = SimpleNamespace(goals=GOALS)
+    return passage_note(packed_memory(before), packed_memory(after), 5.1, plan)
+
+
+def test_the_operator_is_told_what_became_of_a_goal():
+    assert note(0, 2, 1, 1) == "goal 1 missed 3 times: going on to goal 2"
+    assert note(1, 0, 2, 1) == "goal 2 missed once: loitering"
+    assert note(0, 1, 0, 0) == "goal 1 missed by 5.1 m or by its course: going round"
+    assert note(0, 1, 1, 0) == "goal 1 reached, 5.1 m off; flying to goal 2 of 2"
 
 
 def test_a_goal_that_is_reached_on_the_way_counts():
@@ -92,6 +124,7 @@ def test_after_the_last_goal_the_circle_touches_it():
 
 def test_the_rows_hold_the_goals():
     assert [goal_of(LEGS, k) for k in range(3)] == [*GOALS, GOALS[1]]
+    assert goal_of(STUBBORN, 1).attempts == 2
 
 
 def test_a_step_remembers_its_state():
@@ -105,7 +138,7 @@ def test_a_step_remembers_its_state():
 
 def test_after_the_last_goal_nothing_is_passed():
     before, after = state((499.7, 100.0, -160.0)), state((500.2, 100.0, -160.0))
-    on_circle = begin_leg(2, fresh_route())._replace(begun=True, p_n=before.p_n)
+    on_circle = begin_leg(2, no_tries(), fresh_route())._replace(begun=True, p_n=before.p_n)
     assert passage_since(on_circle, after, LEGS).miss == math.inf
 
 
@@ -132,11 +165,10 @@ def test_the_step_for_a_link_is_the_step():
         0.05,
     )
     memory = fresh_route()
-    setpoint, after, _, passage = step(
-        place_state(heard, origin), LEGS, LAW, memory, None, NO_FENCE, 0.0
-    )
+    clear = (None, NO_FENCE, 0.0)
+    setpoint, after, _, passage = step(place_state(heard, origin), LEGS, LAW, memory, *clear)
     omega_b, thrust, q_nb, packed_after, miss = step_on(
-        heard, origin, LEGS, LAW, packed_memory(memory), None, NO_FENCE, 0.0
+        heard, origin, LEGS, LAW, packed_memory(memory), *clear
     )
     assert (omega_b, thrust, q_nb) == setpoint
     assert (packed_after == packed_memory(after)).all()

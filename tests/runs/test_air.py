@@ -53,6 +53,26 @@ def goal_of(flight):
     return flight.result.vehicles[0].goals[0]
 
 
+def test_a_goal_that_cannot_be_met_is_given_up(tmp_path):
+    goals = (
+        "vehicle.0.goal=[{position_m=[0, 0, -125], heading_deg=0, tolerance_m=0.001, attempts=2}, "
+        "{position_m=[500, 0, -125], heading_deg=0, attempts=2}]"
+    )
+    flight = fly(tmp_path, *LIGHT, goals)
+    first = flight.when("goal 1 missed by")
+    given_up = flight.when("goal 1 missed 2 times: going on to goal 2")
+    assert first + 10.0 < given_up < flight.when("goal 2 reached")
+    exact, easy = flight.result.vehicles[0].goals
+    assert (exact.reached, easy.reached) == (False, True)
+    assert exact.time_s in (
+        pytest.approx(first, abs=0.1),
+        pytest.approx(given_up, abs=0.1),
+    )
+    assert given_up < easy.time_s < flight.result.sim_s == pytest.approx(easy.time_s + 5.0, abs=0.1)
+    assert flight.result.verdict == "bad"
+    assert flight.result.reasons == ("goal 1 of vehicle 1 not reached",)
+
+
 def test_no_airspeed_sensor(tmp_path):
     flight = fly(tmp_path, *LIGHT, UNTOLD, "autopilot.airspeed_fails_at_s=0")
     assert goal_of(flight).reached

@@ -16,13 +16,16 @@ POINT = st.tuples(*[st.floats(-3.0, 3.0)] * 3)
 NOSE = (1.0, 0.0, 0.0)
 
 
-def goal(north=0.0, heading_deg=0.0, climb_deg=0.0, tolerance_m=5.0, tolerance_deg=10.0):
+def goal(
+    north=0.0, heading_deg=0.0, climb_deg=0.0, tolerance_m=5.0, tolerance_deg=10.0, attempts=0
+):
     return Goal(
         position_m=(north, 0.0, 0.0),
         heading_deg=heading_deg,
         climb_deg=climb_deg,
         tolerance_m=tolerance_m,
         tolerance_deg=tolerance_deg,
+        attempts=attempts,
     )
 
 
@@ -92,6 +95,14 @@ def test_a_goal_that_is_met_askew_is_not_reached_and_ends_the_flight(heading, cl
         legs.feed(Sample(time, (north, 0.0, 0.0), nose_at(0.0)))
     assert len(legs.passes[0]) == 1  # once, and no second try
     assert legs.finished == reaches
+
+
+def test_a_goal_of_one_attempt_that_is_met_askew_gives_way_to_the_next():
+    back = nose_at(180.0)
+    legs = fly([goal(attempts=1), goal(50.0)], [(0.0, -1.0, back), (1.0, 0.0, back)])
+    assert (legs.leg, legs.standing, legs.reached) == (1, False, 0)
+    legs.feed(Sample(2.0, (50.0, 0.0, 0.0), NOSE))
+    assert (legs.finished, legs.reached) == (True, 1)
 
 
 def test_goals_are_met_in_their_order_and_the_last_ends_the_flight():

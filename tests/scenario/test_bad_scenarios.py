@@ -153,6 +153,18 @@ def instead_of_goal(lines: str) -> str:
             "origin.latitude_deg = 90.0: too large, allowed -89 to 89",
         ),
         (
+            in_goal("attempts = -1"),
+            "vehicle[0].goal[0].attempts = -1: too small, allowed 0 to 1000",
+        ),
+        (
+            in_goal("attempts = 2.0"),
+            "vehicle[0].goal[0].attempts = 2.0: wrong type, a whole number is required",
+        ),
+        (
+            'plant = "kinematic"\nlaw = "paper"\n' + in_goal("attempts = 2"),
+            'vehicle[0].goal[0].attempts = 2: law = "paper" passes a goal once, allowed 0 to 1',
+        ),
+        (
             in_goal("tolerance_m = 0.0"),
             "vehicle[0].goal[0].tolerance_m = 0.0: too small, allowed above 0, up to 1000",
         ),

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from flight_samples import Path3, spiral, straight
+from flight_samples import Path3, moved, spiral, straight
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -21,6 +21,7 @@ def goal(
     climb_deg: float = 0.0,
     tolerance_m: float = 5.0,
     tolerance_deg: float = 10.0,
+    attempts: int = 0,
 ) -> Goal:
     return Goal(
         position_m=position,
@@ -28,6 +29,7 @@ def goal(
         climb_deg=climb_deg,
         tolerance_m=tolerance_m,
         tolerance_deg=tolerance_deg,
+        attempts=attempts,
     )
 
 
@@ -170,6 +172,34 @@ def test_figures_are_of_the_nearest_pass_until_one_reaches() -> None:
     assert [its.miss for its in never.passes[0]][:3] == [below.miss, first.miss, second.miss]
     assert len(never.passes[0]) == 4
     assert never.best() == [never.passes[0][2]]
+
+
+@pytest.mark.parametrize(("attempts", "passes", "leg"), [(0, 4, 0), (1, 1, 1), (3, 3, 1)])
+def test_a_goal_that_was_tried_often_enough_is_given_up(
+    attempts: int, passes: int, leg: int
+) -> None:
+    period = 2.0 * math.pi * 80.0 / 25.0
+    away = goal((500.0, 0.0, -100.0))
+    rounds = moved(circle, (0.0, 5.0, 0.0))
+    legs = fly([goal((10.0, 0.0, -100.0), 7.2, attempts=attempts), away], rounds, 3.5 * period)
+    assert len(legs.passes[0]) == passes
+    assert (legs.leg, legs.reached, legs.finished) == (leg, 0, False)
+
+
+def test_after_the_last_goal_is_given_up_the_flight_is_over() -> None:
+    legs = fly([goal((0.0, 10.0, -100.0), attempts=1)], straight, 30.0)
+    assert legs.finished
+    assert legs.reached == 0
+    assert not only_pass(legs).reaches
+
+
+@pytest.mark.parametrize(
+    ("east", "heading", "leg"), [(49.0, 0.0, 1), (51.0, 0.0, 0), (9.0, 59.0, 1), (9.0, 61.0, 0)]
+)
+def test_only_a_pass_that_was_meant_for_the_goal_is_a_try(
+    east: float, heading: float, leg: int
+) -> None:
+    assert fly([goal((0.0, east, -100.0), heading, attempts=1)], straight, 30.0).leg == leg
 
 
 def test_a_standing_vehicle_passes_nothing() -> None:

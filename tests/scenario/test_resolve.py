@@ -168,6 +168,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                         "climb_deg": 0.0,
                         "tolerance_m": 5.0,
                         "tolerance_deg": 10.0,
+                        "attempts": 0,
                     },
                 ),
             },
@@ -190,6 +191,7 @@ def test_every_value_of_the_file_arrives(tmp_path: Path) -> None:
         "climb_deg": -3.0,
         "tolerance_m": 2.0,
         "tolerance_deg": 5.0,
+        "attempts": 0,
     }
 
 

@@ -41,7 +41,7 @@ class FlightDisplay:
         if sim_s < self._next:
             return
         self._next = sim_s + REFRESH
-        reached = sum(member.legs.leg for member in members)
+        reached = sum(member.legs.reached for member in members)
         goals = sum(len(member.vehicle.goals) for member in members)
         state = f"{reached} of {goals} goals"
         self._progress.update(self._task, completed=sim_s, state=state)

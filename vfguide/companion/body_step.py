@@ -38,6 +38,6 @@ def step_body(
     before = unpacked_memory(memory)
     route = note_passage(passage_since(before, state, legs), legs, before)
     omega_b, flight = guide_body(state, target_of(legs, route.goal), law, route.flight)
-    kept = (route.jumps, route.stand, route.air, route.guard, route.detour)
+    kept = (route.jumps, route.stand, route.tries, route.air, route.guard, route.detour)
     after = RouteMemory(route.goal, True, state.p_n, state.v_n, flight, *kept)
     return limit_rates(omega_b, aircraft.rate_max), packed_memory(after)

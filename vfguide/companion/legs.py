@@ -15,7 +15,7 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
 Legs = NDArray[np.float64]
-"""(N + 1, 10): the five values of a `Goal`, its position taking three columns, then slope, circle
+"""(N + 1, 11): the six values of a `Goal`, its position taking three columns, then slope, circle
 and radius of a `Target`."""
 
 
@@ -32,6 +32,8 @@ class Goal(NamedTuple):
     """Largest miss that counts as reached [m]."""
     tolerance_angle: float
     """Largest error of course and climb that counts as reached [rad]."""
+    attempts: int = 0
+    """It is given up after so many missed passes; 0: never."""
 
 
 def leg_rows(goals: Sequence[Goal], loiter_side: float, loiter_radius: float) -> Legs:
@@ -45,11 +47,11 @@ def leg_rows(goals: Sequence[Goal], loiter_side: float, loiter_radius: float) ->
 def goal_of(legs: Legs, index: int) -> Goal:
     """The goal of a leg; of the circle, the last goal."""
     a = legs[index]
-    return Goal((a[0], a[1], a[2]), a[3], a[4], a[5], a[6])
+    return Goal((a[0], a[1], a[2]), a[3], a[4], a[5], a[6], int(a[7]))
 
 
 @compiled
 def target_of(legs: Legs, index: int) -> Target:
     """What to fly to on a leg."""
     a = legs[index]
-    return Target((a[0], a[1], a[2]), a[3], a[7], a[8], a[9])
+    return Target((a[0], a[1], a[2]), a[3], a[8], a[9], a[10])

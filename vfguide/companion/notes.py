@@ -8,8 +8,10 @@ from vfguide.companion.route_memory import (
     JUMPS,
     RATIO,
     PackedMemory,
+    given_up_in,
     goal_in,
     holds_in,
+    missed_in,
     settled_in,
     trusts_sensor_in,
 )
@@ -66,11 +68,24 @@ def route_note(goal: int, plan: Plan) -> str:
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
-def passage_note(before: int, after: int, miss: float, plan: Plan) -> str:
-    """A goal was passed with a `miss` [m]; the index of the goal flown to before and after."""
-    if after == before:
-        return f"goal {before + 1} missed by {miss:.1f} m or by its course: going round"
-    return f"goal {before + 1} reached, {miss:.1f} m off; {route_note(after, plan)}"
+def passage_note(before: PackedMemory, after: PackedMemory, miss: float, plan: Plan) -> str:
+    """A goal was passed with a `miss` [m]; the memory before and after."""
+    goal = goal_in(before) + 1
+    if given_up_in(after) > given_up_in(before):
+        return f"goal {goal} missed {times(missed_in(before) + 1)}: {onward(goal, plan)}"
+    if goal_in(after) == goal_in(before):
+        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {miss:.1f} m off; {route_note(goal_in(after), plan)}"
+
+
+def onward(passed: int, plan: Plan) -> str:
+    """What follows after so many goals."""
+    return f"going on to goal {passed + 1}" if passed < len(plan.goals) else "loitering"
+
+
+def times(number: int) -> str:
+    """How often, in words."""
+    return "once" if number == 1 else f"{number} times"
 
 
 NO_SENSOR = "no airspeed sensor"

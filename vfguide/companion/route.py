@@ -80,7 +80,7 @@ class Route:
             self.notes += air_notes(before, after, plan)
             self._jumped |= bool(after[JUMPS] != before[JUMPS])
             if math.isfinite(miss):
-                self.notes.append(passage_note(goal_in(before), goal_in(after), miss, plan))
+                self.notes.append(passage_note(before, after, miss, plan))
         return RateSetpoint(omega_b, thrust, q_nb)
 
     def take_jump(self) -> bool:

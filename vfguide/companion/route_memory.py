@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.companion.jump import Jumps, no_jumps, settled
+from vfguide.companion.tries import Tries, no_tries
 from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
 from vfguide.flight.detour_leg import DETOUR_NUMBERS, DetourState, fresh_detour
 from vfguide.flight.leg import Leg, new_leg
@@ -22,7 +23,7 @@ class RouteMemory(NamedTuple):
     """Where on the way it is, what it knows of the air, and what the flight law remembers."""
 
     goal: int
-    """Index of the goal that is flown to; the number of goals: all are reached."""
+    """Index of the goal that is flown to; the number of goals: all are behind it."""
     begun: bool
     """Whether a step was made on this leg, from here:"""
     p_n: Vec3
@@ -31,6 +32,7 @@ class RouteMemory(NamedTuple):
     flight: Memory
     jumps: Jumps
     stand: Stand
+    tries: Tries
     air: AirState
     guard: GuardState
     detour: DetourState
@@ -48,6 +50,7 @@ def fresh_route(obstacles: int = 0) -> RouteMemory:
         fresh_memory(),
         no_jumps(),
         new_stand(),
+        no_tries(),
         fresh_air(),
         guard,
         fresh_detour(),
@@ -55,13 +58,13 @@ def fresh_route(obstacles: int = 0) -> RouteMemory:
 
 
 @compiled
-def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
+def begin_leg(goal: int, tries: Tries, memory: RouteMemory) -> RouteMemory:
     """Memory at the beginning of a leg; what was learned in flight stays."""
     m, zero = memory.flight, (0.0, 0.0, 0.0)
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    kept = (memory.jumps, memory.stand, memory.air, memory.guard, fresh_detour())
+    kept = (memory.jumps, memory.stand, tries, memory.air, memory.guard, fresh_detour())
     return RouteMemory(goal, False, zero, zero, after, *kept)
 
 
@@ -69,17 +72,19 @@ def begin_leg(goal: int, memory: RouteMemory) -> RouteMemory:
 def take_over(memory: RouteMemory) -> RouteMemory:
     """Memory when the autopilot begins to follow: only the way and the air are remembered."""
     zero = (0.0, 0.0, 0.0)
-    kept = (memory.stand, memory.air, memory.guard, fresh_detour())
+    kept = (memory.stand, memory.tries, memory.air, memory.guard, fresh_detour())
     return RouteMemory(memory.goal, False, zero, zero, fresh_memory(), no_jumps(), *kept)
 
 
 PackedMemory = NDArray[np.float64]
 """(GUARD + KNOWN + M,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
-OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS, AIR = 42, 45, 46, 48, 49, 51
+OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS = 42, 45, 46, 48, 49
+MISSED, GIVEN_UP, AIR = 51, 52, 53
 AIR_TIME = AIR
 """Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
-airspeed and whether it is too large, the air's numbers and the first of them."""
+airspeed and whether it is too large, missed passes, goals given up, the air's numbers and the
+first of them."""
 DETOUR = AIR + AIR_NUMBERS
 GUARD = DETOUR + DETOUR_NUMBERS
 """Places: the detour that is flown, and what the guard remembers."""
@@ -99,8 +104,9 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     learned = (f.thrust_integral, f.alpha_bias)
     jumped = (*jumps.offset_n, float(jumps.number), jumps.size, jumps.age)
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
+    tried = (float(memory.tries.missed), float(memory.tries.given_up))
     packed = np.empty(GUARD + len(memory.guard))
-    packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood))
+    packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood, *tried))
     packed[AIR:DETOUR] = memory.air
     packed[DETOUR:GUARD] = memory.detour
     packed[GUARD:] = memory.guard
@@ -110,6 +116,16 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
 def goal_in(memory: PackedMemory) -> int:
     """Index of the goal that is flown to."""
     return int(memory[0])
+
+
+def missed_in(memory: PackedMemory) -> int:
+    """How often the goal that is flown to was missed."""
+    return int(memory[MISSED])
+
+
+def given_up_in(memory: PackedMemory) -> int:
+    """How many goals were given up."""
+    return int(memory[GIVEN_UP])
 
 
 def decision_in(memory: PackedMemory) -> tuple[float, float, float, float]:
@@ -156,6 +172,7 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         flight,
         Jumps((a[42], a[43], a[44]), int(a[45]), a[46], a[47]),
         Stand(a[48], a[49] != 0.0, a[50]),
+        Tries(int(a[MISSED]), int(a[GIVEN_UP])),
         a[AIR:DETOUR].copy(),
         a[GUARD:].copy(),
         a[DETOUR:GUARD].copy(),

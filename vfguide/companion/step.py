@@ -17,6 +17,7 @@ from vfguide.companion.route_memory import (
     packed_memory,
     unpacked_memory,
 )
+from vfguide.companion.tries import at_next, gives_up, once_more
 from vfguide.flight.air_data import cautious, sense_air
 from vfguide.flight.air_state import THRUST
 from vfguide.flight.leg import FIELD
@@ -84,7 +85,7 @@ def step(
         passage = NO_PASSAGE
     memory = note_passage(passage, legs, memory)
     if memory.stand.holds and not stand.holds:
-        memory = begin_leg(memory.goal, memory)
+        memory = begin_leg(memory.goal, memory.tries, memory)
     if stand.holds:
         flown_in, target = in_air_frame(state), into_wind(stand, state)
     else:
@@ -99,7 +100,7 @@ def step(
             state, flown_in, target, law, memory.flight, watch, guard, detour
         )
     air[THRUST] = setpoint.thrust
-    kept = (jumps, stand, air, guard, detour)
+    kept = (jumps, stand, memory.tries, air, guard, detour)
     after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, *kept)
     return setpoint, after, wish, passage
 
@@ -128,11 +129,16 @@ def step_on(
 
 @compiled
 def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemory:
-    """Go on to the next goal when this one was reached, begin the leg anew when it was missed."""
+    """Go on when the goal was reached or is given up, begin the leg anew when it was missed."""
     if math.isinf(passage.miss):
         return memory
-    reaches = is_reached(passage, goal_of(legs, memory.goal))
-    return begin_leg(memory.goal + 1 if reaches else memory.goal, memory)
+    goal = goal_of(legs, memory.goal)
+    if is_reached(passage, goal):
+        return begin_leg(memory.goal + 1, at_next(memory.tries, False), memory)
+    tries = once_more(memory.tries)
+    if gives_up(tries, goal):
+        return begin_leg(memory.goal + 1, at_next(tries, True), memory)
+    return begin_leg(memory.goal, tries, memory)
 
 
 @compiled

@@ -3,7 +3,7 @@
 import math
 
 from vfguide.geometry.vector import Vec3, add, dot, scale, sub
-from vfguide.scenario.passes import Legs, Sample
+from vfguide.scenario.passes import Legs, Pass, Sample
 from vfguide.scenario.resolved import Goal
 
 ARRIVED = 0.05
@@ -26,6 +26,10 @@ class Arrivals(Legs):
     def standing(self) -> bool:
         """The robot is where it stays: at the last goal, or at one that it met askew."""
         return self.finished or bool(self.passes[self.leg])
+
+    def is_try(self, a_pass: Pass, goal: Goal) -> bool:
+        """Every arrival is one, in whatever direction."""
+        return True
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
         """Where a straight path between the samples enters the ball about the goal."""

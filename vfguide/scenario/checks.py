@@ -23,6 +23,18 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
     if entry.law == "flight" and entry.plant == "kinematic" and entry.obstacle:
         rule = 'law = "flight" avoids them on plant = "jsbsim" only, allowed with law = "paper"'
         raise source.error(("obstacle",), rule)
+    if entry.law == "paper":
+        _check_single_attempts(entry, source)
+
+
+def _check_single_attempts(entry: ScenarioFile, source: Source) -> None:
+    """Law paper passes a goal once."""
+    for index, vehicle in enumerate(entry.vehicle):
+        for number, goal in enumerate(vehicle.goal):
+            if goal.attempts > 1:
+                at: Location = ("vehicle", index, "goal", number, "attempts")
+                rule = 'law = "paper" passes a goal once, allowed 0 to 1'
+                raise source.error(at, rule, goal.attempts)
 
 
 def check_ids(scenario: Scenario, source: Source) -> None:

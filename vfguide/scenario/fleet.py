@@ -13,7 +13,7 @@ class Ending(Enum):
     """Why a flight ended."""
 
     REACHED = "reached"
-    """5 s after every vehicle reached its last goal."""
+    """5 s after every vehicle reached its last goal, or gave it up."""
     TIME = "time"
     """The time allowed is over."""
     GROUND = "ground"

@@ -35,10 +35,17 @@ class Pass(NamedTuple):
     """All three are within the goal's tolerances."""
 
 
+NEAR = 50.0
+"""A pass by more than this is no try at the goal, unless its tolerance is larger [m]; ..."""
+ASKEW = 60.0 * DEG
+"""... nor is one whose course is farther off: on the way to it a vehicle may circle for height."""
+
+
 class Legs:
     """The legs of one vehicle from goal to goal, fed with its path one sample at a time.
 
-    A goal is passed where the distance to it is least; a vehicle that has missed it tries again.
+    A goal is passed where the distance to it is least; a vehicle that has missed it tries again,
+    as often as the goal says.
     """
 
     def __init__(self, goals: Sequence[Goal]) -> None:
@@ -46,16 +53,21 @@ class Legs:
         self.passes: tuple[list[Pass], ...] = tuple([] for _ in self.goals)
         """Of each goal in turn, in the order of time."""
         self.leg = 0
-        """Index of the goal that is flown to; the number of goals when all are reached."""
+        """Index of the goal that is flown to; the number of goals when there is none left."""
         self._last: Sample | None = None
 
     @property
     def finished(self) -> bool:
-        """Every goal has been reached."""
+        """Every goal has been reached or given up."""
         return self.leg == len(self.goals)
 
+    @property
+    def reached(self) -> int:
+        """Number of goals that have been reached."""
+        return sum(bool(passes) and passes[-1].reaches for passes in self.passes)
+
     def feed(self, sample: Sample) -> bool:
-        """Take the next sample; true if a goal was reached since the one before.
+        """Take the next sample; true if a goal was reached or given up since the one before.
 
         Between two samples the path is the cubic that has their positions and velocities.
         """
@@ -65,11 +77,22 @@ class Legs:
             if passed is None:
                 break
             self.passes[self.leg].append(_judge(passed, self.goals[self.leg]))
-            if not self.passes[self.leg][-1].reaches:
+            if not (self.passes[self.leg][-1].reaches or self.gives_up):
                 break
             before, self.leg = passed, self.leg + 1
         self._last = sample
         return self.leg > leg
+
+    @property
+    def gives_up(self) -> bool:
+        """Whether the present goal was tried in vain as often as it may be."""
+        goal = self.goals[self.leg]
+        tries = sum(self.is_try(a_pass, goal) for a_pass in self.passes[self.leg])
+        return 0 < goal.attempts <= tries
+
+    def is_try(self, a_pass: Pass, goal: Goal) -> bool:
+        """Whether a pass counts as one that was meant to reach the goal."""
+        return a_pass.miss <= max(NEAR, goal.tolerance_m) and a_pass.course_error <= ASKEW
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
         """Where the present goal is passed between two samples, if it is."""

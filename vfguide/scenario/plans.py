@@ -56,6 +56,7 @@ def goal_of(goal: ScenarioGoal) -> Goal:
         goal.climb_deg * DEG,
         goal.tolerance_m,
         goal.tolerance_deg * DEG,
+        goal.attempts,
     )
 
 

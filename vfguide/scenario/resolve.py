@@ -108,6 +108,7 @@ def _goal(entry: GoalEntry, origin: Origin, source: Source, at: Location) -> Goa
         climb_deg=climb_deg,
         tolerance_m=entry.tolerance_m,
         tolerance_deg=entry.tolerance_deg,
+        attempts=entry.attempts,
     )
 
 

@@ -27,6 +27,8 @@ class Goal(Table):
     """Angle of the ground velocity above the horizon."""
     tolerance_m: float
     tolerance_deg: float
+    attempts: int = 0
+    """The goal is given up after so many missed passes; 0: never."""
 
 
 class Vehicle(Table):

@@ -143,6 +143,8 @@ class GoalEntry(Table):
     climb_deg: Annotated[float, between(-89, 89)] | None = None
     tolerance_m: Annotated[float, above(0, 1000)] = 5.0
     tolerance_deg: Annotated[float, above(0, 180)] = 10.0
+    attempts: Annotated[int, between(0, 1000)] = 0
+    """The goal is given up after so many missed passes; 0: never."""
 
 
 class VehicleEntry(Table):
