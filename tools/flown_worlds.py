@@ -1,4 +1,4 @@
-"""Random worlds as scenarios that are flown: fields, movers, obstacles seen late, dead ends, fences."""
+"""Random worlds as scenarios: fields, movers, obstacles seen late, dead ends, fences."""
 
 import math
 from collections.abc import Callable

@@ -21,7 +21,7 @@ import numpy as np
 import tomli_w
 from flown_worlds import DRAWN, scenario_of
 
-from vfguide.scenario.hazards import fence_clearance
+from vfguide.scenario.fence_distance import fence_clearance
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
@@ -82,9 +82,8 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
     ]
     hit = [o for o in outcomes if o.clearance_m <= 0.0]
     print(f"{args.kind}: seed {args.seed}, {n} worlds")
-    print(
-        f"penetrations           {len(hit)}, least clearance {min(o.clearance_m for o in outcomes):.2f} m"
-    )
+    least = min(o.clearance_m for o in outcomes)
+    print(f"penetrations           {len(hit)}, least clearance {least:.2f} m")
     print(f"reached within 5 m, 5 deg  {within[0]} ({100.0 * within[0] / n:.1f} %)")
     print(f"reached within 2 m, 3 deg  {within[1]} ({100.0 * within[1] / n:.1f} %)")
     print(f"time [s]               median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
@@ -93,8 +92,9 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
     for o in outcomes:
         if o.clearance_m <= 0.0 or not (o.reached and o.miss_m <= 5.0 and o.angle_deg <= 5.0):
             print(
-                f"  world {o.number}: reached {o.reached} miss {o.miss_m:.2f} angle {o.angle_deg:.2f}"
-                f" clearance {o.clearance_m:.2f} acting {o.acting:.2f} {'; '.join(o.reasons)}"
+                f"  world {o.number}: reached {o.reached} miss {o.miss_m:.2f}"
+                f" angle {o.angle_deg:.2f} clearance {o.clearance_m:.2f}"
+                f" acting {o.acting:.2f} {'; '.join(o.reasons)}"
             )
 
 
