@@ -16,6 +16,7 @@ from vfguide.companion.route_memory import (
 )
 from vfguide.companion.step import note_passage, passage_of, passage_since, step, step_on
 from vfguide.flight.leg import FIELD, WAY, new_leg
+from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.performance import Gains, packed
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler
@@ -95,7 +96,7 @@ def test_the_rows_hold_the_goals():
 
 def test_a_step_remembers_its_state():
     here = state((-400.0, 30.0, -140.0))
-    _, memory, wish, passage = step(here, LEGS, LAW, fresh_route())
+    _, memory, wish, passage = step(here, LEGS, LAW, fresh_route(), None, NO_FENCE, 0.0)
     assert (memory.p_n, memory.v_n, memory.begun) == (here.p_n, here.v_n, True)
     assert memory.goal == 0
     assert wish.remaining > 390.0
@@ -131,9 +132,11 @@ def test_the_step_for_a_link_is_the_step():
         0.05,
     )
     memory = fresh_route()
-    setpoint, after, _, passage = step(place_state(heard, origin), LEGS, LAW, memory)
+    setpoint, after, _, passage = step(
+        place_state(heard, origin), LEGS, LAW, memory, None, NO_FENCE, 0.0
+    )
     omega_b, thrust, q_nb, packed_after, miss = step_on(
-        heard, origin, LEGS, LAW, packed_memory(memory)
+        heard, origin, LEGS, LAW, packed_memory(memory), None, NO_FENCE, 0.0
     )
     assert (omega_b, thrust, q_nb) == setpoint
     assert (packed_after == packed_memory(after)).all()

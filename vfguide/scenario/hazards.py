@@ -29,6 +29,17 @@ def hazards_of(scenario: Scenario) -> Hazards | None:
     )
 
 
+def hazard_names(scenario: Scenario) -> tuple[str, ...]:
+    """What the operator calls the hazards, in the order of `hazards_of`."""
+    fence = scenario.fence
+    heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
+    return (
+        *(obstacle.name for obstacle in scenario.obstacles),
+        *(f"fence.zone[{index}]" for index in range(len(fence.zone))),
+        *((" or ".join(f"fence.{key}" for key in heights),) if heights else ()),
+    )
+
+
 def outlines_of(fence: Fence) -> Outlines:
     """The zones of the fence in the plane, at whatever height they hold."""
     outlines = NO_FENCE
