@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
 from vfguide.link.messages import RECORDS
-from vfguide.scenario import aircraft_file, obstacle_entry, result, scenario_file
+from vfguide.scenario import aircraft_file, episodes, obstacle_entry, result, scenario_file
 from vfguide.scenario.bench import Bench
 from vfguide.scenario.tables import Table
 from vfguide.sim.parameters import Parameters
@@ -167,9 +167,17 @@ def test_the_sizes_of_every_shape_are_documented():
     assert told == obstacle_entry.SIZES
 
 
-@pytest.mark.parametrize(
-    ("nth", "record"), list(enumerate((result.Result, result.VehicleResult, result.GoalResult)))
+RESULT_TABLES = (
+    result.Result,
+    result.VehicleResult,
+    result.GoalResult,
+    result.ObstacleResult,
+    episodes.AssuranceResult,
+    episodes.Episode,
 )
+
+
+@pytest.mark.parametrize(("nth", "record"), list(enumerate(RESULT_TABLES)))
 def test_keys_of_a_result(nth, record):
     page = (DOCS / "outputs.md").read_text()
     section = page[page.index("## `result.json`") : page.index("## Logs")]

@@ -26,7 +26,7 @@ from search_worlds import World
 
 from vfguide.flight.way import Pose
 from vfguide.geometry.units import G0
-from vfguide.scenario.hazards import fence_clearance
+from vfguide.scenario.fence_distance import fence_clearance
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of

@@ -86,7 +86,7 @@ def test_options_that_must_be_given(refuse, missing, kept):
 
 
 def test_a_scenario_that_does_not_exist(refuse):
-    assert "shipped: bad-sensors, cessna, easystar, first-flight" in refuse("nowhere", *GOOD[1:])
+    assert "shipped: avoidance/balloon, avoidance/crossing, " in refuse("nowhere", *GOOD[1:])
 
 
 def test_a_log_that_is_there_already(refuse, tmp_path):

@@ -22,7 +22,7 @@ DOCUMENTED = json.loads(
  "sim_s": 29.5, "wall_s": 0.15, "realtime_factor": 196.7, "min_separation_m": null,
  "vehicles": [{"id": 1, "goals": [{"reached": true, "time_s": 24.5, "miss_m": 0.03,
                                    "course_error_deg": 0.1, "climb_error_deg": 0.0}],
-   "obstacles": [],
+   "obstacles": [], "fence_clearance_m": null, "assurance": null,
    "max_bank_deg": 47.0, "load_factor": [0.95, 1.53], "airspeed_mps": [24.8, 25.2],
    "altitude_m": [148.0, 151.0], "setpoints": 1475, "setpoint_rate_hz": 50.0}]}
 """
@@ -185,3 +185,106 @@ def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
     write_atomically(file, b"second")
     assert file.read_bytes() == b"second"
     assert list(tmp_path.iterdir()) == [file]
+
+
+TOWER = """
+[[obstacle]]
+name = "tower"
+shape = "cylinder"
+position_m = [-200, 60, -50]
+radius_m = 20
+height_m = 200
+"""
+FENCE = """
+[fence]
+floor_m = 60
+ceiling_m = 150
+
+[[fence.zone]]
+kind = "include"
+polygon_m = [[-600, -50], [300, -50], [300, 50], [-600, 50]]
+
+[[fence.zone]]
+kind = "exclude"
+centre_m = [-200, 45]
+radius_m = 30
+"""
+
+
+@pytest.fixture
+def fenced(tmp_path: Path) -> Scenario:
+    return loaded_from(tmp_path, MINIMAL + FENCE).scenario
+
+
+def test_clearance_inside_a_fence(fenced: Scenario) -> None:
+    result = judge(fenced, [record_of(fenced.vehicles[0], straight, 25.0)], 25.0, 0.1)
+    assert result.verdict == "good"
+    assert result.vehicles[0].fence_clearance_m == pytest.approx(15.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("by", "reasons"),
+    [
+        ((0.0, -53.1, 0.0), ["outside fence.zone[0] by 3.1 m after 0.0 s"]),
+        ((0.0, 18.0, 0.0), ["inside fence.zone[1] by 3.0 m after 11.5 s"]),
+        ((0.0, 0.0, 41.2), ["below fence.floor_m by 1.2 m after 0.0 s"]),
+        ((0.0, 0.0, -52.0), ["above fence.ceiling_m by 2.0 m after 0.0 s"]),
+        (
+            (0.0, -51.0, -51.0),
+            [
+                "outside fence.zone[0] by 1.0 m after 0.0 s",
+                "above fence.ceiling_m by 1.0 m after 0.0 s",
+            ],
+        ),
+    ],
+)
+def test_a_violation_of_the_fence_is_bad(
+    fenced: Scenario, by: tuple[float, float, float], reasons: list[str]
+) -> None:
+    result = judge(fenced, [record_of(fenced.vehicles[0], moved(straight, by), 25.0)], 25.0, 0.1)
+    told = [reason for reason in result.reasons if reason.startswith("fence")]
+    assert told == [f"fence: vehicle 1 {reason}" for reason in reasons]
+    assert result.verdict == "bad"
+    least = result.vehicles[0].fence_clearance_m
+    assert least is not None
+    assert least < 0.0
+
+
+def guarded(scenario: Scenario, *acting: tuple[int, int, float, float]) -> FlightRecord:
+    """A straight flight; `acting`: from and to which sample, for what reason and hazard."""
+    record = record_of(scenario.vehicles[0], straight, 25.0)
+    guard = np.tile((0.0, 12.0, np.inf, -1.0), (len(record.time), 1))
+    guard[:10] = 0.0  # nothing decided yet
+    for first, last, reason, hazard in acting:
+        guard[first:last] = (reason, 9.0, 3.0, hazard)
+    return replace(record, guard=guard)
+
+
+def test_episodes_of_the_assurance(tmp_path: Path) -> None:
+    scenario = loaded_from(tmp_path, MINIMAL + TOWER + FENCE).scenario
+    record = guarded(
+        scenario,
+        (100, 150, 1.0, 0.0),
+        (190, 200, 1.0, -1.0),
+        (300, 320, 2.0, 2.0),
+        (500, 510, 1.0, -1.0),
+        (600, 610, 1.0, 3.0),
+    )
+    its = judge(scenario, [record], 25.0, 0.1).vehicles[0].assurance
+    assert its is not None
+    assert (its.decided, its.escape, its.least_bad) == (1241, 80, 20)
+    assert its.acting_share == pytest.approx(100 / 1241, abs=1e-6)
+    assert its.min_margin_m == 9.0
+    assert [(e.from_s, e.to_s, e.reason, e.hazard) for e in its.episodes] == [
+        (2.0, 4.0, "escape", "tower"),
+        (6.0, 6.4, "least bad", "fence.zone[1]"),
+        (10.0, 10.2, "escape", None),
+        (12.0, 12.2, "escape", "fence.floor_m"),
+    ]
+
+
+def test_an_assurance_that_never_acts(tmp_path: Path) -> None:
+    scenario = loaded_from(tmp_path, MINIMAL + TOWER).scenario
+    its = judge(scenario, [guarded(scenario)], 25.0, 0.1).vehicles[0].assurance
+    assert its is not None
+    assert (its.acting_share, its.episodes, its.min_margin_m) == (0.0, (), 12.0)

@@ -13,13 +13,14 @@ def check(
 
     Example: vfguide check first-flight
     """
-    from vfguide.cli.console import out
+    from vfguide.cli.console import out, warn
     from vfguide.scenario.data import find_scenario
     from vfguide.scenario.load import check_file
 
     path = file if file.exists() else find_scenario(str(file))
-    check_file(path)
-    out.print(f"{path}: fine")
+    warnings = check_file(path)
+    warn(warnings)
+    out.print(f"{path}: {'can be flown' if warnings else 'fine'}")
 
 
 def add_to(app: typer.Typer) -> None:

@@ -77,6 +77,8 @@ def print_result(result: Result, folder: Path) -> None:
     out.print(f"{result.sim_s:.1f} s flown in {result.wall_s:.2f} s{factor}")
     if distances := least_distances(result):
         out.print(f"least {', '.join(distances)}")
+    for line in assurance_lines(result):
+        out.print(line)
     for reason in result.reasons:
         out.print(f"  {reason}", style="red")
     good = result.verdict == "good"
@@ -91,6 +93,26 @@ def least_distances(result: Result) -> list[str]:
     if nearest := closest(result):
         where = f"vehicle {nearest.vehicle}, {nearest.obstacle}"
         distances.append(f"clearance {nearest.clearance:.2f} m ({where})")
+    fences = [(its.fence_clearance_m, its.id) for its in result.vehicles]
+    if known := [(least, sysid) for least, sysid in fences if least is not None]:
+        least, sysid = min(known)
+        distances.append(f"distance inside the fence {least:.2f} m (vehicle {sysid})")
     if result.min_separation_m is not None:
         distances.append(f"separation {result.min_separation_m:.2f} m")
     return distances
+
+
+def assurance_lines(result: Result) -> list[str]:
+    """Where the assurance acted: how often, for how long, and whether nothing was clear."""
+    lines: list[str] = []
+    for vehicle in result.vehicles:
+        its = vehicle.assurance
+        if its is None or not its.episodes:
+            continue
+        times = len(its.episodes)
+        share = f"{100.0 * (its.acting_share or 0.0):.1f} % of its setpoints"
+        line = f"assurance: vehicle {vehicle.id} escaped {times} time{'s'[: times > 1]}, {share}"
+        if its.least_bad:
+            line += f"; NOTHING WAS CLEAR for {its.least_bad} of them"
+        lines.append(line)
+    return lines

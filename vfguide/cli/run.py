@@ -31,6 +31,7 @@ def run(
 
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
+    from vfguide.cli.console import warn
     from vfguide.cli.flight_display import FlightDisplay, print_result
     from vfguide.cli.signals import Signals
     from vfguide.scenario.load import load_scenario
@@ -38,6 +39,7 @@ def run(
 
     changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
     loaded = load_scenario(scenario, changes)
+    warn(loaded.warnings)
     folder = out or default_folder(loaded.scenario.name)
     again = shlex.join(["vfguide", "run", scenario, *(f"--set={change}" for change in changes)])
     with Signals() as signals, FlightDisplay(loaded.scenario) as display:

@@ -27,6 +27,8 @@ class Plan:
     gains: Gains
     hazards: Hazards | None = None
     """What to keep clear of; None: nothing."""
+    hazard_names: tuple[str, ...] = ()
+    """What the operator calls them, by their numbers."""
     fence: Outlines = NO_FENCE
     """Its fence as the search for ways takes it."""
     epoch: int = 0

@@ -3,6 +3,7 @@
 import math
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
+from vfguide.companion.lookout import Lookout
 from vfguide.companion.notes import air_notes, passage_note, route_note
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
@@ -33,6 +34,7 @@ class Route:
         self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
+        self._lookout = Lookout(plan)
         self._stepped: int | None = None
         self._began = 0
         self._follows = False
@@ -65,6 +67,7 @@ class Route:
             self._begin_leg()
         self._follows = follows
         plan, before = self.plan, self._memory
+        t = obstacle_time(known, plan.epoch, self._began)
         omega_b, thrust, q_nb, after, miss = step_on(
             state,
             plan.origin,
@@ -73,7 +76,7 @@ class Route:
             before,
             plan.hazards,
             plan.fence,
-            obstacle_time(known, plan.epoch, self._began),
+            t,
         )
         if follows:
             self._memory = after
@@ -81,6 +84,7 @@ class Route:
             self._jumped |= bool(after[JUMPS] != before[JUMPS])
             if math.isfinite(miss):
                 self.notes.append(passage_note(before, after, miss, plan))
+            self.notes += self._lookout.notes(after, t)
         return RateSetpoint(omega_b, thrust, q_nb)
 
     def take_jump(self) -> bool:

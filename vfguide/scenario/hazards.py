@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from vfguide.field.obstacle import VISIBLE_FROM
 from vfguide.flight.outlines import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
 from vfguide.safety.fence import fence_distance, fences
@@ -28,6 +26,17 @@ def hazards_of(scenario: Scenario) -> Hazards | None:
         fences([zone_of(zone) for zone in fence.zone]),
         -math.inf if fence.floor_m is None else fence.floor_m,
         math.inf if fence.ceiling_m is None else fence.ceiling_m,
+    )
+
+
+def hazard_names(scenario: Scenario) -> tuple[str, ...]:
+    """What the operator calls the hazards, in the order of `hazards_of`."""
+    fence = scenario.fence
+    heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
+    return (
+        *(obstacle.name for obstacle in scenario.obstacles),
+        *(f"fence.zone[{index}]" for index in range(len(fence.zone))),
+        *((" or ".join(f"fence.{key}" for key in heights),) if heights else ()),
     )
 
 
@@ -77,19 +86,6 @@ def broken_fence(fence: Fence, p_n: tuple[float, float, float]) -> str:
             kind = "outside" if fence.zone[index].kind == "include" else "inside"
             return f"{kind} fence.zone[{index}], allowed {_other(kind)} it"
     return ""
-
-
-def fence_clearance(scenario: Scenario, p_n: np.ndarray) -> float:
-    """Least distance of positions (n, 3) from where the fence is violated [m], negative there."""
-    fence, zones = scenario.fence, fences([zone_of(zone) for zone in scenario.fence.zone])
-    least, height = math.inf, -p_n[:, 2]
-    if fence.floor_m is not None:
-        least = min(least, float((height - fence.floor_m).min()))
-    if fence.ceiling_m is not None:
-        least = min(least, float((fence.ceiling_m - height).min()))
-    for index in range(len(fence.zone)):
-        least = min(least, *(fence_distance(zones, index, tuple(p)) for p in p_n.tolist()))
-    return least
 
 
 def _other(kind: str) -> str:

@@ -2,7 +2,7 @@
 
 import shutil
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vfguide.flight.performance import Gains, Performance
@@ -19,6 +19,7 @@ from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
+from vfguide.scenario.ways import check_ways
 
 FAST, PROMPT = 0.08, 0.2
 """Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
@@ -34,6 +35,8 @@ class LoadedScenario:
     """The file it came from."""
     files: Mapping[str, AircraftFiles]
     aircraft: Mapping[str, Aircraft]
+    warnings: tuple[str, ...] = ()
+    """What may go wrong with it, as a message each."""
 
     def performance(self, vehicle: Vehicle) -> Performance:
         """What the flight law knows of the aircraft of `vehicle`."""
@@ -95,19 +98,21 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     checks.check_room(scenario, source)
     check_obstacles(scenario, source)
     check_fence(scenario, source)
-    return LoadedScenario(scenario, source.path, files, aircraft)
+    loaded = LoadedScenario(scenario, source.path, files, aircraft)
+    flies = [(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
+    return replace(loaded, warnings=check_ways(scenario, flies, source))
 
 
-def check_file(path: Path) -> None:
-    """Check a scenario or an aircraft file.
+def check_file(path: Path) -> tuple[str, ...]:
+    """Check a scenario or an aircraft file; returns warnings.
 
     Raises:
         InputError: it says something that is not allowed.
     """
     if "airspeed" in read_toml(path):
         load_aircraft(AircraftFiles(path.stem, path.parent, path, None))
-    else:
-        load_scenario(path)
+        return ()
+    return load_scenario(path).warnings
 
 
 def _find_all(entry: ScenarioFile, source: Source) -> dict[str, AircraftFiles]:

@@ -6,7 +6,7 @@ from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.hazards import hazards_of, outlines_of
+from vfguide.scenario.hazards import hazard_names, hazards_of, outlines_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
@@ -43,6 +43,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         loaded.performance(vehicle),
         loaded.gains(vehicle),
         hazards_of(loaded.scenario),
+        hazard_names(loaded.scenario),
         outlines_of(loaded.scenario.fence),
         start_us(loaded.scenario),
     )

@@ -14,6 +14,8 @@ from vfguide import __version__
 from vfguide.geometry.units import DEG
 from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.clearance import min_clearances, min_levels
+from vfguide.scenario.episodes import AssuranceResult, assurance_of
+from vfguide.scenario.fence_distance import fence_clearance, fence_violations
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.passes import Pass
 from vfguide.scenario.record import Array, FlightRecord
@@ -55,6 +57,10 @@ class VehicleResult:
     id: int
     goals: tuple[GoalResult, ...]
     obstacles: tuple[ObstacleResult, ...]
+    fence_clearance_m: float | None
+    """None: there is no fence."""
+    assurance: AssuranceResult | None
+    """None: there is nothing to keep clear of."""
     max_bank_deg: float | None
     load_factor: Range
     airspeed_mps: Range
@@ -145,6 +151,8 @@ def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleR
         id=record.vehicle.id,
         goals=tuple(_goal(best) for best in record.legs().best()),
         obstacles=_obstacles(scenario, record),
+        fence_clearance_m=_rounded(fence_clearance(scenario, record.p_n)),
+        assurance=assurance_of(scenario, record),
         max_bank_deg=_rounded(float(np.abs(record.euler[:, 0]).max()) / DEG),
         load_factor=_range(record.load_factor),
         airspeed_mps=_range(record.airspeed),
@@ -197,6 +205,7 @@ def _reasons(
         if its.min_clearance_m is not None and its.min_clearance_m <= 0.0
     ]
     for record in records:
+        reasons += fence_violations(scenario.fence, record)
         low = np.flatnonzero(record.height_above_ground <= TOUCH)
         if low.size:
             reasons.append(f"ground: vehicle {record.vehicle.id} after {record.time[low[0]]:.1f} s")
