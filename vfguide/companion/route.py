@@ -4,6 +4,7 @@ import math
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.notes import air_notes, passage_note, route_note
+from vfguide.companion.place import place_state
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     JUMPS,
@@ -16,8 +17,11 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import step_on
+from vfguide.companion.surveillance import Surveillance
+from vfguide.companion.traffic import Own, Picture
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.state import RateSetpoint
+from vfguide.link.messages import AdsbVehicle
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
@@ -33,6 +37,7 @@ class Route:
         self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
+        self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._stepped: int | None = None
         self._began = 0
         self._follows = False
@@ -65,15 +70,23 @@ class Route:
             self._begin_leg()
         self._follows = follows
         plan, before = self.plan, self._memory
+        t = obstacle_time(known, plan.epoch, self._began)
+        now_ms = known.attitude.time_boot_ms
+        if self._surveillance.is_due(now_ms):
+            own = place_state(state, plan.origin)
+            self.notes += self._surveillance.look(Own(now_ms, own.p_n, own.v_n))
+        hazards = plan.hazards
+        if hazards is not None:
+            hazards = hazards._replace(traffic=self._surveillance.rows(now_ms, t))
         omega_b, thrust, q_nb, after, miss = step_on(
             state,
             plan.origin,
             plan.legs,
             plan.law,
             before,
-            plan.hazards,
+            hazards,
             plan.fence,
-            obstacle_time(known, plan.epoch, self._began),
+            t,
         )
         if follows:
             self._memory = after
@@ -82,6 +95,11 @@ class Route:
             if math.isfinite(miss):
                 self.notes.append(passage_note(goal_in(before), goal_in(after), miss, plan))
         return RateSetpoint(omega_b, thrust, q_nb)
+
+    def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
+        """Take a report of another aircraft; without an attitude nobody knows its time."""
+        if known.attitude is not None:
+            self._surveillance.hear(said, known.attitude.time_boot_ms)
 
     def take_jump(self) -> bool:
         """Whether the position that is told has jumped; told once."""
