@@ -19,6 +19,7 @@ from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
+from vfguide.scenario.traffic import check_traffic
 
 FAST, PROMPT = 0.08, 0.2
 """Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
@@ -95,6 +96,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     checks.check_room(scenario, source)
     check_obstacles(scenario, source)
     check_fence(scenario, source)
+    check_traffic(scenario, source)
     return LoadedScenario(scenario, source.path, files, aircraft)
 
 
