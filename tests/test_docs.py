@@ -16,7 +16,14 @@ from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
 from vfguide.link.messages import RECORDS
-from vfguide.scenario import aircraft_file, episodes, obstacle_entry, result, scenario_file
+from vfguide.scenario import (
+    aircraft_file,
+    episodes,
+    obstacle_entry,
+    result,
+    scenario_file,
+    traffic_entry,
+)
 from vfguide.scenario.bench import Bench
 from vfguide.scenario.tables import Table
 from vfguide.sim.parameters import Parameters
@@ -48,6 +55,9 @@ PLACES = [
     (SCENARIO, "[[vehicle]]", scenario_file.VehicleEntry),
     (SCENARIO, "[[vehicle.goal]]", scenario_file.GoalEntry),
     (SCENARIO, "[[obstacle]]", obstacle_entry.ObstacleEntry),
+    (SCENARIO, "[[traffic]]", traffic_entry.TrafficEntry),
+    (SCENARIO, "[[traffic.change]]", traffic_entry.TrafficChange),
+    (SCENARIO, "[traffic_receiver]", traffic_entry.TrafficReceiver),
     (AIRCRAFT, "Top level", aircraft_file.Aircraft),
     (AIRCRAFT, "[airspeed]", aircraft_file.Airspeed),
     (AIRCRAFT, "[limits]", aircraft_file.Limits),
@@ -103,7 +113,7 @@ def test_every_key_is_documented_and_no_other(page, heading, model):
 
 def test_every_table_of_the_files_is_documented():
     documented = {model for _, _, model in PLACES}
-    modules = (scenario_file, obstacle_entry, aircraft_file)
+    modules = (scenario_file, obstacle_entry, traffic_entry, aircraft_file)
     tables = {
         kind
         for module in modules

@@ -15,6 +15,7 @@ from vfguide.companion.route import Route
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
+    AdsbVehicle,
     AttitudeQuaternion,
     CommandAck,
     CurrentMode,
@@ -35,7 +36,15 @@ OUGHT_TO_SEND = SECOND
 """Without a setpoint for this long the operator is told why."""
 HEEDED = frozenset(
     message.MSGID
-    for message in (*OBSERVED, Heartbeat, CurrentMode, AttitudeQuaternion, CommandAck, Timesync)
+    for message in (
+        *OBSERVED,
+        AdsbVehicle,
+        Heartbeat,
+        CurrentMode,
+        AttitudeQuaternion,
+        CommandAck,
+        Timesync,
+    )
 )
 """Ids of the messages that `Companion.receive` does something with."""
 STATUS = {
@@ -89,6 +98,8 @@ class Companion:
                 self._control.hear_mode(message.custom_mode)
             case AttitudeQuaternion():
                 out += self._guide(now, message)
+            case AdsbVehicle():
+                self.route.hear_traffic(message, self._known)
             case GpsGlobalOrigin():
                 self._news += origin_notes(before.origin, self._known.origin)
             case CommandAck():

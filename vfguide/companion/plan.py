@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from vfguide.companion.legs import Goal, Legs, leg_rows
+from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.flight.outlines import NO_FENCE, Outlines
 from vfguide.flight.performance import Gains, Law, Performance, packed
 from vfguide.geometry.vector import Vec3
@@ -33,6 +34,10 @@ class Plan:
     """Its fence as the search for ways takes it."""
     epoch: int = 0
     """When the obstacles are at their places [us since 1970]."""
+    volume: Volume = SMALL_AIRCRAFT
+    """To keep out of around other aircraft."""
+    own_icao: int = 0
+    """Address of the own transponder; 0: there is none."""
     legs: Legs = field(init=False, compare=False)
     """Goals and circle, of `leg_rows`."""
     law: Law = field(init=False, compare=False)

@@ -4,8 +4,10 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from vfguide.geometry.units import DEG_E7, MM
+from vfguide.geometry.units import CM_S, DEG_E7, MM
+from vfguide.link.enums import AdsbFlags
 from vfguide.link.messages import (
+    AdsbVehicle,
     AttitudeQuaternion,
     GpsGlobalOrigin,
     LocalPositionNed,
@@ -24,6 +26,12 @@ LOWEST, HIGHEST = -1000.0, 30_000.0
 """Altitudes [m]."""
 SPIN = 50.0
 """Body rates [rad/s]."""
+CLIMB = 100.0
+"""Of other aircraft, up or down [m/s]."""
+FULL_CIRCLE = 36_000
+"""[0.01 deg]."""
+ADDRESSES = 2**24
+"""Of transponders, 0 is none."""
 
 
 def is_plausible(message: Message) -> bool:
@@ -57,12 +65,29 @@ def _origin(said: GpsGlobalOrigin) -> bool:
     return abs(latitude) <= 0.5 * math.pi and LOWEST < altitude < HIGHEST
 
 
+def _traffic(said: AdsbVehicle) -> bool:
+    """Fields that its flags do not call valid may hold anything."""
+    flags = said.flags
+    return (
+        0 < said.ICAO_address < ADDRESSES
+        and abs(said.lat) * DEG_E7 <= 0.5 * math.pi
+        and abs(said.lon) * DEG_E7 <= math.pi
+        and (not flags & AdsbFlags.VALID_ALTITUDE or LOWEST < said.altitude * MM < HIGHEST)
+        and (not flags & AdsbFlags.VALID_VELOCITY or said.hor_velocity * CM_S < FASTEST)
+        and (not flags & AdsbFlags.VALID_HEADING or said.heading <= FULL_CIRCLE)
+        and (
+            not flags & AdsbFlags.VERTICAL_VELOCITY_VALID or abs(said.ver_velocity) * CM_S <= CLIMB
+        )
+    )
+
+
 _CHECKS: dict[type[Message], Callable[[Any], bool]] = {
     AttitudeQuaternion: _attitude,
     LocalPositionNed: _position,
     VfrHud: _hud,
     WindCov: _wind,
     GpsGlobalOrigin: _origin,
+    AdsbVehicle: _traffic,
 }
 
 

@@ -5,6 +5,7 @@ import math
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.lookout import Lookout
 from vfguide.companion.notes import air_notes, passage_note, route_note
+from vfguide.companion.place import place_state
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     JUMPS,
@@ -17,8 +18,11 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import step_on
+from vfguide.companion.surveillance import Surveillance
+from vfguide.companion.traffic import Own, Picture
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.state import RateSetpoint
+from vfguide.link.messages import AdsbVehicle
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
@@ -35,6 +39,7 @@ class Route:
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._lookout = Lookout(plan)
+        self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._stepped: int | None = None
         self._began = 0
         self._follows = False
@@ -68,13 +73,20 @@ class Route:
         self._follows = follows
         plan, before = self.plan, self._memory
         t = obstacle_time(known, plan.epoch, self._began)
+        now_ms = known.attitude.time_boot_ms
+        if self._surveillance.is_due(now_ms):
+            own = place_state(state, plan.origin)
+            self.notes += self._surveillance.look(Own(now_ms, own.p_n, own.v_n))
+        hazards = plan.hazards
+        if hazards is not None:
+            hazards = hazards._replace(traffic=self._surveillance.rows(now_ms, t))
         omega_b, thrust, q_nb, after, miss = step_on(
             state,
             plan.origin,
             plan.legs,
             plan.law,
             before,
-            plan.hazards,
+            hazards,
             plan.fence,
             t,
         )
@@ -86,6 +98,11 @@ class Route:
                 self.notes.append(passage_note(before, after, miss, plan))
             self.notes += self._lookout.notes(after, t)
         return RateSetpoint(omega_b, thrust, q_nb)
+
+    def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
+        """Take a report of another aircraft; without an attitude nobody knows its time."""
+        if known.attitude is not None:
+            self._surveillance.hear(said, known.attitude.time_boot_ms)
 
     def take_jump(self) -> bool:
         """Whether the position that is told has jumped; told once."""

@@ -7,8 +7,9 @@ from vfguide.companion.plan import Plan
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import DEG_E7, MM
-from vfguide.link.enums import MavAutopilot, MavState, MavType
+from vfguide.link.enums import AdsbFlags, MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
+    AdsbVehicle,
     AttitudeQuaternion,
     GpsGlobalOrigin,
     Heartbeat,
@@ -20,6 +21,8 @@ from vfguide.link.px4 import Px4Mode
 
 APART = 100
 """Between two states of the flight [ms]."""
+NEAR = AdsbFlags.VALID_COORDS | AdsbFlags.VALID_ALTITUDE
+"""Somebody flies near the goal."""
 
 
 def warm_up(plan: Plan) -> None:
@@ -42,3 +45,4 @@ def warm_up(plan: Plan) -> None:
         companion.receive(0, LocalPositionNed(time, *place, *velocity))
         companion.receive(0, VfrHud(speed, speed, 0, 0, altitude, 0.0))
         companion.receive(0, AttitudeQuaternion(time, *q_nb, 0.0, 0.0, 0.0))
+        companion.receive(0, AdsbVehicle(1, *origin[:2], 0, origin[2], 0, 0, 0, "", 0, 0, NEAR, 0))

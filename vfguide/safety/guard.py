@@ -8,18 +8,19 @@ from numpy.typing import NDArray
 
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.flight.detour import CLEARANCES
 from vfguide.flight.detour_leg import CLEARANCE, SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
 from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
-from vfguide.flight.outlines import Outlines
+from vfguide.flight.outlines import Outlines, joined
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.way_round import seek_way
+from vfguide.flight.way_round import band_of, seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assurance, assure
-from vfguide.safety.hazards import Hazards
+from vfguide.safety.hazards import Hazards, traffic_outlines
 from vfguide.safety.limits import limit_setpoint
 from vfguide.safety.motion import Motion
 
@@ -85,9 +86,12 @@ def guide_clear(
     hazards = in_sight(watch.hazards, guard, state.p_n, watch.time)
     leg = memory.leg
     if target.circle == 0.0:
-        leg = seek_way(
-            state, target, leg, gains, hazards.obstacles, watch.fence, watch.time, detour
-        )
+        shut = watch.fence
+        if len(hazards.traffic) > 0:
+            band = band_of(state, target)
+            moving = traffic_outlines(hazards.traffic, band, CLEARANCES[0], watch.time)
+            shut = joined(shut, moving)
+        leg = seek_way(state, target, leg, gains, hazards.obstacles, shut, watch.time, detour)
     wish, planned = plan_flight(flown_in, target, aircraft, gains, with_leg(memory, leg), detour)
     if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:
         detour[SHIFTED] = 1.0

@@ -6,12 +6,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfguide.field.footprint import Band
 from vfguide.field.near import distance_bound, upright_distance
 from vfguide.field.obstacle import Rows
+from vfguide.flight.outlines import BALL, COLUMNS, KEEP_OUT, Outlines
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.fence import Fences, fence_distance
 
+AHEAD = 5.0
+"""The search for ways takes traffic as large as it is known so much later [s]."""
 MOVER_GROWTH = 0.1
 """Growth of the doubt where a moving obstacle is, as a part of its speed."""
 
@@ -82,6 +86,35 @@ def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
     age = max(age, 0.0)
     radius = traffic[i, 7] + age * traffic[i, 9]
     return upright_distance(x, y, z, radius, traffic[i, 8] + age * traffic[i, 10])
+
+
+@compiled
+def traffic_outlines(traffic: Rows, band: Band, margin: float, t: float) -> Outlines:
+    """What traffic covers of a band of heights that is wider by `margin` [m] on both sides.
+
+    Moving circles for the search of ways, as large as the volumes `AHEAD` seconds after `t`.
+    """
+    table, used = np.zeros((len(traffic), COLUMNS)), 0
+    for row in traffic:
+        grown = max(t - row[6], 0.0) + AHEAD
+        reach = row[8] + grown * row[10] + margin
+        since, until = stay_in(band.top - reach - row[2], band.bottom + reach - row[2], row[5])
+        if since > until:
+            continue
+        x, y = row[0] - row[6] * row[3], row[1] - row[6] * row[4]
+        table[used, :BALL] = (KEEP_OUT, x, y, row[3], row[4], math.hypot(row[3], row[4]))
+        radius = row[7] + grown * row[9]
+        table[used, BALL:] = (radius, 0.0, 0.0, row[6] + since, row[6] + until, 1.0)
+        used += 1
+    return Outlines(table[:used], np.zeros((0, 5)))
+
+
+@compiled
+def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
+    """From when until when speed * t is between two numbers; turned round: never."""
+    if speed == 0.0:
+        return (-math.inf, math.inf) if low <= 0.0 <= high else (math.inf, -math.inf)
+    return min(low / speed, high / speed), max(low / speed, high / speed)
 
 
 @compiled

@@ -11,18 +11,20 @@ from vfguide.scenario.errors import InputError
 from vfguide.scenario.instruments import instruments_from, motor_from
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.models import model_of
-from vfguide.scenario.resolve import plane_of
+from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
+from vfguide.scenario.traffic import path_of
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.identify import IdentifyError
+from vfguide.sim.traffic import Transponder
 from vfguide.sim.trim import TrimError, trim
 from vfguide.sim.vehicle import Setup
 from vfguide.sim.vehicle import Vehicle as SimVehicle
 
-GUSTS, STATE_ERRORS, RATE_ERRORS = 1, 2, 3
-"""Purposes of random streams."""
+GUSTS, STATE_ERRORS, RATE_ERRORS, TRAFFIC_ERRORS = 1, 2, 3, 4
+"""Purposes of random streams; the last is that of another aircraft, by its address."""
 
 
 def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:
@@ -58,6 +60,25 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
             random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
         ),
         motor_from(scenario.autopilot),
+        transponders_of(scenario),
+        scenario.traffic_receiver.range_m,
+        place_of(scenario.origin),
+    )
+
+
+def transponders_of(scenario: Scenario) -> tuple[Transponder, ...]:
+    """What the other aircraft tell; every vehicle hears the same."""
+    return tuple(
+        Transponder(
+            int(its.icao, 16),
+            its.name,
+            path_of(its),
+            its.interval_s,
+            its.delay_s,
+            its.position_error_m,
+            random_seed(scenario.seed, int(its.icao, 16), TRAFFIC_ERRORS),
+        )
+        for its in scenario.traffic
     )
 
 

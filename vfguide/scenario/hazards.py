@@ -11,11 +11,12 @@ from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.source import Source
 from vfguide.scenario.tables import in_words
+from vfguide.scenario.traffic import avoids_traffic
 
 
 def hazards_of(scenario: Scenario) -> Hazards | None:
     """Everything to keep clear of that is written; obstacles are known from their distance on."""
-    if not scenario.obstacles and scenario.fence == Fence():
+    if not (scenario.obstacles or avoids_traffic(scenario)) and scenario.fence == Fence():
         return None
     rows = rows_of(scenario.obstacles)
     rows[:, VISIBLE_FROM] = [its.visible_from_m for its in scenario.obstacles]

@@ -19,6 +19,7 @@ from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
+from vfguide.scenario.traffic import check_traffic
 from vfguide.scenario.ways import check_ways
 
 FAST, PROMPT = 0.08, 0.2
@@ -98,6 +99,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     checks.check_room(scenario, source)
     check_obstacles(scenario, source)
     check_fence(scenario, source)
+    check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
     flies = [(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
     return replace(loaded, warnings=check_ways(scenario, flies, source))

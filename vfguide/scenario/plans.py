@@ -11,6 +11,7 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
+from vfguide.scenario.traffic import volume_from
 
 SIDES = {"right": 1.0, "left": -1.0}
 LOITER_RADIUS = 1.57
@@ -46,6 +47,8 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         hazard_names(loaded.scenario),
         outlines_of(loaded.scenario.fence),
         start_us(loaded.scenario),
+        volume_from(loaded.scenario.avoidance),
+        int(vehicle.icao or "0", 16),
     )
 
 

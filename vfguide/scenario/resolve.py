@@ -8,7 +8,7 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.aircraft_file import Aircraft
 from vfguide.scenario.obstacle_entry import check_sizes
-from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Vehicle
+from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
 from vfguide.scenario.scenario_file import (
     DEFAULT_AIRCRAFT,
     KINEMATIC_AIRSPEED,
@@ -19,6 +19,7 @@ from vfguide.scenario.scenario_file import (
     VehicleEntry,
 )
 from vfguide.scenario.source import Location, Source
+from vfguide.scenario.traffic_entry import TrafficEntry
 
 FARTHEST = 100_000.0
 """A goal may be this far from the origin on each axis [m]."""
@@ -35,7 +36,8 @@ def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Sourc
         _vehicle(entry, index, aircraft, source) for index in range(len(entry.vehicle))
     )
     obstacles = tuple(_obstacle(entry, index, source) for index in range(len(entry.obstacle)))
-    return Scenario(**head, vehicles=vehicles, obstacles=obstacles)
+    traffic = tuple(_traffic(its, index) for index, its in enumerate(entry.traffic, start=1))
+    return Scenario(**head, vehicles=vehicles, obstacles=obstacles, traffic=traffic)
 
 
 def plane_of(origin: Origin) -> TangentPlane:
@@ -67,6 +69,7 @@ def _vehicle(
         attitude_deg=attitude_deg,
         airspeed_mps=vehicle.airspeed_mps or cruise,
         aircraft=name,
+        icao=vehicle.icao,
         goals=tuple(
             _goal(goal, entry.origin, source, (*at, "goal", number))
             for number, goal in enumerate(vehicle.goal)
@@ -98,6 +101,12 @@ def _obstacle(entry: ScenarioFile, index: int, source: Source) -> Obstacle:
     if written.visible_from_m is None:
         values["visible_from_m"] = entry.avoidance.detection_range_m
     return Obstacle(**values)
+
+
+def _traffic(entry: TrafficEntry, number: int) -> Traffic:
+    values = entry.model_dump(exclude={"change"})
+    values["icao"] = entry.icao or f"{number:06X}"
+    return Traffic(**values, change=tuple(entry.change))
 
 
 def _goal(entry: GoalEntry, origin: Origin, source: Source, at: Location) -> Goal:

@@ -11,6 +11,7 @@ from vfguide.geometry.vector import Vec3
 from vfguide.scenario.obstacle_entry import ShapeName
 from vfguide.scenario.scenario_file import ScenarioHead
 from vfguide.scenario.tables import Table, Vector
+from vfguide.scenario.traffic_entry import TrafficChange
 
 _LIST = re.compile(r"\[\n((?: +[-+.\w]+,\n)+)\]")
 """A list of numbers as tomli_w writes it, one to a line."""
@@ -45,6 +46,7 @@ class Vehicle(Table):
     """True airspeed at the start."""
     aircraft: str
     """Its numbers are those of the flight law, also on the kinematic plant."""
+    icao: str | None = None
     goals: tuple[Goal, ...] = Field(serialization_alias="goal")
 
     @property
@@ -71,11 +73,25 @@ class Obstacle(Table):
     visible_from_m: float
 
 
+class Traffic(Table):
+    """Another aircraft."""
+
+    name: str
+    icao: str
+    position_m: Vector
+    velocity_mps: Vector
+    interval_s: float
+    delay_s: float
+    position_error_m: float
+    change: tuple[TrafficChange, ...] = ()
+
+
 class Scenario(ScenarioHead):
     """What is flown."""
 
     vehicles: tuple[Vehicle, ...] = Field(serialization_alias="vehicle")
     obstacles: tuple[Obstacle, ...] = Field(default=(), serialization_alias="obstacle")
+    traffic: tuple[Traffic, ...] = ()
 
     def airspeed_of(self, vehicle: Vehicle) -> float:
         """True airspeed that the guidance of `vehicle` flies [m/s]."""
@@ -86,6 +102,8 @@ class Scenario(ScenarioHead):
         table = self.model_dump(by_alias=True, exclude_none=True)
         if not self.obstacles:
             del table["obstacle"]
+        if not self.traffic:
+            del table["traffic"]
         head = f"# Resolved by vfguide {__version__}: every default filled in.\n\n"
         return head + _LIST.sub(_on_one_line, tomli_w.dumps(table))
 

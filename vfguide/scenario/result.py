@@ -20,6 +20,7 @@ from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.passes import Pass
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.traffic_figures import TrafficResult, traffic_reasons, traffic_results
 
 TOUCH = 0.3
 """An aircraft whose centre is this low has touched the ground [m]."""
@@ -67,6 +68,7 @@ class VehicleResult:
     altitude_m: Range
     setpoints: int
     setpoint_rate_hz: float | None
+    traffic: tuple[TrafficResult, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -159,6 +161,7 @@ def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleR
         altitude_m=_range(record.altitude),
         setpoints=record.setpoints,
         setpoint_rate_hz=_rounded(record.setpoints / sim_s) if sim_s > 0.0 else None,
+        traffic=traffic_results(scenario, record),
     )
 
 
@@ -204,6 +207,8 @@ def _reasons(
         for its in vehicle.obstacles
         if its.min_clearance_m is not None and its.min_clearance_m <= 0.0
     ]
+    for vehicle in vehicles:
+        reasons += traffic_reasons(vehicle.id, vehicle.traffic)
     for record in records:
         reasons += fence_violations(scenario.fence, record)
         low = np.flatnonzero(record.height_above_ground <= TOUCH)

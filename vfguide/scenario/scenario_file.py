@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, AwareDatetime, Field
 
+from vfguide.companion.traffic import SMALL_AIRCRAFT
 from vfguide.scenario.fence import Fence
 from vfguide.scenario.obstacle_entry import ObstacleEntry
 from vfguide.scenario.tables import (
@@ -18,6 +19,7 @@ from vfguide.scenario.tables import (
     rule_broken,
     word,
 )
+from vfguide.scenario.traffic_entry import Address, TrafficEntry, TrafficReceiver
 
 Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]
@@ -129,6 +131,14 @@ class Avoidance(Table):
     """Of one vehicle: centres have to stay two of them apart."""
     detection_range_m: Annotated[float, above(0, 100_000)] = 300.0
     between_vehicles: bool = True
+    traffic: bool = False
+    """Whether reported traffic is avoided also where the scenario has none of its own."""
+    traffic_radius_m: Annotated[float, between(10, 10_000)] = SMALL_AIRCRAFT.radius
+    traffic_half_height_m: Annotated[float, between(5, 10_000)] = SMALL_AIRCRAFT.half_height
+    """Of the volume around other aircraft to keep out of."""
+    traffic_growth_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.growth
+    traffic_growth_up_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.growth_up
+    """Of both with the age of the report."""
 
 
 class GoalEntry(Table):
@@ -159,6 +169,8 @@ class VehicleEntry(Table):
     """At the start; None: the aircraft's cruise, or that of a kinematic body."""
     aircraft: str = DEFAULT_AIRCRAFT
     """Not used by the kinematic plant."""
+    icao: Address | None = None
+    """Of its own transponder; None: it has none."""
     goal: Annotated[list[GoalEntry], Field(min_length=1)]
 
 
@@ -235,6 +247,7 @@ class ScenarioHead(Table):
     guidance: Guidance = Guidance()
     avoidance: Avoidance = Avoidance()
     fence: Fence = Fence()
+    traffic_receiver: TrafficReceiver = TrafficReceiver()
 
 
 class ScenarioFile(ScenarioHead):
@@ -242,5 +255,6 @@ class ScenarioFile(ScenarioHead):
 
     vehicle: Annotated[list[VehicleEntry], Field(min_length=1)]
     obstacle: Annotated[list[ObstacleEntry], Field(default_factory=list)]
+    traffic: list[TrafficEntry] = Field(default_factory=list[TrafficEntry])
 
     not_yet: ClassVar[dict[str, str]] = {"vary": "values drawn at random, for campaigns"}

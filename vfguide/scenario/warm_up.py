@@ -15,6 +15,8 @@ def warm_up(loaded: LoadedScenario) -> None:
     """Compile or load all the compiled code that flies the scenario."""
     if loaded.scenario.plant == "jsbsim":
         _fly_an_aeroplane("first-flight" if hazards_of(loaded.scenario) is None else "towers")
+        if loaded.scenario.traffic:
+            _fly_an_aeroplane("traffic")
     else:
         RigidBodies(loaded, _ignore).advance()
 

@@ -11,7 +11,7 @@ from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
-from vfguide.link.messages import CurrentMode, SetAttitudeTarget, Statustext, WindCov
+from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
 from vfguide.sim.estimate import Estimate, Estimator
 from vfguide.sim.flight_mode import LOST, NEXT, REPORTED, Event, Mode
 from vfguide.sim.hold import Hold
@@ -171,6 +171,11 @@ class Autopilot:
         elif self.setpoint is not None:
             self._follow(self.setpoint)
         self._announce(after)
+
+    def pass_on(self, message: AdsbVehicle) -> None:
+        """Send what the receiver has heard to every link."""
+        for port in self.ports:
+            port.queue(self.now, message)
 
     def _announce(self, mode: Mode) -> None:
         name = REPORTED[mode].name.lower()

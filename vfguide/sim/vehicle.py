@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from vfguide.flight.performance import Performance
 from vfguide.geometry.units import US
+from vfguide.geometry.vector import Vec3
 from vfguide.sim.autopilot import Autopilot
 from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.dialogue import receive
@@ -12,6 +13,7 @@ from vfguide.sim.instruments import EXACT, Instruments
 from vfguide.sim.motor import SOUND, Motor
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.port import Port
+from vfguide.sim.traffic import Receiver, Transponder
 from vfguide.sim.truth import Truth
 
 STEP_US = round(STEP / US)
@@ -41,6 +43,12 @@ class Setup:
     instruments: Instruments = EXACT
     """What the autopilot measures with."""
     motor: Motor = SOUND
+    transponders: tuple[Transponder, ...] = ()
+    """Of the other aircraft that its receiver may hear."""
+    receiver_range: float = 0.0
+    """[m]."""
+    frame_origin: Vec3 = (0.0, 0.0, 0.0)
+    """Latitude, longitude [rad], altitude [m] of the frame of their paths."""
 
 
 class Vehicle:
@@ -70,6 +78,7 @@ class Vehicle:
             setup.motor,
         )
         self._start_us = start_us
+        self._receiver = Receiver(setup.transponders, setup.frame_origin, setup.receiver_range)
         self.renew()
 
     @property
@@ -96,6 +105,9 @@ class Vehicle:
         """The autopilot looks at the vehicle."""
         self.truth = self.plant.truth()
         self.autopilot.update(self.now, self.truth)
+        if self.autopilot.ports:
+            for report in self._receiver.hear(self.truth):
+                self.autopilot.pass_on(report)
 
     def connect(self, rates: dict[int, float]) -> Port:
         """A new MAVLink channel with these streams [Hz]."""

@@ -1,0 +1,220 @@
+"""The traffic picture: which reports are believed, where they put an aircraft, and for how long."""
+
+import math
+
+import pytest
+
+from vfguide.companion.knowledge import ROLLOVER
+from vfguide.companion.surveillance import NEAREST, Surveillance, rows_of
+from vfguide.companion.traffic import (
+    ANY_HEIGHT,
+    BARO_DOUBT,
+    FASTEST,
+    FORGOTTEN,
+    MOST,
+    SMALL_AIRCRAFT,
+    STEEPEST,
+    Own,
+    Picture,
+    report_of,
+)
+from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.geometry.units import DEG, DEG_E7, MM
+from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
+from vfguide.link.messages import AdsbVehicle
+
+ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
+PLANE = tangent_plane(*ORIGIN)
+ALL = (
+    AdsbFlags.VALID_COORDS
+    | AdsbFlags.VALID_ALTITUDE
+    | AdsbFlags.VALID_HEADING
+    | AdsbFlags.VALID_VELOCITY
+    | AdsbFlags.VALID_CALLSIGN
+    | AdsbFlags.VERTICAL_VELOCITY_VALID
+)
+FAR_AWAY = Own(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
+
+
+def said(p_n=(1000.0, 500.0, -150.0), *, icao=0xABC123, flags=ALL, **changes) -> AdsbVehicle:
+    """A report of an aircraft at 30 m/s to the east that climbs by 2 m/s."""
+    latitude, longitude, altitude = ned_to_geodetic(PLANE, p_n)
+    place = (round(latitude / DEG_E7), round(longitude / DEG_E7))
+    message = AdsbVehicle(
+        icao,
+        *place,
+        AdsbAltitudeType.GEOMETRIC,
+        round(altitude / MM),
+        9000,
+        3000,
+        200,
+        "D-EABC",
+        1,
+        0,
+        flags,
+        0,
+    )
+    return message._replace(**changes)
+
+
+def report(message, now_ms=5000):
+    return report_of(message, now_ms, ORIGIN, SMALL_AIRCRAFT)
+
+
+def test_place_and_velocity_in_the_frame_of_the_plan():
+    its = report(said())
+    assert its.name == "D-EABC"
+    assert its.time_ms == 5000
+    assert math.dist(its.intruder.p_n, (1000.0, 500.0, -150.0)) < 0.02
+    assert its.intruder.v_n == pytest.approx((0.0, 30.0, -2.0), abs=0.01)
+    assert its.intruder[2:] == (0.0, *SMALL_AIRCRAFT)
+
+
+def test_the_age_that_a_report_tells_is_heeded():
+    assert report(said(tslc=3)).time_ms == 2000
+
+
+@pytest.mark.parametrize(
+    ("lacking", "radius", "half_height", "growth", "growth_up"),
+    [
+        (AdsbFlags.VALID_ALTITUDE, 50.0, ANY_HEIGHT, 3.0, 1.5),
+        (AdsbFlags.VALID_VELOCITY, 50.0, 30.0, 3.0 + FASTEST, 1.5),
+        (AdsbFlags.VALID_HEADING, 50.0, 30.0, 33.0, 1.5),
+        (AdsbFlags.VERTICAL_VELOCITY_VALID, 50.0, 30.0, 3.0, 1.5 + STEEPEST),
+    ],
+)
+def test_what_is_not_told_makes_the_volume_larger_or_grow(
+    lacking, radius, half_height, growth, growth_up
+):
+    its = report(said(flags=ALL & ~lacking)).intruder
+    assert its[3:] == pytest.approx((radius, half_height, growth, growth_up))
+
+
+def test_a_velocity_without_a_course_is_none():
+    assert report(said(flags=ALL & ~AdsbFlags.VALID_HEADING)).intruder.v_n[:2] == pytest.approx(
+        (0.0, 0.0), abs=0.01
+    )
+
+
+def test_a_pressure_altitude_is_doubted():
+    its = report(said(altitude_type=AdsbAltitudeType.PRESSURE_QNH)).intruder
+    assert its.half_height == 30.0 + BARO_DOUBT
+
+
+def test_without_a_callsign_the_address_is_the_name():
+    assert report(said(flags=ALL & ~AdsbFlags.VALID_CALLSIGN)).name == "ABC123"
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"ICAO_address": 0},
+        {"ICAO_address": 2**24},
+        {"lat": 900_000_001},
+        {"lon": -1_800_000_001},
+        {"altitude": 31_000_000},
+        {"hor_velocity": 50_000},
+        {"ver_velocity": -10_001},
+        {"heading": 36_001},
+        {"flags": ALL & ~AdsbFlags.VALID_COORDS},
+    ],
+)
+def test_what_cannot_be_true_is_refused(changes):
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    picture.hear(said(**changes), 5000)
+    assert (len(picture), picture.refused) == (0, 1)
+
+
+def test_a_field_that_is_not_called_valid_may_hold_anything():
+    flags = ALL & ~AdsbFlags.VALID_VELOCITY & ~AdsbFlags.VALID_HEADING
+    assert report(said(flags=flags, hor_velocity=65_535, heading=65_535)) is not None
+
+
+def test_the_newest_report_counts():
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    picture.hear(said(), 5000)
+    picture.hear(said((1000.0, 530.0, -152.0)), 6000)
+    picture.hear(said((1000.0, 515.0, -151.0), tslc=5), 6500)
+    assert len(picture) == 1
+    assert picture.newest(0xABC123).time_ms == 6000
+
+
+def test_a_leap_is_believed_only_when_the_next_report_agrees():
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    picture.hear(said(), 5000)
+    picture.hear(said((9000.0, 530.0, -152.0)), 6000)
+    assert picture.newest(0xABC123).time_ms == 5000
+    assert picture.refused == 1
+    picture.hear(said((9000.0, 560.0, -154.0)), 7000)
+    assert picture.newest(0xABC123).time_ms == 7000
+
+
+def test_it_is_forgotten_also_across_the_rollover():
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    picture.hear(said(), ROLLOVER - 5000)
+    picture.forget(round(1000 * FORGOTTEN) - 5001)
+    assert len(picture) == 1
+    picture.forget(round(1000 * FORGOTTEN) - 5000)
+    assert len(picture) == 0
+
+
+def test_no_more_than_so_many_are_remembered():
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    for icao in range(1, MOST + 50):
+        picture.hear(said(icao=icao), 5000)
+    assert len(picture) == MOST
+
+
+def test_the_own_transponder_is_no_traffic():
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT, own_icao=0xABC123)
+    picture.hear(said(), 5000)
+    assert len(picture) == 0
+
+
+@pytest.mark.parametrize(
+    ("p_n", "v_n", "echo"),
+    [
+        ((1005.0, 495.0, -150.0), (0.0, 29.0, -2.0), True),
+        ((1005.0, 485.0, -150.0), (0.0, 29.0, -2.0), False),
+        ((1005.0, 495.0, -150.0), (0.0, 25.0, -2.0), False),
+    ],
+)
+def test_an_echo_flies_where_and_as_the_own_vehicle_does(p_n, v_n, echo):
+    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
+    picture.hear(said(), 5000)
+    assert bool(picture.others(Own(5000, p_n, v_n))) is not echo
+
+
+def test_rows_tell_the_time_of_the_report_on_the_clock_of_the_obstacles():
+    rows = rows_of([report(said(tslc=2))], 6000, 100.0)
+    assert rows.shape == (1, 11)
+    assert rows[0, 6] == pytest.approx(97.0)
+
+
+def test_only_the_nearest_in_reach_are_for_the_step():
+    seen = Surveillance(Picture(ORIGIN, SMALL_AIRCRAFT))
+    assert not seen.is_due(5000)
+    for number in range(1, 13):
+        seen.hear(said((200.0 * number, 0.0, -150.0), icao=number), 5000)
+    own = Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0))
+    assert seen.is_due(5000)
+    assert seen.rows(5000, 0.0).shape == (0, 11)
+    seen.look(own)
+    assert not seen.is_due(5400)
+    assert seen.is_due(5500)
+    rows = seen.rows(5000, 0.0)
+    assert rows.shape == (NEAREST, 11)
+    nearest = [200.0 * number for number in range(1, NEAREST + 1)]
+    assert rows[:, 0] == pytest.approx(nearest, abs=0.02)  # the wire has 1e-7 deg
+    seen.look(FAR_AWAY._replace(time_ms=6000))
+    assert seen.rows(6000, 1.0).shape == (0, 11)
+
+
+def test_the_operator_is_told_once_and_again_when_it_is_over():
+    seen, told = Surveillance(Picture(ORIGIN, SMALL_AIRCRAFT)), []
+    for look in range(60):
+        now, t = 500 * look, 0.5 * look
+        place = (0.0, 500.0 - 25.0 * t, -150.0)
+        seen.hear(said(place, heading=27_000, hor_velocity=2500, ver_velocity=0), now)
+        told += seen.look(Own(now, (40.0, -500.0 + 25.0 * t, -150.0), (0.0, 25.0, 0.0)))
+    assert told == ["traffic D-EABC in 19 s, 40 m", "traffic D-EABC is no conflict any more"]

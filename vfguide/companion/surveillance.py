@@ -1,0 +1,71 @@
+"""What the companion makes of traffic: rows for the step, notes for the operator."""
+
+from collections.abc import Sequence
+
+from vfguide.companion.alerts import Alert, look
+from vfguide.companion.knowledge import elapsed
+from vfguide.companion.traffic import Own, Picture, Report, placed_at
+from vfguide.field.obstacle import Rows
+from vfguide.geometry.vector import norm, sub
+from vfguide.link.messages import AdsbVehicle
+from vfguide.safety.hazards import traffic_rows
+
+LOOK = 0.5
+"""Between two looks round [s]."""
+REACH = 40.0
+"""Who cannot be here within this time is left out of the step [s]."""
+NEAREST = 8
+"""At most so many are in the step: more than a few at once cost more time than they are worth."""
+
+
+class Surveillance:
+    """The traffic picture, looked at twice a second."""
+
+    def __init__(self, picture: Picture) -> None:
+        """Nobody is heard of yet."""
+        self._picture = picture
+        self._alerts: dict[int, Alert] = {}
+        self._near: tuple[int, ...] = ()
+        self._looked: int | None = None
+
+    def hear(self, said: AdsbVehicle, now_ms: int) -> None:
+        """Take a report that arrives at the autopilot's time `now_ms`."""
+        self._picture.hear(said, now_ms)
+
+    def is_due(self, now_ms: int) -> bool:
+        """Whether there is somebody to look at, and nobody has looked lately."""
+        if not len(self._picture):
+            return False
+        return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK
+
+    def look(self, own: Own) -> list[str]:
+        """Look round; returns what the operator should read."""
+        self._looked = own.time_ms
+        self._picture.forget(own.time_ms)
+        others = [its for its in self._picture.others(own) if within_reach(its, own)]
+        self._near = tuple(its.icao for its in others)[:NEAREST]
+        before, self._alerts = self._alerts, {}
+        notes: list[str] = []
+        for its in others:
+            self._alerts[its.icao], note = look(before.get(its.icao, Alert()), its, own)
+            notes += [note] if note else []
+        return notes
+
+    def rows(self, now_ms: int, t: float) -> Rows:
+        """The others in reach for the step at the autopilot's time `now_ms`, `t` [s]."""
+        reports = (self._picture.newest(icao) for icao in self._near)
+        return rows_of([its for its in reports if its is not None], now_ms, t)
+
+
+def rows_of(reports: Sequence[Report], now_ms: int, t: float) -> Rows:
+    """The rows of reports on the clock of the obstacles, which is at `t` [s] at `now_ms`."""
+    return traffic_rows(
+        [its.intruder._replace(time=t - elapsed(its.time_ms, now_ms)) for its in reports]
+    )
+
+
+def within_reach(its: Report, own: Own) -> bool:
+    """Whether the two can meet soon."""
+    apart = norm(sub(placed_at(its, own.time_ms), own.p_n)) - its.intruder.radius
+    closing = norm(its.intruder.v_n) + its.intruder.growth + norm(own.v_n)
+    return apart <= REACH * closing

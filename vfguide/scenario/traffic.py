@@ -1,0 +1,52 @@
+"""The other aircraft of a scenario: for the simulation, the companion and the result."""
+
+from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
+from vfguide.scenario.resolved import Scenario, Traffic
+from vfguide.scenario.scenario_file import Avoidance
+from vfguide.scenario.source import Source
+from vfguide.scenario.tables import in_words
+from vfguide.sim.traffic import Flight, Turn, flight_of
+
+
+def avoids_traffic(scenario: Scenario) -> bool:
+    """Whether reports of other aircraft are flown on."""
+    return bool(scenario.traffic) or scenario.avoidance.traffic
+
+
+def volume_from(avoidance: Avoidance) -> Volume:
+    """What to keep out of around other aircraft."""
+    return SMALL_AIRCRAFT._replace(
+        radius=avoidance.traffic_radius_m,
+        half_height=avoidance.traffic_half_height_m,
+        growth=avoidance.traffic_growth_mps,
+        growth_up=avoidance.traffic_growth_up_mps,
+    )
+
+
+def path_of(its: Traffic) -> Flight:
+    """Where it flies, scenario frame."""
+    turns = [Turn(change.time_s, change.within_s, change.velocity_mps) for change in its.change]
+    return flight_of(its.position_m, its.velocity_mps, turns)
+
+
+def check_traffic(scenario: Scenario, source: Source) -> None:
+    """Addresses and names differ, changes are in order, and there are autopilots to hear it.
+
+    Raises:
+        InputError: that is not so.
+    """
+    if scenario.traffic and scenario.plant != "jsbsim":
+        raise source.error(("traffic",), 'plant = "kinematic" hears none, allowed none')
+    for index, its in enumerate(scenario.traffic):
+        for key in ("name", "icao"):
+            before = [getattr(other, key) for other in scenario.traffic[:index]]
+            if getattr(its, key) in before:
+                rule = f"already the {key} of traffic[{before.index(getattr(its, key))}]"
+                raise source.error(("traffic", index, key), rule, getattr(its, key))
+        for number in range(1, len(its.change)):
+            before = its.change[number - 1]
+            end = before.time_s + before.within_s
+            if its.change[number].time_s < end:
+                rule = f"before the end of the change before it, allowed from {in_words(end)} on"
+                at = ("traffic", index, "change", number, "time_s")
+                raise source.error(at, rule, its.change[number].time_s)

@@ -1,0 +1,170 @@
+"""Other aircraft in the air: their paths, their transponders, and the receiver that hears them."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.geometry.geodesy import (
+    R_level,
+    TangentPlane,
+    geodetic_to_ned,
+    ned_to_geodetic,
+    tangent_plane,
+)
+from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MM
+from vfguide.geometry.vector import Vec3, add, matvec, norm, sub, transpose
+from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
+from vfguide.link.messages import AdsbVehicle
+from vfguide.sim.truth import Truth
+
+Array = NDArray[np.float64]
+
+EVERYTHING = int(
+    AdsbFlags.VALID_COORDS
+    | AdsbFlags.VALID_ALTITUDE
+    | AdsbFlags.VALID_HEADING
+    | AdsbFlags.VALID_VELOCITY
+    | AdsbFlags.VALID_CALLSIGN
+    | AdsbFlags.VERTICAL_VELOCITY_VALID
+    | AdsbFlags.SIMULATED
+)
+SMALL = 1
+"""ADSB_EMITTER_TYPE_LIGHT."""
+NEARLY = 1e-9
+"""Times that differ by less are equal [s]."""
+FULL_CIRCLE = 36_000
+"""[0.01 deg]."""
+
+
+class Turn(NamedTuple):
+    """A velocity that the aircraft changes to, linearly."""
+
+    time: float
+    """When it begins to [s]."""
+    within: float
+    """How long that takes [s]."""
+    v_n: Vec3
+
+
+class Flight(NamedTuple):
+    """A path: instants between which the velocity changes linearly."""
+
+    times: Array
+    """(n,) [s]."""
+    places: Array
+    """(n, 3), NED [m]."""
+    velocities: Array
+    """(n, 3), NED [m/s]."""
+
+
+def flight_of(p_n: Vec3, v_n: Vec3, turns: Sequence[Turn]) -> Flight:
+    """The path from `p_n` [m] with `v_n` [m/s], NED; the turns are in their order."""
+    times, velocities = [0.0], [v_n]
+    for turn in turns:
+        times += [turn.time, turn.time + turn.within]
+        velocities += [velocities[-1], turn.v_n]
+    v = np.array(velocities, dtype=float)
+    steps = 0.5 * np.diff(times)[:, None] * (v[:-1] + v[1:])
+    return Flight(np.array(times), np.cumsum(np.vstack((p_n, steps)), axis=0), v)
+
+
+def motion_at(flight: Flight, t: Array) -> tuple[Array, Array]:
+    """Positions [m] and velocities [m/s], NED, (n, 3), at times (n,) [s]."""
+    times, v = flight.times, flight.velocities
+    i = np.searchsorted(times, t, "right") - 1
+    now = np.column_stack([np.interp(t, times, v[:, axis]) for axis in range(3)])
+    return flight.places[i] + 0.5 * (t - times[i])[:, None] * (v[i] + now), now
+
+
+class Transponder(NamedTuple):
+    """What another aircraft tells of itself."""
+
+    icao: int
+    callsign: str
+    flight: Flight
+    interval: float
+    """Between two reports [s]."""
+    delay: float
+    """From its position to the arrival of the report [s]."""
+    error: float
+    """Standard deviation of each axis of the position told [m]."""
+    seed: int
+    """Of those errors."""
+
+
+class Sender:
+    """A transponder at work."""
+
+    def __init__(self, its: Transponder) -> None:
+        """One that has said nothing yet."""
+        self.its = its
+        self._rng = np.random.default_rng(its.seed)
+        self._number = 0
+
+    def take(self, time: float) -> list[tuple[Vec3, Vec3, Vec3]]:
+        """The reports that have arrived by `time` [s]: place, error and velocity, NED."""
+        taken: list[tuple[Vec3, Vec3, Vec3]] = []
+        while self._number * self.its.interval + self.its.delay <= time + NEARLY:
+            told = np.array([self._number * self.its.interval])
+            p_n, v_n = motion_at(self.its.flight, told)
+            error = self.its.error * self._rng.standard_normal(3)
+            taken.append((vec3(p_n[0]), vec3(error), vec3(v_n[0])))
+            self._number += 1
+        return taken
+
+
+class Receiver:
+    """Hears the transponders in range, each report once."""
+
+    def __init__(self, transponders: Sequence[Transponder], origin: Vec3, reach: float) -> None:
+        """A receiver that has heard nothing.
+
+        Args:
+            transponders: of all other aircraft.
+            origin: latitude, longitude [rad], altitude [m] of the frame of their paths.
+            reach: it hears no farther [m].
+        """
+        self._plane = tangent_plane(*origin)
+        self._reach = reach
+        self._senders = [Sender(its) for its in transponders]
+
+    def hear(self, truth: Truth) -> list[AdsbVehicle]:
+        """The reports that have arrived since the last time."""
+        if not self._senders:
+            return []
+        own = geodetic_to_ned(self._plane, truth.latitude, truth.longitude, truth.altitude)
+        return [
+            report(sender.its, add(p_n, error), v_n, self._plane)
+            for sender in self._senders
+            for p_n, error, v_n in sender.take(truth.time)
+            if norm(sub(p_n, own)) <= self._reach
+        ]
+
+
+def vec3(row: Array) -> Vec3:
+    """A row of three as a tuple."""
+    return (float(row[0]), float(row[1]), float(row[2]))
+
+
+def report(its: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> AdsbVehicle:
+    """ADSB_VEHICLE of an aircraft at `p_n` [m] that moves with `v_n` [m/s], NED of the plane."""
+    latitude, longitude, altitude = ned_to_geodetic(plane, p_n)
+    north, east, down = matvec(transpose(R_level(plane, latitude, longitude)), v_n)
+    return AdsbVehicle(
+        its.icao,
+        round(latitude / DEG_E7),
+        round(longitude / DEG_E7),
+        AdsbAltitudeType.GEOMETRIC,
+        round(altitude / MM),
+        round(math.atan2(east, north) / CDEG) % FULL_CIRCLE,
+        round(math.hypot(north, east) / CM_S),
+        round(-down / CM_S),
+        its.callsign,
+        SMALL,
+        int(its.delay),
+        EVERYTHING,
+        0,
+    )
