@@ -10,6 +10,7 @@ from vfguide.companion.legs import Goal, goal_of, leg_rows, target_of
 from vfguide.companion.notes import passage_note
 from vfguide.companion.place import place_state
 from vfguide.companion.route_memory import (
+    ALARMED,
     HOLDS,
     begin_leg,
     fresh_route,
@@ -84,6 +85,12 @@ def test_a_goal_is_given_up_when_it_was_missed_as_often_as_it_may_be():
     assert (on_the_way.goal, on_the_way.tries) == (0, Tries(1, 0))
 
 
+def test_far_from_the_goal_nothing_is_missed():
+    assert passed(49.0).tries == Tries(1, 0)
+    far = passed(51.0)
+    assert (far.goal, far.begun, far.tries) == (0, True, no_tries())
+
+
 def note(goal_before, missed, goal_after, given_up):
     """What is told where a goal was passed 5.1 m off."""
     before = fresh_route()._replace(goal=goal_before, tries=Tries(missed, 0))
@@ -145,7 +152,7 @@ def test_after_the_last_goal_nothing_is_passed():
 def test_a_memory_packs_every_number_in_its_own_place():
     count = len(packed_memory(fresh_route()))
     numbers = np.arange(2.0, 2.0 + count)
-    numbers[[1, HOLDS]] = 1.0  # truth values
+    numbers[[1, HOLDS, ALARMED]] = 1.0  # truth values
     assert (packed_memory(unpacked_memory(numbers)) == numbers).all()
 
 

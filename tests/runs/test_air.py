@@ -73,6 +73,24 @@ def test_a_goal_that_cannot_be_met_is_given_up(tmp_path):
     assert flight.result.reasons == ("goal 1 of vehicle 1 not reached",)
 
 
+def test_circles_that_the_height_needs_are_no_alarm(tmp_path):
+    high = "vehicle.0.goal.0.position_m=[0.0, 0.0, -420.0]"
+    flight = fly(tmp_path, *LIGHT, high)
+    assert goal_of(flight).reached
+    course = np.unwrap(np.arctan2(flight.record.v_n[:, 1], flight.record.v_n[:, 0]))
+    assert abs(course[-1] - course[0]) > 6.0 * np.pi
+    assert not any("no progress" in note for _, note in flight.told)
+
+
+def test_circles_that_lead_nowhere_are_told_once(tmp_path):
+    """The motor carries level flight and no climb."""
+    high = "vehicle.0.goal.0.position_m=[0.0, 0.0, -220.0]"
+    flight = fly(tmp_path, "autopilot.thrust_scale=0.25", high, "duration_s=450.0")
+    assert not goal_of(flight).reached
+    (alarm,) = [note for _, note in flight.told if "no progress" in note]
+    assert alarm.startswith("no progress to goal 1: a full circle more than its way has")
+
+
 def test_no_airspeed_sensor(tmp_path):
     flight = fly(tmp_path, *LIGHT, UNTOLD, "autopilot.airspeed_fails_at_s=0")
     assert goal_of(flight).reached

@@ -4,8 +4,10 @@ from vfguide.companion.engagement import Phase
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     AIR_TIME,
+    ALARMED,
     JUMP_SIZE,
     JUMPS,
+    LEAST,
     RATIO,
     PackedMemory,
     given_up_in,
@@ -95,6 +97,10 @@ SENSOR_BACK = "the airspeed sensor is believed again"
 JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
 ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
 WEAK_AGAIN = "the wind has fallen"
+NO_PROGRESS = (
+    "no progress to goal {goal}: a full circle more than its way has, "
+    "and no nearer than {least:.0f} m along it"
+)
 
 
 def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
@@ -102,6 +108,13 @@ def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) 
     if before is None or after is None or before[:3] == after[:3]:
         return []
     return [ORIGIN_MOVED]
+
+
+def progress_notes(before: PackedMemory, after: PackedMemory) -> list[str]:
+    """A leg has begun to come to no end."""
+    if after[ALARMED] <= before[ALARMED]:
+        return []
+    return [NO_PROGRESS.format(goal=goal_in(after) + 1, least=after[LEAST])]
 
 
 def air_notes(before: PackedMemory, after: PackedMemory, plan: Plan) -> list[str]:

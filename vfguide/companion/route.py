@@ -4,7 +4,7 @@ import math
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.lookout import Lookout
-from vfguide.companion.notes import air_notes, passage_note, route_note
+from vfguide.companion.notes import air_notes, passage_note, progress_notes, route_note
 from vfguide.companion.place import place_state
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
@@ -92,7 +92,7 @@ class Route:
         )
         if follows:
             self._memory = after
-            self.notes += air_notes(before, after, plan)
+            self.notes += air_notes(before, after, plan) + progress_notes(before, after)
             self._jumped |= bool(after[JUMPS] != before[JUMPS])
             if math.isfinite(miss):
                 self.notes.append(passage_note(before, after, miss, plan))

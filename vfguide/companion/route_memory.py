@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.companion.jump import Jumps, no_jumps, settled
+from vfguide.companion.progress import Progress, fresh_progress
 from vfguide.companion.tries import Tries, no_tries
 from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
 from vfguide.flight.detour_leg import DETOUR_NUMBERS, DetourState, fresh_detour
@@ -33,6 +34,7 @@ class RouteMemory(NamedTuple):
     jumps: Jumps
     stand: Stand
     tries: Tries
+    progress: Progress
     air: AirState
     guard: GuardState
     detour: DetourState
@@ -51,6 +53,7 @@ def fresh_route(obstacles: int = 0) -> RouteMemory:
         no_jumps(),
         new_stand(),
         no_tries(),
+        fresh_progress(),
         fresh_air(),
         guard,
         fresh_detour(),
@@ -64,15 +67,17 @@ def begin_leg(goal: int, tries: Tries, memory: RouteMemory) -> RouteMemory:
     after = Memory(
         m.time, new_leg(), m.slope, m.turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
-    kept = (memory.jumps, memory.stand, tries, memory.air, memory.guard, fresh_detour())
-    return RouteMemory(goal, False, zero, zero, after, *kept)
+    begun = (tries, fresh_progress())
+    kept = (memory.air, memory.guard, fresh_detour())
+    return RouteMemory(goal, False, zero, zero, after, memory.jumps, memory.stand, *begun, *kept)
 
 
 @compiled
 def take_over(memory: RouteMemory) -> RouteMemory:
     """Memory when the autopilot begins to follow: only the way and the air are remembered."""
     zero = (0.0, 0.0, 0.0)
-    kept = (memory.stand, memory.tries, memory.air, memory.guard, fresh_detour())
+    begun = (memory.stand, memory.tries, fresh_progress())
+    kept = (*begun, memory.air, memory.guard, fresh_detour())
     return RouteMemory(memory.goal, False, zero, zero, fresh_memory(), no_jumps(), *kept)
 
 
@@ -80,11 +85,11 @@ PackedMemory = NDArray[np.float64]
 """(GUARD + KNOWN + M,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
 OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS = 42, 45, 46, 48, 49
-MISSED, GIVEN_UP, AIR = 51, 52, 53
+MISSED, GIVEN_UP, LEAST, ALARMED, AIR = 51, 52, 53, 56, 57
 AIR_TIME = AIR
 """Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
-airspeed and whether it is too large, missed passes, goals given up, the air's numbers and the
-first of them."""
+airspeed and whether it is too large, missed passes, goals given up, the least length of the path
+[m] and whether there is no progress, the air's numbers and the first of them."""
 DETOUR = AIR + AIR_NUMBERS
 GUARD = DETOUR + DETOUR_NUMBERS
 """Places: the detour that is flown, and what the guard remembers."""
@@ -104,9 +109,12 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     learned = (f.thrust_integral, f.alpha_bias)
     jumped = (*jumps.offset_n, float(jumps.number), jumps.size, jumps.age)
     stood = (stand.ratio, 1.0 if stand.holds else 0.0, stand.down)
-    tried = (float(memory.tries.missed), float(memory.tries.given_up))
+    tries, progress = memory.tries, memory.progress
+    tried = (float(tries.missed), float(tries.given_up))
+    alarm = 1.0 if progress.alarmed else 0.0
+    circled = (progress.least, progress.turned, progress.planned, alarm)
     packed = np.empty(GUARD + len(memory.guard))
-    packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood, *tried))
+    packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood, *tried, *circled))
     packed[AIR:DETOUR] = memory.air
     packed[DETOUR:GUARD] = memory.detour
     packed[GUARD:] = memory.guard
@@ -173,6 +181,7 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         Jumps((a[42], a[43], a[44]), int(a[45]), a[46], a[47]),
         Stand(a[48], a[49] != 0.0, a[50]),
         Tries(int(a[MISSED]), int(a[GIVEN_UP])),
+        Progress(a[53], a[54], a[55], a[56] != 0.0),
         a[AIR:DETOUR].copy(),
         a[GUARD:].copy(),
         a[DETOUR:GUARD].copy(),

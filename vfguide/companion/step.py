@@ -10,6 +10,7 @@ from typing import NamedTuple
 from vfguide.companion.jump import follow_jumps, settled, smoothed
 from vfguide.companion.legs import Goal, Legs, goal_of, target_of
 from vfguide.companion.place import Heard, place_state
+from vfguide.companion.progress import Progress, after_step
 from vfguide.companion.route_memory import (
     PackedMemory,
     RouteMemory,
@@ -17,10 +18,10 @@ from vfguide.companion.route_memory import (
     packed_memory,
     unpacked_memory,
 )
-from vfguide.companion.tries import at_next, gives_up, once_more
+from vfguide.companion.tries import NEAR, at_next, gives_up, once_more
 from vfguide.flight.air_data import cautious, sense_air
 from vfguide.flight.air_state import THRUST
-from vfguide.flight.leg import FIELD
+from vfguide.flight.leg import FIELD, Leg
 from vfguide.flight.memory import Wish
 from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import AIRSPEED_GAIN, Law, unpacked
@@ -100,7 +101,10 @@ def step(
             state, flown_in, target, law, memory.flight, watch, guard, detour
         )
     air[THRUST] = setpoint.thrust
-    kept = (jumps, stand, memory.tries, air, guard, detour)
+    progress = memory.progress
+    if not stand.holds:
+        progress = progress_since(memory, state, wish, flight.leg, legs)
+    kept = (jumps, stand, memory.tries, progress, air, guard, detour)
     after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, *kept)
     return setpoint, after, wish, passage
 
@@ -142,6 +146,18 @@ def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemo
 
 
 @compiled
+def progress_since(
+    memory: RouteMemory, state: FlightState, wish: Wish, leg: Leg, legs: Legs
+) -> Progress:
+    """Progress on the leg since the last step; on the circle after the last goal there is none."""
+    if not memory.begun or memory.goal == len(legs) - 1:
+        return memory.progress
+    before, now = memory.v_n, state.v_n
+    turned = wrap(math.atan2(now[1], now[0]) - math.atan2(before[1], before[0]))
+    return after_step(memory.progress, wish.remaining, leg, turned)
+
+
+@compiled
 def is_reached(passage: Passage, goal: Goal) -> bool:
     """Whether the goal counts as reached."""
     return passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
@@ -151,14 +167,14 @@ def is_reached(passage: Passage, goal: Goal) -> bool:
 def passage_since(memory: RouteMemory, state: FlightState, legs: Legs) -> Passage:
     """How the goal that is flown to was passed since the last step.
 
-    A vehicle that is still on its way there passes it only by reaching it.
+    A vehicle that is still on its way there, or far off, passes it only by reaching it.
     """
     if not memory.begun or memory.goal == len(legs) - 1:
         return NO_PASSAGE
     goal = goal_of(legs, memory.goal)
     passage = passage_of(goal, (memory.p_n, memory.v_n), (state.p_n, state.v_n))
-    counts = memory.flight.leg.phase == FIELD or is_reached(passage, goal)
-    return passage if counts else NO_PASSAGE
+    tries = memory.flight.leg.phase == FIELD and passage.miss <= max(NEAR, goal.tolerance)
+    return passage if tries or is_reached(passage, goal) else NO_PASSAGE
 
 
 @compiled

@@ -5,6 +5,9 @@ from typing import NamedTuple
 from vfguide.companion.legs import Goal
 from vfguide.geometry.compiled import compiled
 
+NEAR = 50.0
+"""A pass by more than this is no try at the goal, unless its tolerance is larger [m]."""
+
 
 class Tries(NamedTuple):
     """What is remembered of missed passes."""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vfguide.companion.tries import NEAR
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
@@ -35,10 +36,8 @@ class Pass(NamedTuple):
     """All three are within the goal's tolerances."""
 
 
-NEAR = 50.0
-"""A pass by more than this is no try at the goal, unless its tolerance is larger [m]; ..."""
 ASKEW = 60.0 * DEG
-"""... nor is one whose course is farther off: on the way to it a vehicle may circle for height."""
+"""A pass whose course is farther off is no try: on its way a vehicle may circle for height."""
 
 
 class Legs:
