@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
 from vfguide.link.messages import RECORDS
-from vfguide.scenario import aircraft_file, episodes, obstacle_entry, result, scenario_file
+from vfguide.scenario import aircraft_file, episodes, fence, obstacle_entry, result, scenario_file
 from vfguide.scenario.bench import Bench
 from vfguide.scenario.tables import Table
 from vfguide.sim.parameters import Parameters
@@ -45,6 +45,8 @@ PLACES = [
     (SCENARIO, "[[autopilot.reset]]", scenario_file.Reset),
     (SCENARIO, "[guidance]", scenario_file.Guidance),
     (SCENARIO, "[avoidance]", scenario_file.Avoidance),
+    (SCENARIO, "[fence]", fence.Fence),
+    (SCENARIO, "[[fence.zone]]", fence.ZoneEntry),
     (SCENARIO, "[[vehicle]]", scenario_file.VehicleEntry),
     (SCENARIO, "[[vehicle.goal]]", scenario_file.GoalEntry),
     (SCENARIO, "[[obstacle]]", obstacle_entry.ObstacleEntry),
@@ -103,7 +105,7 @@ def test_every_key_is_documented_and_no_other(page, heading, model):
 
 def test_every_table_of_the_files_is_documented():
     documented = {model for _, _, model in PLACES}
-    modules = (scenario_file, obstacle_entry, aircraft_file)
+    modules = (scenario_file, obstacle_entry, fence, aircraft_file)
     tables = {
         kind
         for module in modules
