@@ -19,6 +19,7 @@ from vfguide.link.messages import RECORDS
 from vfguide.scenario import (
     aircraft_file,
     episodes,
+    fence,
     obstacle_entry,
     result,
     scenario_file,
@@ -52,6 +53,8 @@ PLACES = [
     (SCENARIO, "[[autopilot.reset]]", scenario_file.Reset),
     (SCENARIO, "[guidance]", scenario_file.Guidance),
     (SCENARIO, "[avoidance]", scenario_file.Avoidance),
+    (SCENARIO, "[fence]", fence.Fence),
+    (SCENARIO, "[[fence.zone]]", fence.ZoneEntry),
     (SCENARIO, "[[vehicle]]", scenario_file.VehicleEntry),
     (SCENARIO, "[[vehicle.goal]]", scenario_file.GoalEntry),
     (SCENARIO, "[[obstacle]]", obstacle_entry.ObstacleEntry),
@@ -113,7 +116,7 @@ def test_every_key_is_documented_and_no_other(page, heading, model):
 
 def test_every_table_of_the_files_is_documented():
     documented = {model for _, _, model in PLACES}
-    modules = (scenario_file, obstacle_entry, traffic_entry, aircraft_file)
+    modules = (scenario_file, obstacle_entry, traffic_entry, fence, aircraft_file)
     tables = {
         kind
         for module in modules

@@ -71,8 +71,8 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
-            "start_time, origin, wind, sensors, autopilot, link, guidance, avoidance, vehicle, "
-            "obstacle",
+            "start_time, origin, wind, sensors, autopilot, link, guidance, avoidance, fence, "
+            "vehicle, obstacle",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),

@@ -12,7 +12,7 @@ from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spira
 from matplotlib.figure import Figure
 
 from vfguide.cli import flight_display
-from vfguide.scenario.bodies import LONGEST_NAME, short
+from vfguide.scenario.bodies import LONGEST_NAME, TIMES, short
 from vfguide.scenario.clearance import clearances
 from vfguide.scenario.closest import closest
 from vfguide.scenario.distance_figures import (
@@ -166,7 +166,7 @@ def test_speed_is_the_way_over_the_time(run: Run) -> None:
 
 def test_the_plan_shows_every_obstacle_where_it_is(run: Run) -> None:
     (axes,) = drawn(draw_plan, run.flights).axes
-    assert len(axes.patches) == len(OBSTACLES) + 1
+    assert len(axes.patches) == len(OBSTACLES) + TIMES - 1
     assert {text.get_text() for text in axes.texts if text.get_text()} == {
         name for name, *_ in OBSTACLES
     }
@@ -180,14 +180,16 @@ def test_the_plan_shows_every_obstacle_where_it_is(run: Run) -> None:
     assert np.hypot(*(tower - (30.0, 0.0)).T) == pytest.approx(6.0, rel=0.01)
 
 
-def test_a_moving_obstacle_is_drawn_where_it_began_and_where_it_ended(run: Run) -> None:
+def test_a_moving_obstacle_is_drawn_at_several_times(run: Run) -> None:
     (axes,) = drawn(draw_plan, run.flights).axes
-    before, after = (patch for patch in axes.patches[-2:])
+    before, *_, after = shown = axes.patches[-TIMES:]
     seconds = run.flights.records[0].time[-1]
     way = np.array([-3.0, 2.0]) * seconds
     assert after.get_xy() - before.get_xy() == pytest.approx(
         np.broadcast_to(way, before.get_xy().shape)
     )
+    eastward = [patch.get_xy()[0, 0] for patch in shown]
+    assert np.diff(eastward) == pytest.approx(np.full(TIMES - 1, way[0] / (TIMES - 1)))
     assert before.get_facecolor()[3] < 0.5 * after.get_facecolor()[3]
     (track,) = [line for line in axes.lines if len(line.get_xdata()) == 2]
     assert track.get_xydata() == pytest.approx(
@@ -199,7 +201,7 @@ def test_figures_of_paths_say_what_is_an_obstacle(run: Run, tmp_path: Path) -> N
     (legend,) = drawn(draw_plan, run.flights).legends
     labels = [text.get_text() for text in legend.get_texts()]
     assert labels[:3] == ["Vehicle 1", "Vehicle 2", "Vehicle 3"]
-    assert labels[-3:] == ["Obstacle, at the end", "Obstacle, at the start", "Way of its centre"]
+    assert labels[-3:] == ["Obstacle, at the end", "Obstacle, before", "Way of its centre"]
     (legend,) = drawn(draw_space, flown(tmp_path, scenario_text(1, OBSTACLES[:1]))).legends
     assert [text.get_text() for text in legend.get_texts()][-1] == "Obstacle"
 

@@ -153,6 +153,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "detection_range_m": 300.0,
             "between_vehicles": True,
         },
+        "fence": {"floor_m": None, "ceiling_m": None, "zone": []},
         "vehicles": (
             {
                 "id": 1,

@@ -1,4 +1,4 @@
-"""Obstacles as figures show them: surfaces and outlines, where they begin and where they end."""
+"""Obstacles as figures show them: surfaces and outlines, those that move at several times."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,9 @@ from vfguide.scenario.surfaces import Array, outline, surface_mesh
 OBSTACLE = "#b8c2cf"
 EDGE = "#7d8a9b"
 FAINT = 0.35
-"""Opacity of where a moving obstacle began, in parts of that of where it ended."""
+"""Opacity of where a moving obstacle was before, in parts of that of where it ended."""
+TIMES = 5
+"""A moving obstacle is shown so often, at equal times from the start to the end."""
 LONGEST_NAME = 20
 MOST_NAMES = 20
 """More obstacles than these are not named in a figure."""
@@ -42,8 +44,9 @@ class Body:
     @property
     def places(self) -> list[tuple[Array, float]]:
         """The ways to where it is shown, (3,) each, and how opaque it is there."""
-        end = (self.track[1] - self.track[0], 1.0)
-        return [(np.zeros(3), FAINT), end] if self.moves else [end]
+        way = self.track[1] - self.track[0]
+        parts = np.linspace(0.0, 1.0, TIMES if self.moves else 1)
+        return [(part * way, FAINT) for part in parts[:-1]] + [(way, 1.0)]
 
 
 def body_of(obstacle: Obstacle, seconds: float) -> Body:
@@ -113,7 +116,5 @@ def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
         here.set_label("Obstacle")
         return [here] if bodies else []
     here.set_label("Obstacle, at the end")
-    before = Patch(
-        facecolor=OBSTACLE, edgecolor=EDGE, alpha=FAINT * 0.7, label="Obstacle, at the start"
-    )
+    before = Patch(facecolor=OBSTACLE, edgecolor=EDGE, alpha=FAINT * 0.7, label="Obstacle, before")
     return [here, before, Line2D([], [], **_TRACK, label="Way of its centre")]

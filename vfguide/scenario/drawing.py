@@ -64,6 +64,11 @@ class Flights:
         """The vehicles are rigid bodies without air, engine or ground."""
         return self.loaded.scenario.plant == "kinematic"
 
+    @property
+    def guarded(self) -> bool:
+        """The run-time assurance had something to keep clear of."""
+        return any(record.guard is not None for record in self.records)
+
     @cached_property
     def bodies(self) -> tuple[Body, ...]:
         """The obstacles over the time of the flights."""

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
+from vfguide.scenario.assurance_figure import draw_assurance
 from vfguide.scenario.distance_figures import draw_clearance, draw_separation
 from vfguide.scenario.drawing import Flights, to_png
 from vfguide.scenario.path_figures import draw_plan, draw_side, draw_space
@@ -50,6 +51,12 @@ _CLEARANCE = Drawing(
     "even near zero and logarithmic far from it.",
     draw_clearance,
 )
+_ASSURANCE = Drawing(
+    "assurance",
+    "Distance from the nearest obstacle or border of the fence, the margin that ways out keep, "
+    "and the times in which the run-time assurance overruled the guidance.",
+    draw_assurance,
+)
 _SEPARATION = Drawing(
     "separation",
     "Distance of the centres of every two vehicles; the scale is even near zero and logarithmic "
@@ -76,6 +83,7 @@ def draw_figures(flights: Flights) -> list[Picture]:
     drawings = (
         *_PATHS,
         *((_CLEARANCE,) if flights.loaded.scenario.obstacles else ()),
+        *((_ASSURANCE,) if flights.guarded else ()),
         *((_SEPARATION,) if flights.several else ()),
         *_MOTION,
         *(_RIGID_BODY if flights.kinematic else _AEROPLANE),

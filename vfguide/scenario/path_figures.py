@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from vfguide.scenario.bodies import draw_outlines, draw_surfaces, east_north_up, write_names
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, goal_axis, line_of
+from vfguide.scenario.fence_figure import draw_heights, draw_zones, height_marks, zone_marks
 from vfguide.scenario.record import Array
 from vfguide.scenario.resolved import Goal
 from vfguide.scenario.surfaces import outline
@@ -51,6 +52,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
     _draw_flat(axes, flights, EAST, NORTH)
+    draw_zones(axes, flights.loaded.scenario.fence)
     write_names(axes, flights.bodies, np.column_stack((EAST, NORTH)))
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
@@ -59,7 +61,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
         outlines = [outline(body.surface[..., [1, 0]]) for body in flights.bodies]
         paths = [record.p_n[:, [1, 0]] for record in flights.records]
         draw_wind(figure, axes, wind, np.vstack((*paths, *outlines)))
-    draw_legend(figure, flights)
+    draw_legend(figure, flights, zone_marks(flights.loaded.scenario.fence))
 
 
 def draw_side(figure: Figure, flights: Flights) -> None:
@@ -73,7 +75,8 @@ def draw_side(figure: Figure, flights: Flights) -> None:
     axes.set_xlabel(f"From the origin along the course {course % 360.0:03.0f}° [m]")
     axes.set_ylabel("Above the origin [m]")
     axes.set_title(f"Path from the side, seen toward {(course - 90.0) % 360.0:03.0f}°")
-    draw_legend(figure, flights)
+    draw_heights(axes, flights.loaded.scenario.fence)
+    draw_legend(figure, flights, height_marks(flights.loaded.scenario.fence))
 
 
 def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:

@@ -4,11 +4,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.scenario.bodies import body_marks
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, goal_axis, vehicle_lines
+from vfguide.scenario.fence_figure import places_of
 from vfguide.scenario.record import Array
 from vfguide.scenario.resolved import Goal
 
@@ -57,8 +59,11 @@ def view_of(flights: Flights, axes_n: Array) -> View:
 
 
 def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -> Iterator[Array]:
-    """Corners, (2, k), of what there is of each obstacle within `reach` of the box of `points`."""
+    """Corners, (2, k), of what is within `reach` of the box of `points`: of fence and obstacles."""
     low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
+    fence = places_of(flights.loaded.scenario.fence, flights.records[0].p_n[0]) @ axes_n.T
+    if len(fence):
+        yield np.clip((fence.min(axis=0), fence.max(axis=0)), low, high)
     for body in flights.bodies:
         for way, _ in body.places:
             surface = (body.surface + way).reshape(-1, 3) @ axes_n.T
@@ -74,8 +79,8 @@ def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
     return [(str(number), goal) for number, goal in enumerate(goals, start=1)]
 
 
-def draw_legend(figure: Figure, flights: Flights) -> None:
-    """Vehicles, marks and obstacles, below the figure."""
-    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
+def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
+    """Vehicles, marks, obstacles and what there is more, below the figure."""
+    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies), *more]
     columns = len(handles) if len(handles) <= WIDE else NARROW
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)

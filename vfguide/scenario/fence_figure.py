@@ -1,0 +1,76 @@
+"""The fence as figures show it: zones from above, floor and ceiling from the side."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch, Polygon
+
+from vfguide.scenario.fence import Fence, ZoneEntry
+from vfguide.scenario.record import Array
+
+INSIDE, OUTSIDE = "#00674a", "#a83c00"
+"""Borders of what is to be stayed in, and of what is to be stayed out of."""
+BORDER: Any = {"linewidth": 1.4, "linestyle": (0, (7, 2))}
+HEIGHT: Any = {"color": INSIDE, **BORDER}
+RING = 32
+"""Points of a circle for the view."""
+
+
+def draw_zones(axes: Axes, fence: Fence) -> None:
+    """Zones from above, east to the right and north up; exclusions are hatched."""
+    for zone in fence.zone:
+        axes.add_patch(_outline(zone))
+
+
+def draw_heights(axes: Axes, fence: Fence) -> None:
+    """Floor and ceiling from the side."""
+    for height in (fence.floor_m, fence.ceiling_m):
+        if height is not None:
+            axes.axhline(height, zorder=1.1, **HEIGHT)
+
+
+def zone_marks(fence: Fence) -> list[Patch]:
+    """Entries of a legend for what `draw_zones` draws."""
+    names = {"include": "Fence, stay inside", "exclude": "Fence, stay out"}
+    kinds = {zone.kind: None for zone in fence.zone}
+    return [Patch(label=names[kind], **_look(kind)) for kind in kinds]
+
+
+def height_marks(fence: Fence) -> list[Line2D]:
+    """Entries of a legend for what `draw_heights` draws."""
+    named = (("Floor", fence.floor_m), ("Ceiling", fence.ceiling_m))
+    names = [name for name, height in named if height is not None]
+    label = " and ".join(names).capitalize()
+    return [Line2D([], [], label=f"{label} of the fence", **HEIGHT)] if names else []
+
+
+def places_of(fence: Fence, p_n: Array) -> Array:
+    """Places (k, 3) that show how far the fence reaches, about a place `p_n`."""
+    places = [(x, y, p_n[2]) for zone in fence.zone for x, y in _border(zone)]
+    heights = [height for height in (fence.floor_m, fence.ceiling_m) if height is not None]
+    places += [(p_n[0], p_n[1], -height) for height in heights]
+    return np.array(places, float).reshape(-1, 3)
+
+
+def _border(zone: ZoneEntry) -> list[tuple[float, float]]:
+    if zone.polygon_m is not None:
+        return zone.polygon_m
+    (north, east), radius = zone.centre_m or (0.0, 0.0), zone.radius_m or 0.0
+    angles = np.linspace(0.0, 2.0 * np.pi, RING)
+    return [(north + radius * np.cos(a), east + radius * np.sin(a)) for a in angles]
+
+
+def _outline(zone: ZoneEntry) -> Patch:
+    look: Any = {"zorder": 1.1, **_look(zone.kind)}
+    if zone.polygon_m is not None:
+        return Polygon([(east, north) for north, east in zone.polygon_m], closed=True, **look)
+    north, east = zone.centre_m or (0.0, 0.0)
+    return Circle((east, north), zone.radius_m or 0.0, **look)
+
+
+def _look(kind: str) -> dict[str, Any]:
+    if kind == "include":
+        return {"facecolor": "none", "edgecolor": INSIDE, **BORDER}
+    return {"facecolor": "#fbeee6", "edgecolor": OUTSIDE, "hatch": "///", **BORDER}
