@@ -61,18 +61,18 @@ def instead_of_goal(lines: str) -> str:
         (
             in_vehicle("airspeed = 25.0"),
             "vehicle[0].airspeed: unknown key, did you mean airspeed_mps?; allowed: "
-            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, goal",
         ),
         (
             MINIMAL.replace("id = 1", "Id = 1"),
             "vehicle[0].Id: unknown key; allowed: "
-            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, goal",
         ),
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
             "start_time, origin, wind, sensors, autopilot, link, guidance, avoidance, fence, "
-            "vehicle, obstacle",
+            "traffic_receiver, vehicle, obstacle, traffic",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),

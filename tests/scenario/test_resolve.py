@@ -152,8 +152,14 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "safety_radius_m": 10.0,
             "detection_range_m": 300.0,
             "between_vehicles": True,
+            "traffic": False,
+            "traffic_radius_m": 50.0,
+            "traffic_half_height_m": 30.0,
+            "traffic_growth_mps": 3.0,
+            "traffic_growth_up_mps": 1.5,
         },
         "fence": {"floor_m": None, "ceiling_m": None, "zone": []},
+        "traffic_receiver": {"range_m": 20_000.0},
         "vehicles": (
             {
                 "id": 1,
@@ -162,6 +168,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                 "attitude_deg": None,
                 "airspeed_mps": 25.0,
                 "aircraft": "aerosonde",
+                "icao": None,
                 "goals": (
                     {
                         "position_m": (0.0, 0.0, -100.0),
@@ -175,6 +182,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             },
         ),
         "obstacles": (),
+        "traffic": (),
     }
 
 
