@@ -146,11 +146,8 @@ def test_what_moves_may_come_over_a_goal_and_start_over_it(tmp_path: Path) -> No
         ),
         (
             FLIGHT + sized("sphere"),
-            'obstacle: not supported yet with law = "flight", allowed with law = "paper"',
-        ),
-        (
-            FLIGHT.replace('plant = "kinematic"\n', "") + sized("sphere"),
-            'obstacle: not supported yet with law = "flight", allowed with law = "paper"',
+            'obstacle: law = "flight" avoids them on plant = "jsbsim" only, '
+            'allowed with law = "paper"',
         ),
         (
             PAPER.replace('"kinematic"', '"kinematics"'),
