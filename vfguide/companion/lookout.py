@@ -81,9 +81,9 @@ class Lookout:
 
 def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
     """What would have been hit, and when."""
-    if not 0 <= hazard < len(names) or not math.isfinite(conflict):
+    if hazard < 0 or not math.isfinite(conflict):
         return "else no way out would be left"
-    return f"{names[hazard]} in {conflict:.1f} s"
+    return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
 
 
 def way_note(detour: PackedMemory) -> str:

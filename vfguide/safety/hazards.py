@@ -58,7 +58,10 @@ def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
 
 @compiled
 def hazard_count(hazards: Hazards) -> int:
-    """How many there are; floor and ceiling are the last one."""
+    """How many there are: obstacles, zones of the fence, its heights as one, and traffic.
+
+    Traffic comes and goes: it is last, so that the numbers of all others stay.
+    """
     return len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones) + 1
 
 
@@ -68,12 +71,12 @@ def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
     if i < len(hazards.obstacles):
         return distance_bound(hazards.obstacles, i, p_n, t)
     i -= len(hazards.obstacles)
-    if i < len(hazards.traffic):
-        return traffic_distance(hazards.traffic, i, p_n, t)
-    i -= len(hazards.traffic)
-    if i < len(hazards.fences.zones):
+    zones = len(hazards.fences.zones)
+    if i < zones:
         return fence_distance(hazards.fences, i, p_n)
-    return min(-p_n[2] - hazards.floor, hazards.ceiling + p_n[2])
+    if i == zones:
+        return min(-p_n[2] - hazards.floor, hazards.ceiling + p_n[2])
+    return traffic_distance(hazards.traffic, i - zones - 1, p_n, t)
 
 
 @compiled
@@ -122,8 +125,8 @@ def hazard_speed(hazards: Hazards, i: int) -> float:
     """How fast hazard `i` can come nearer to a point that stands still [m/s]."""
     if i < len(hazards.obstacles):
         return speed_in(hazards.obstacles, i, 4)
-    i -= len(hazards.obstacles)
-    if i < len(hazards.traffic):
+    i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
+    if i >= 0:
         growth = math.hypot(hazards.traffic[i, 9], hazards.traffic[i, 10])
         return speed_in(hazards.traffic, i, 3) + growth
     return 0.0

@@ -97,6 +97,8 @@ def hazard_name(scenario: Scenario, number: int, height: float) -> str | None:
     number -= len(obstacles)
     if number < len(fence.zone):
         return f"fence.zone[{number}]"
+    if number > len(fence.zone):
+        return "traffic"
     to_floor = math.inf if fence.floor_m is None else height - fence.floor_m
     to_ceiling = math.inf if fence.ceiling_m is None else fence.ceiling_m - height
     return "fence.floor_m" if to_floor <= to_ceiling else "fence.ceiling_m"

@@ -31,13 +31,13 @@ def hazards_of(scenario: Scenario) -> Hazards | None:
 
 
 def hazard_names(scenario: Scenario) -> tuple[str, ...]:
-    """What the operator calls the hazards, in the order of `hazards_of`."""
+    """What the operator calls the hazards by their numbers; traffic has those after them."""
     fence = scenario.fence
     heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
     return (
         *(obstacle.name for obstacle in scenario.obstacles),
         *(f"fence.zone[{index}]" for index in range(len(fence.zone))),
-        *((" or ".join(f"fence.{key}" for key in heights),) if heights else ()),
+        " or ".join(f"fence.{key}" for key in heights),
     )
 
 
