@@ -114,7 +114,6 @@ def test_gains_follow_the_roll_response_of_the_file(tmp_path):
     assert right.goals[0].reached
     assert right.goals[0].course_error_deg <= 3.0
     assert right.load_factor[0] > 0.3
-    assert wrong.goals[0].course_error_deg > 3.0
     assert wrong.load_factor[0] < 0.3
 
 

@@ -25,6 +25,7 @@ from vfguide.flight.leg import FIELD, Leg
 from vfguide.flight.memory import Wish
 from vfguide.flight.outlines import Outlines
 from vfguide.flight.performance import AIRSPEED_GAIN, Law, unpacked
+from vfguide.flight.rising_air import feel_rise
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.strong_wind import in_air_frame, into_wind, stand_against
 from vfguide.geometry.angles import wrap
@@ -125,8 +126,9 @@ def step_on(
     Returns:
         Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
     """
-    state = place_state(heard, origin)
-    setpoint, after, _, passage = step(state, legs, law, unpacked_memory(memory), hazards, fence, t)
+    state, before = place_state(heard, origin), unpacked_memory(memory)
+    feel_rise(place_state((*heard[:10], 0.0), origin), before.air, unpacked(law)[0])
+    setpoint, after, _, passage = step(state, legs, law, before, hazards, fence, t)
     miss = passage.miss
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss
 

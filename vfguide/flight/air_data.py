@@ -25,7 +25,6 @@ from vfguide.flight.air_state import (
     trusts_sensor,
 )
 from vfguide.flight.performance import AIRSPEED_GAIN, BANK_GAIN, Law, Performance
-from vfguide.flight.rising_air import feel_rise
 from vfguide.flight.state import FlightState
 from vfguide.flight.wind_estimate import (
     begin,
@@ -39,7 +38,6 @@ from vfguide.flight.wind_estimate import (
     watch_wind,
 )
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import sub
 
 GAP = 1.0
 """After a pause longer than this the estimate begins anew [s]."""
@@ -82,8 +80,6 @@ def sense_air(
         dt = 1e-3
     elif dt > 0.0:
         force_n = felt_force(air, state.v_n, dt)
-        level_n = sub(state.v_n, (air[X + NORTH], air[X + EAST], 0.0))
-        feel_rise(air, force_n, level_n, state.R_nb, air[X + AIRSPEED], aircraft, dt)
         feel_side(air, force_n, state.R_nb, dt)
         how = flown(state.R_nb, air[X + AIRSPEED], air[THRUST], air[SIDE], aircraft)
         follow_model(air, how, dt)

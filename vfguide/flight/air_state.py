@@ -41,7 +41,10 @@ TRUST = DOUBT + 1
 """1: the sensor is flown on; 0: it is not."""
 RISE = TRUST + 1
 """How fast the air rises [m/s]."""
-AIR_NUMBERS = RISE + 1
+TOLD_BEFORE = RISE + 1
+"""First of four: velocity over ground at the last step as it was told, NED [m/s], and the angle of
+attack that it would be in air that does not rise [rad]."""
+AIR_NUMBERS = TOLD_BEFORE + 4
 
 AirState = NDArray[np.float64]
 """(AIR_NUMBERS,), the numbers at the places above."""

@@ -7,11 +7,21 @@ shows before the path bends.
 
 import math
 
-from vfguide.flight.air_state import RISE, AirState
+from vfguide.flight.air_state import (
+    AIRSPEED,
+    EAST,
+    NORTH,
+    RISE,
+    TIME,
+    TOLD_BEFORE,
+    AirState,
+    X,
+)
 from vfguide.flight.performance import Performance
+from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3, dot
+from vfguide.geometry.vector import dot, scale, sub
 
 RISE_TIME = 0.15
 """It is smoothed over this time [s]."""
@@ -19,32 +29,36 @@ STEEPEST_AIR = 0.2
 """The air rises or sinks no faster than this times the airspeed."""
 
 
+LONGEST = 0.5
+"""After a pause longer than this it begins anew [s]."""
+
+
 @compiled
-def feel_rise(
-    air: AirState,
-    force_n: Vec3,
-    v_air_n: Vec3,
-    R_nb: Mat3,
-    airspeed: float,
-    aircraft: Performance,
-    dt: float,
-) -> None:
-    """How fast the air rises, from the specific force `force_n` [m/s^2].
+def feel_rise(told: FlightState, air: AirState, aircraft: Performance) -> None:
+    """How fast the air rises, from the lift since the last step; fills `air`.
 
     Args:
-        air: what is believed; its RISE goes on by `dt` [s].
-        force_n: v' - g, NED.
-        v_air_n: velocity through air that does not rise, NED [m/s].
-        R_nb: attitude.
-        airspeed: true [m/s].
+        told: what the autopilot told, not predicted: a turn of the fuselage that the velocity does
+            not show yet would count as a gust.
+        air: what is believed since the last step.
         aircraft: its lift.
-        dt: time since the last step [s].
     """
-    x_n, z_n = (R_nb[0][0], R_nb[1][0], R_nb[2][0]), (R_nb[0][2], R_nb[1][2], R_nb[2][2])
-    speed = max(airspeed, 0.5 * aircraft.airspeed_min)
+    dt, R = told.time - air[TIME], told.R_nb
+    x_n, z_n = (R[0][0], R[1][0], R[2][0]), (R[0][2], R[1][2], R[2][2])
+    level_n = sub(told.v_n, (air[X + NORTH], air[X + EAST], 0.0))
+    angle = math.atan2(dot(level_n, z_n), dot(level_n, x_n))
+    before = (air[TOLD_BEFORE], air[TOLD_BEFORE + 1], air[TOLD_BEFORE + 2])
+    halfway = 0.5 * (angle + air[TOLD_BEFORE + 3])
+    for k in range(3):
+        air[TOLD_BEFORE + k] = told.v_n[k]
+    air[TOLD_BEFORE + 3] = angle
+    if air[TIME] < 0.0 or not 0.0 < dt < LONGEST:
+        air[RISE] = 0.0
+        return
+    force_n = sub(scale(1.0 / dt, sub(told.v_n, before)), (0.0, 0.0, G0))
+    speed = max(air[X + AIRSPEED], 0.5 * aircraft.airspeed_min)
     load = -dot(force_n, z_n) / G0
-    alpha = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed)
-    gust = alpha - math.atan2(dot(v_air_n, z_n), dot(v_air_n, x_n))
+    gust = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed) - halfway
     if math.isfinite(gust):
         rise = speed * z_n[2] * max(-STEEPEST_AIR, min(STEEPEST_AIR, gust))
         air[RISE] += dt / (RISE_TIME + dt) * (rise - air[RISE])

@@ -24,6 +24,7 @@ from vfguide.flight.air_state import (
     SIDE,
     STATES,
     TIME,
+    TOLD_BEFORE,
     YAW,
     AirState,
     P,
@@ -120,7 +121,7 @@ def begin(air: AirState, time: float, v_n: Vec3, airspeed: float, d_n: Vec3) -> 
     air[:] = 0.0
     air[TIME] = time
     for k in range(3):
-        air[BEFORE + k] = v_n[k]
+        air[BEFORE + k] = air[TOLD_BEFORE + k] = v_n[k]
     air[X + NORTH] = v_n[0] - airspeed * d_n[0]
     air[X + EAST] = v_n[1] - airspeed * d_n[1]
     air[X + AIRSPEED] = air[MODEL] = airspeed
