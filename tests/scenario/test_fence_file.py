@@ -8,7 +8,8 @@ import pytest
 from flight_samples import MINIMAL
 
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.hazards import fence_clearance, hazards_of, outlines_of
+from vfguide.scenario.fence_distance import fence_clearance
+from vfguide.scenario.hazards import hazards_of, outlines_of
 from vfguide.scenario.load import load_scenario
 
 SQUARE = "polygon_m = [[-900, -900], [-900, 900], [900, 900], [900, -900]]"
