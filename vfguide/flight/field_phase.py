@@ -15,7 +15,7 @@ INSIDE = 0.045
 """The field is begun no farther inside the circles where it is too tight than so many radii, ..."""
 COMMITTED = 0.1
 """... and taken up from a way, and kept, no farther inside than this."""
-AGREEMENT = 0.1
+AGREEMENT = 0.14
 """From a way the field is taken up where the course is within this of it [rad]."""
 STRAYED = 2.0
 """Away from the goal the field is given up where the course is off by this [rad]."""
