@@ -22,17 +22,10 @@ from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
+from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)
-ALL = (
-    AdsbFlags.VALID_COORDS
-    | AdsbFlags.VALID_ALTITUDE
-    | AdsbFlags.VALID_HEADING
-    | AdsbFlags.VALID_VELOCITY
-    | AdsbFlags.VALID_CALLSIGN
-    | AdsbFlags.VERTICAL_VELOCITY_VALID
-)
 FAR_AWAY = Own(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 
 
