@@ -28,13 +28,12 @@ def words(d: float, alpha: float, beta: float) -> Iterator[float]:
     ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
     cab = math.cos(alpha - beta)
     for side in (1.0, -1.0):  # the same turns at both ends
-        square = 2.0 + d * d - 2.0 * cab + 2.0 * side * d * (sa - sb)
-        if square >= -ROUNDING:
-            middle = math.atan2(side * (cb - ca), d + side * (sa - sb))
-            first, last = side * (middle - alpha), side * (beta - middle)
-            yield turn(first) + math.sqrt(max(square, 0.0)) + turn(last)
+        along, across = d + side * (sa - sb), side * (cb - ca)
+        middle = math.atan2(across, along)
+        first, last = side * (middle - alpha), side * (beta - middle)
+        yield turn(first) + math.hypot(along, across) + turn(last)
     for side in (1.0, -1.0):  # opposite turns
-        square = d * d - 2.0 + 2.0 * cab + 2.0 * side * d * (sa + sb)
+        square = d * (d + 2.0 * side * (sa + sb)) - (2.0 * math.sin(0.5 * (alpha - beta))) ** 2
         if square >= -ROUNDING:
             p = math.sqrt(max(square, 0.0))
             middle = math.atan2(-side * (ca + cb), d + side * (sa + sb))

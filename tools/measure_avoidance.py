@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 from flown_worlds import DRAWN, scenario_of
-from reference_path import HEIGHT, reference_length
+from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
 from vfguide.flight.way import Pose
@@ -149,6 +149,8 @@ def main() -> None:
     parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     args = parser.parse_args()
+    if args.reference_s > 0.0 and not is_installed():
+        parser.error(MISSING)
     numbers = [args.only] if args.only is not None else range(args.first, args.first + args.runs)
     with ProcessPoolExecutor(args.workers) as pool:
         show(list(pool.map(partial(fly, args=args), numbers)), args)

@@ -14,7 +14,7 @@ import time
 from dataclasses import dataclass
 
 import numpy as np
-from reference_path import is_installed, reference_length
+from reference_path import MISSING, is_installed, reference_length
 from search_worlds import HEIGHT, World, draw
 
 from vfguide.field.footprint import Band
@@ -126,8 +126,8 @@ def main() -> None:
     parser.add_argument("--wind", type=float, default=0.0, help="towards north [m/s]")
     parser.add_argument("--reference-s", type=float, default=1.0, help="for BIT*; 0 for none")
     args = parser.parse_args()
-    reference = f"BIT* {args.reference_s:g} s" if is_installed() else "none, ompl is missing"
-    print(f"seed {args.seed}, turn radius {args.radius:g} m, reference {reference}")
+    reference = f"the reference is BIT* of {args.reference_s:g} s" if is_installed() else MISSING
+    print(f"seed {args.seed}, turn radius {args.radius:g} m; {reference}")
     for kind, count in (("field", args.fields), ("dead end", args.dead_ends)):
         worlds = [draw(kind, args.seed, k) for k in range(count)]
         outcomes = [measure(world, k, args) for k, world in enumerate(worlds)]

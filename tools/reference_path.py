@@ -5,7 +5,6 @@ distances from the obstacles.
 """
 
 import math
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,12 @@ from search_worlds import HEIGHT, World
 from vfguide.field.obstacle import Rows, obstacle_distance
 from vfguide.geometry.compiled import compiled
 
+try:
+    from ompl import base, geometric, util
+except ImportError:
+    base = geometric = util = None
+
+MISSING = "the reference is BIT* of ompl, which is not installed: pip install ompl"
 CELL = 2.5
 """Of the grid [m]."""
 AROUND = 500.0
@@ -23,7 +28,7 @@ AROUND = 500.0
 
 def is_installed() -> bool:
     """Whether the reference can be asked."""
-    return find_spec("ompl") is not None
+    return base is not None
 
 
 @compiled
@@ -47,9 +52,13 @@ def free_cells(
 
 
 def reference_length(world: World, radius: float, apart: float, seconds: float, seed: int) -> float:
-    """Length of the shortest path that BIT* finds in some seconds [m], infinite for none."""
-    from ompl import base, geometric, util  # noqa: PLC0415
+    """Length of the shortest path that BIT* finds in some seconds [m], infinite for none.
 
+    Raises:
+        ModuleNotFoundError: ompl is not installed.
+    """
+    if not is_installed():
+        raise ModuleNotFoundError(MISSING)
     util.setLogLevel(util.LogLevel.LOG_NONE)
     util.RNG.setSeed(seed + 1)
     ends = np.array([world.start, world.goal])[:, :2]

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from vfguide.companion.knowledge import ROLLOVER
@@ -18,21 +19,17 @@ from vfguide.companion.traffic import (
     Picture,
     report_of,
 )
+from vfguide.field.obstacle import obstacle_rows
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
+from vfguide.safety.fence import fences
+from vfguide.safety.hazards import Hazards, traffic_rows
+from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)
-ALL = (
-    AdsbFlags.VALID_COORDS
-    | AdsbFlags.VALID_ALTITUDE
-    | AdsbFlags.VALID_HEADING
-    | AdsbFlags.VALID_VELOCITY
-    | AdsbFlags.VALID_CALLSIGN
-    | AdsbFlags.VERTICAL_VELOCITY_VALID
-)
 FAR_AWAY = Own(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 
 
@@ -208,6 +205,20 @@ def test_only_the_nearest_in_reach_are_for_the_step():
     assert rows[:, 0] == pytest.approx(nearest, abs=0.02)  # the wire has 1e-7 deg
     seen.look(FAR_AWAY._replace(time_ms=6000))
     assert seen.rows(6000, 1.0).shape == (0, 11)
+
+
+def test_hazards_get_the_others_in_reach_as_traffic_and_stay_themselves_without():
+    seen = Surveillance(Picture(ORIGIN, SMALL_AIRCRAFT))
+    hazards = Hazards(obstacle_rows([]), traffic_rows([]), fences([]), -math.inf, math.inf)
+    assert seen.among(hazards, 5000, 0.0) is hazards
+    seen.hear(said(), 5000)
+    seen.look(Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0)))
+    among = seen.among(hazards, 5000, 7.0)
+    np.testing.assert_array_equal(among.traffic, seen.rows(5000, 7.0))
+    assert among.traffic.shape == (1, 11)
+    assert among[2:] == hazards[2:]
+    seen.look(FAR_AWAY._replace(time_ms=6000))
+    assert seen.among(hazards, 6000, 8.0) is hazards
 
 
 def test_the_operator_is_told_once_and_again_when_it_is_over():

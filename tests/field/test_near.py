@@ -4,6 +4,7 @@ from obstacle_samples import floats, random_directions, random_shape
 from test_distance import MORE_SHAPES, points_around, surface_points
 
 from vfguide.field import shape
+from vfguide.field.level import TIP, shape_level
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.geometry.compiled import compiled
@@ -67,8 +68,6 @@ def test_finite_at_any_distance(body):
 @every_shape
 def test_tight_at_the_surface(body):
     """A step outwards of a hundredth of the least size costs less than a quarter of itself."""
-    if body.kind == shape.Kind.CONE:
-        pytest.skip("a cone's bound is that of the sharp cone")
     foot, step = surface_points(body, 200), 1e-2 * min(body.semi_axes)
     rows = obstacle_rows([Obstacle(body, (0.0, 0.0, 0.0))])
     outside = foot * (1.0 + step / np.linalg.norm(foot, axis=1, keepdims=True))
@@ -77,11 +76,38 @@ def test_tight_at_the_surface(body):
     assert np.all(bound >= 0.75 * distance - 1e-9)
 
 
-def test_a_cone_is_at_most_the_rounding_of_its_tip_and_edge_too_near():
-    body = shape.cone(50.0, 80.0)
+def random_cones(count):
+    """From needles to discs, and points around each from deep inside to ten sizes away."""
     rng = np.random.default_rng(14)
-    bound, distance = both(body, surface_points(body, 500) * rng.uniform(1.0, 2.0, (500, 1)))
-    assert np.all(distance - bound <= 8.0)
+    for radius, height in 10.0 ** rng.uniform(0.3, 2.0, (count, 2)):
+        body = shape.cone(float(radius), float(height))
+        near = surface_points(body, 100) * 10.0 ** rng.uniform(-0.1, 0.3, (100, 1)) ** 3
+        far = rng.normal(size=(100, 3)) * body.semi_axes * 10.0 ** rng.uniform(-1.0, 1.0, (100, 1))
+        far[::3, :2] = near[::5, :2] = 0.0  # on the axis
+        yield body, np.vstack((near, far))
+
+
+def test_a_cone_is_at_most_the_rounding_of_its_edge_too_near():
+    """f = U^(1/8) is TIP at the centre and convex: this far from the edge inwards it is below 1."""
+    for body, x in random_cones(60):
+        bound, distance = both(body, x)
+        radius, _, half_height = body.semi_axes
+        assert_below(bound, distance, max(radius, half_height))
+        outside = distance > 0.0
+        edge = shape_level(body, (radius, 0.0, half_height)).U ** 0.125
+        rounding = (edge - 1.0) / (edge - TIP) * np.hypot(radius, half_height)
+        assert np.all((distance - bound)[outside] <= rounding + 1e-4 * distance[outside])
+
+
+@pytest.mark.parametrize(("off", "lost"), [(0.1, 0.002), (1.0, 0.1), (5.0, 1.3), (200.0, 5.0)])
+def test_near_a_cone_little_is_lost_beside_its_edge_and_next_to_nothing_elsewhere(off, lost):
+    body = shape.cone(50.0, 80.0)
+    foot = surface_points(body, 500)
+    normal = np.array([shape_level(body, floats(y)).gradient for y in foot])
+    x = foot + off * normal / np.linalg.norm(normal, axis=1, keepdims=True)
+    bound, _ = both(body, x)
+    assert off - bound.min() <= lost
+    assert off - np.quantile(bound, 0.2) <= 0.05 * lost
 
 
 @pytest.mark.parametrize("d", [1e-6, 1.0, 100.0, 1e5])

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from assurance_samples import FLOWN, SMALL, ball, hazards, motion, random_field
 
-from vfguide.safety.clearance import MOST_GROWTH, clearance_along
 from vfguide.safety.fence import Zone
 from vfguide.safety.hazards import (
     Intruder,
@@ -15,6 +14,7 @@ from vfguide.safety.hazards import (
     traffic_rows,
 )
 from vfguide.safety.manoeuvre import KINDS, fly_for, fly_out, manoeuvre, remainder
+from vfguide.safety.track_clearance import MOST_GROWTH, clearance_along
 
 STEP, WIND = 0.2, (4.0, -3.0, 0.0)
 

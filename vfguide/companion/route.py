@@ -79,7 +79,7 @@ class Route:
             self.notes += self._surveillance.look(Own(now_ms, own.p_n, own.v_n))
         hazards = plan.hazards
         if hazards is not None:
-            hazards = hazards._replace(traffic=self._surveillance.rows(now_ms, t))
+            hazards = self._surveillance.among(hazards, now_ms, t)
         omega_b, thrust, q_nb, after, miss = step_on(
             state,
             plan.origin,

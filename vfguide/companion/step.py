@@ -37,6 +37,10 @@ from vfguide.safety.limits import guide_within_limits
 
 Quaternion = tuple[float, float, float, float]
 
+GUST = 1.0
+"""Speed of the gusts that tracks are predicted for, one standard deviation [m/s]: nothing tells the
+true one."""
+
 
 class Passage(NamedTuple):
     """How a goal was passed between two steps; infinite where it was not."""
@@ -97,7 +101,7 @@ def step(
         setpoint, flight, wish = guide_within_limits(flown_in, target, law, memory.flight)
     else:
         guard, detour = guard.copy(), detour.copy()
-        watch = Watch(hazards, fence, t, 1.0)
+        watch = Watch(hazards, fence, t, GUST)
         setpoint, flight, wish = guide_clear(
             state, flown_in, target, law, memory.flight, watch, guard, detour
         )

@@ -8,7 +8,7 @@ from vfguide.companion.traffic import Own, Picture, Report, placed_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.vector import norm, sub
 from vfguide.link.messages import AdsbVehicle
-from vfguide.safety.hazards import traffic_rows
+from vfguide.safety.hazards import Hazards, traffic_rows
 
 LOOK = 0.5
 """Between two looks round [s]."""
@@ -50,6 +50,10 @@ class Surveillance:
             self._alerts[its.icao], note = look(before.get(its.icao, Alert()), its, own)
             notes += [note] if note else []
         return notes
+
+    def among(self, hazards: Hazards, now_ms: int, t: float) -> Hazards:
+        """The hazards with the others in reach as their traffic; as they are if there is nobody."""
+        return hazards._replace(traffic=self.rows(now_ms, t)) if self._near else hazards
 
     def rows(self, now_ms: int, t: float) -> Rows:
         """The others in reach for the step at the autopilot's time `now_ms`, `t` [s]."""

@@ -3,11 +3,12 @@
 Two bounds are good in different places, and the larger one is taken. Near the surface it is the
 gauge's: f = U^(1/m), m twice the least exponent, is convex for every shape here (the norm of
 convex functions), so nothing of the body is nearer than (f - 1) / |grad f|. Far away, and inside,
-it is the sharp body in which the body lies: the box, or the upright cylinder or cone with edges.
+it is the sharp body in which the body lies: the box, the upright cylinder or the cone's frustum.
 """
 
 import math
 
+from vfguide.field.level import TIP
 from vfguide.field.obstacle import Rows
 from vfguide.field.shape import EDGED, Kind
 from vfguide.geometry.compiled import compiled
@@ -88,14 +89,29 @@ def upright_distance(x: float, y: float, z: float, radius: float, half_height: f
 
 @compiled
 def cone_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """Distance from the planes of the cone with a sharp apex and edge [m], negative inside.
+    """At most the distance from an upright cone of the level functions, in its axes [m]."""
+    sharp = frustum_distance(x, y, z, radius, half_height)
+    if sharp > BESIDE * max(radius, half_height):
+        return sharp
+    return max(sharp, cone_gauge(x, y, z, radius, half_height))
 
-    Outside the bounding cylinder counts as well, which is nearer the truth beside the edge.
+
+@compiled
+def frustum_distance(x: float, y: float, z: float, radius: float, half_height: float) -> float:
+    """Distance from the cone with a sharp edge, cut off where the blunt one ends [m].
+
+    Negative inside.
     """
-    rho, height = math.sqrt(x * x + y * y), 2.0 * half_height
-    slant = (rho * height - (z + half_height) * radius) / math.hypot(height, radius)
-    planes = max(slant, z - half_height)
-    return max(planes, upright_distance(x, y, z, radius, half_height)) if planes > 0.0 else planes
+    top, top_radius = (TIP - 1.0) * half_height, 0.5 * TIP * radius
+    dr, dz = radius - top_radius, half_height - top
+    rho, down = math.sqrt(x * x + y * y), z - top
+    part = ((rho - top_radius) * dr + down * dz) / (dr * dr + dz * dz)
+    part = max(0.0, min(1.0, part))
+    u, w = rho - top_radius - part * dr, down - part * dz
+    over = max(-down, down - dz)
+    past = max(0.0, rho - (radius if 2.0 * down > dz else top_radius))
+    distance = math.sqrt(min(u * u + w * w, past * past + over * over))
+    return -distance if over <= 0.0 and u <= 0.0 else distance
 
 
 @compiled
@@ -109,6 +125,23 @@ def cylinder_gauge(x: float, y: float, z: float, radius: float, half_height: flo
         return -math.inf
     gu, gw = u4 / (math.sqrt(u) * radius + 1e-300), w8 / (abs(w) * half_height + 1e-300)
     return (level - eighth_root(level) ** 7) / math.sqrt(gu * gu + gw * gw)
+
+
+@compiled
+def cone_gauge(x: float, y: float, z: float, radius: float, half_height: float) -> float:
+    """The gauge's bound of a cone [m]; minus infinity inside.
+
+    U of `level.cone_level` is u^8 + w^8; u and w are convex and not negative.
+    """
+    rho, down = 2.0 * math.sqrt(x * x + y * y) / radius, z / half_height
+    s = math.sqrt(rho * rho + TIP * TIP)
+    u, w = max(0.0, s - down), max(0.0, down)
+    u7, w7 = u * u * u * u * u * u * u, w * w * w * w * w * w * w
+    level = u7 * u + w7 * w
+    if level <= 1.0:
+        return -math.inf
+    g_rho, g_z = 2.0 * u7 * rho / (s * radius), (w7 - u7) / half_height
+    return (level - eighth_root(level) ** 7) / math.sqrt(g_rho * g_rho + g_z * g_z)
 
 
 @compiled

@@ -103,6 +103,16 @@ def clearance_at(hazards: Outlines, x: float, y: float, t: float) -> Nearest:
 
 
 @compiled
+def clearance_at_rest(hazards: Outlines, x: float, y: float) -> float:
+    """Distance from the nearest hazard that does not move [m]."""
+    least = math.inf
+    for i in range(len(hazards.table)):
+        if hazards.table[i, SPEED] == 0.0 and hazards.table[i, SINCE] == -math.inf:
+            least = min(least, hazard_distance(hazards, i, x, y, 0.0, least))
+    return least
+
+
+@compiled
 def near_hazards(hazards: Outlines, x: float, y: float, reach: float) -> int:
     """Those that can be nearer than `reach` [m] to (x, y), a bit each; all that may move."""
     near = 0

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.flight.clearance import hazard_distance
+from vfguide.flight.clearance import clearance_at_rest
 from vfguide.flight.hop_check import SHORTEST_STEP
 from vfguide.flight.outlines import (
     BALL,
@@ -13,8 +13,6 @@ from vfguide.flight.outlines import (
     COUNT,
     FIRST,
     SIGN,
-    SINCE,
-    SPEED,
     VX,
     VY,
     Outlines,
@@ -56,6 +54,12 @@ def support(hazards: Outlines, i: int, nx: float, ny: float) -> tuple[float, flo
 
 
 @compiled
+def checked(wanted: float) -> float:
+    """Clearance that a check asks for where one is wanted [m]."""
+    return wanted + 0.5 * SHORTEST_STEP * wanted
+
+
+@compiled
 def add_via(
     hazards: Outlines, vias: Poses, used: int, x: float, y: float, course: float, wanted: float
 ) -> int:
@@ -63,22 +67,11 @@ def add_via(
 
     Returns how many there are.
     """
-    at_rest = clearance_at_rest(hazards, x, y)
-    if at_rest < wanted + 0.5 * SHORTEST_STEP * wanted or used + 2 > len(vias):
+    if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(vias):
         return used
     vias[used] = (x, y, course)
     vias[used + 1] = (x, y, course + math.pi)
     return used + 2
-
-
-@compiled
-def clearance_at_rest(hazards: Outlines, x: float, y: float) -> float:
-    """Distance from the nearest hazard that does not move [m]."""
-    least = math.inf
-    for i in range(len(hazards.table)):
-        if hazards.table[i, SPEED] == 0.0 and hazards.table[i, SINCE] == -math.inf:
-            least = min(least, hazard_distance(hazards, i, x, y, 0.0, least))
-    return least
 
 
 @compiled
@@ -88,7 +81,7 @@ def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses
     They touch its outline grown by the wanted clearance; round a circle to keep in, from inside.
     """
     row = hazards.table[i]
-    apart = row[SIGN] * (wanted + 0.5 * SHORTEST_STEP * wanted + AMPLE)
+    apart = row[SIGN] * (checked(wanted) + AMPLE)
     for k in range(BEARINGS):
         bearing = 2.0 * math.pi * k / BEARINGS
         nx, ny = math.cos(bearing), math.sin(bearing)
@@ -105,7 +98,7 @@ def round_corners(hazards: Outlines, i: int, wanted: float, vias: Poses, used: i
     row = hazards.table[i]
     first, count = int(row[FIRST]), int(row[COUNT])
     corners = hazards.sides[first : first + count, 3:]
-    apart = wanted + 0.5 * SHORTEST_STEP * wanted + AMPLE
+    apart = checked(wanted) + AMPLE
     for k in range(count):
         bx, by = corners[k] - corners[k - 1]
         ax, ay = corners[(k + 1) % count] - corners[k]

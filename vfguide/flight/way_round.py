@@ -5,6 +5,7 @@ too near to it, or where the flight law has changed it by itself, the coarse sea
 """
 
 import math
+from typing import NamedTuple
 
 from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Rows
@@ -23,18 +24,20 @@ from vfguide.flight.detour_leg import (
     DetourState,
     begin_detour,
     go_on_detour,
+    hop_at,
     hops_left,
     is_on_detour,
     vehicle_from,
 )
-from vfguide.flight.hop import Hop, Piece, hop_row
+from vfguide.flight.hop import HOP_COLUMNS, Hop, Piece, hop_row
 from vfguide.flight.hop_check import Air, Task, check_piece, demand_of, way_is_clear
 from vfguide.flight.leg import FIELD, NEW, WAY, Leg, with_final
 from vfguide.flight.memory import Target
 from vfguide.flight.outlines import Outlines, hazards_of, joined
 from vfguide.flight.performance import Gains
+from vfguide.flight.shortest import Word
 from vfguide.flight.state import FlightState
-from vfguide.flight.way import FIRST_TURN, MIDDLE, TURN_IN, Pose
+from vfguide.flight.way import TURN_IN, Pose
 from vfguide.geometry.compiled import compiled
 
 LOOK = 0.2
@@ -45,39 +48,39 @@ TOLERATED = 0.6
 """Part of the clearance that was found of which so much is left when a way is given up."""
 
 
-@compiled
-def seek_way(
-    state: FlightState,
-    target: Target,
-    leg: Leg,
-    gains: Gains,
-    obstacles: Rows,
-    fence: Outlines,
-    t: float,
-    detour: DetourState,
-) -> Leg:
-    """The leg with a way that keeps clear of the hazards, if it needs another; fills `detour`.
+class Journey(NamedTuple):
+    """Who flies where."""
 
-    Args:
-        state: of the vehicle.
-        target: the goal.
-        leg: memory of the leg.
-        gains: of the approach.
-        obstacles: that are known.
-        fence: to stay in or out of.
-        t: now, on the clock of the obstacles [s].
-        detour: memory of the detour.
-    """
+    state: FlightState
+    target: Target
+    gains: Gains
+
+
+class Scene(NamedTuple):
+    """What may be in the way."""
+
+    obstacles: Rows
+    """That are known."""
+    fence: Outlines
+    """To stay in or out of."""
+    t: float
+    """Now, on the clock of the obstacles [s]."""
+
+
+@compiled
+def seek_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> Leg:
+    """The leg with a way that keeps clear of the hazards, if it needs another; fills `detour`."""
+    t = scene.t
     if is_on_detour(detour):
-        leg = go_on_detour(detour, state, leg)
+        leg = go_on_detour(detour, journey.state, leg)
     if leg.phase == NEW or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
         return leg
     detour[LOOKED], detour[SHIFTED] = t, 0.0
-    if is_clear(state, target, leg, gains, obstacles, fence, t, detour):
+    if is_clear(journey, leg, scene, detour):
         return leg
     if detour[CLEARANCE] < 0.0 and t - detour[SOUGHT] < SEEK:
         return leg
-    return with_new_way(state, target, leg, gains, obstacles, fence, t, detour)
+    return with_new_way(journey, leg, scene, detour)
 
 
 @compiled
@@ -88,12 +91,10 @@ def band_of(state: FlightState, target: Target) -> Band:
 
 
 @compiled
-def task_from(
-    start: Pose, goal: Pose, radius: float, state: FlightState, gains: Gains, t: float
-) -> Task:
+def task_from(journey: Journey, start: Pose, goal: Pose, radius: float, t: float) -> Task:
     """What is to be flown from a pose in this wind."""
-    air = Air(gains.airspeed, state.wind_n[0], state.wind_n[1])
-    return Task(start, goal, radius, air, t)
+    wind_n = journey.state.wind_n
+    return Task(start, goal, radius, Air(journey.gains.airspeed, wind_n[0], wind_n[1]), t)
 
 
 @compiled
@@ -112,31 +113,22 @@ def pose_of(state: FlightState, ahead: float) -> Pose:
 
 
 @compiled
-def is_clear(
-    state: FlightState,
-    target: Target,
-    leg: Leg,
-    gains: Gains,
-    obstacles: Rows,
-    fence: Outlines,
-    t: float,
-    detour: DetourState,
-) -> bool:
+def is_clear(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> bool:
     """Whether the rest of the way is clear."""
+    state, target = journey.state, journey.target
     wanted = TOLERATED * (detour[CLEARANCE] if detour[CLEARANCE] > 0.0 else CLEARANCES[0])
-    hazards = joined(hazards_of(obstacles, band_of(state, target), wanted), fence)
+    hazards = joined(hazards_of(scene.obstacles, band_of(state, target), wanted), scene.fence)
     here, entry = pose_of(state, 0.0), entry_of(target, leg.final)
-    task = task_from(here, entry_of(target, 0.0), leg.radius, state, gains, t)
+    task = task_from(journey, here, entry_of(target, 0.0), leg.radius, scene.t)
     if is_on_detour(detour):
-        gone = gone_in(detour, leg.radius)
         index, piece = int(detour[INDEX]), int(detour[PIECE])
+        gone = gone_in(hop_at(detour, index).word, piece, detour[LEFT], leg.radius)
         return way_is_clear(hazards, task, wanted, hops_left(detour), index, piece, gone)
     if leg.phase == WAY:
         way = leg.way
         hop = Hop(placed(entry, Pose(way.x, way.y, way.course)), way.word)
-        rows = hop_row(hop).reshape(1, 9)
-        lengths = (way.word.arc, way.word.reach, way.word.end)
-        gone = way.radius * max(0.0, lengths[way.piece] - way.left)
+        rows = hop_row(hop).reshape(1, HOP_COLUMNS)
+        gone = gone_in(way.word, way.piece, way.left, way.radius)
         return way_is_clear(hazards, task, wanted, rows, 0, way.piece, gone)
     if leg.phase == FIELD:
         return field_is_clear(state, leg, hazards, task, entry, wanted)
@@ -160,12 +152,10 @@ def field_is_clear(
 
 
 @compiled
-def gone_in(detour: DetourState, radius: float) -> float:
-    """Length of the piece of a detour that lies behind [m]."""
-    row = hops_left(detour)[int(detour[INDEX])]
-    piece = int(detour[PIECE])
-    length = row[4] if piece == FIRST_TURN else row[6] if piece == MIDDLE else row[8]
-    return radius * max(0.0, length - detour[LEFT])
+def gone_in(word: Word, piece: int, left: float, radius: float) -> float:
+    """Length of a piece of a word that lies behind where so much is `left` of it [m]."""
+    lengths = (word.arc, word.reach, word.end)
+    return radius * max(0.0, lengths[piece] - left)
 
 
 @compiled
@@ -177,28 +167,20 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 
 
 @compiled
-def with_new_way(
-    state: FlightState,
-    target: Target,
-    leg: Leg,
-    gains: Gains,
-    obstacles: Rows,
-    fence: Outlines,
-    t: float,
-    detour: DetourState,
-) -> Leg:
+def with_new_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> Leg:
     """The leg along what the search finds; as it was where it finds nothing.
 
     Where there is no way to the beginning of the straight end, one to the goal itself is taken.
     """
-    final = gains.final * leg.radius
-    detour[SOUGHT] = detour[LOOKED] = t
+    state, target = journey.state, journey.target
+    final = journey.gains.final * leg.radius
+    detour[SOUGHT] = detour[LOOKED] = scene.t
     detour[COUNT], detour[CLEARANCE] = 0.0, -1.0
     begin, band = pose_of(state, TURN_IN), band_of(state, target)
     for end in (final, 0.0):
         entry = entry_of(target, end)
-        task = task_from(begin, entry, leg.radius, state, gains, t + TURN_IN)
-        found = find_detour(obstacles, fence, band, task)
+        task = task_from(journey, begin, entry, leg.radius, scene.t + TURN_IN)
+        found = find_detour(scene.obstacles, scene.fence, band, task)
         if len(found.hops) > 0:
             detour[CLEARANCE] = found.clearance
             begin_detour(detour, found, entry, leg.radius)

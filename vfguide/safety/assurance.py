@@ -15,11 +15,11 @@ import numpy as np
 from vfguide.flight.performance import Gains, Performance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.clearance import Clearance
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.manoeuvre import Manoeuvre, bank_of, climb_of, remainder, time_scale
 from vfguide.safety.motion import Dynamics, Motion, advance, dynamics
-from vfguide.safety.search import (
+from vfguide.safety.track_clearance import Clearance
+from vfguide.safety.way_out import (
     LENGTH,
     Found,
     World,

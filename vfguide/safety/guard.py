@@ -16,7 +16,7 @@ from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines, joined
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.way_round import band_of, seek_way
+from vfguide.flight.way_round import Journey, Scene, band_of, seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assurance, assure
@@ -91,7 +91,8 @@ def guide_clear(
             band = band_of(state, target)
             moving = traffic_outlines(hazards.traffic, band, CLEARANCES[0], watch.time)
             shut = joined(shut, moving)
-        leg = seek_way(state, target, leg, gains, hazards.obstacles, shut, watch.time, detour)
+        scene = Scene(hazards.obstacles, shut, watch.time)
+        leg = seek_way(Journey(state, target, gains), leg, scene, detour)
     wish, planned = plan_flight(flown_in, target, aircraft, gains, with_leg(memory, leg), detour)
     if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:
         detour[SHIFTED] = 1.0

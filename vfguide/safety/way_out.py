@@ -8,7 +8,6 @@ import numpy as np
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm
-from vfguide.safety.clearance import Clearance, clearance_along
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.manoeuvre import (
     HORIZON,
@@ -21,6 +20,7 @@ from vfguide.safety.manoeuvre import (
     manoeuvre,
 )
 from vfguide.safety.motion import Dynamics, Motion, advance
+from vfguide.safety.track_clearance import Clearance, clearance_along
 
 LENGTH = round(HORIZON / STEP) + 1
 """Points of a track."""
