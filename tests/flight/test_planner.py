@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from vfguide.flight.approach import Planar
 from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, keep_radius, new_leg, turn_radius
+from vfguide.flight.longer import best_away, best_end
 from vfguide.flight.planner import BREAK_OFF, SETTLING, fly_leg, leg_course
 from vfguide.flight.shortest import FULL, is_hasty, length_of, shortest_word
-from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 
 RADIUS, SPEED = 80.0, 25.0
@@ -98,9 +98,11 @@ def test_a_way_is_long_enough_for_the_height_or_the_vehicle_flies_away_first(
     after, here = begun(x, y, course, path_needed), at(x, y, course)
     remaining = leg_course(after, here, CORE).remaining
     if after.phase == AWAY:
-        begin = ahead(here, after.final)
-        toward = math.atan2(-begin[1], -begin[0])
-        assert abs(wrap(after.away - toward)) >= 1.6 - 1e-9
+        begin = at(*ahead(here, after.final), course)
+        needed = path_needed - after.final - after.circles * FULL * RADIUS
+        chosen, length = best_away(begin, RADIUS, needed)
+        assert after.away == chosen
+        assert needed <= length < best_end(begin, RADIUS, needed)[1]
     elif after.phase == WAY:
         assert remaining >= path_needed - 1e-6
         assert remaining < max(path_needed + FULL * RADIUS, 20.0 * RADIUS)

@@ -3,7 +3,16 @@
 import pytest
 
 from vfguide.flight.performance import turn_length
-from vfguide.flight.vertical import LINE_UP, STANDOFF, goal_slope, path_needed, profile_height
+from vfguide.flight.vertical import (
+    LINE_UP,
+    RAMP,
+    SLOPE_RATE,
+    STANDOFF,
+    goal_slope,
+    path_needed,
+    profile_height,
+)
+from vfguide.geometry.units import G0
 
 SLOPES = [0.0, 0.1, -0.12]
 UNIT = turn_length(25.0)
@@ -48,9 +57,25 @@ def test_on_the_profile_the_slope_is_the_profiles(slope, remaining):
     assert goal_slope(on_it, remaining, slope, UNIT) == pytest.approx(rise / (2.0 * step), abs=1e-6)
 
 
-def test_a_change_of_height_at_the_steepest_slope_takes_the_path_needed():
-    assert path_needed(50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
-    assert path_needed(-50.0, 1000.0, 0.0, 0.1, UNIT) == 500.0
+@pytest.mark.parametrize("before", [0.0, 0.06, -0.1, 0.3])
+@pytest.mark.parametrize("height", [50.0, 5.0, 0.5, -2.0, -50.0])
+def test_a_change_of_height_takes_the_path_needed_with_its_ramps(height, before):
+    """What `plan_slope` may do, done as fast as planned: up to the slope, along it, and back."""
+    most, ramp, step = 0.1, RAMP * SLOPE_RATE / (G0 * UNIT), 0.01
+    sign = -1.0 if height > 0.0 else 1.0  # of the slope
+    needed = path_needed(height, 1000.0, 0.0, most, UNIT, before)
+    left, slope, flown = abs(height), max(-most, min(most, sign * before)), 0.0
+    while abs(left) > 1e-3 or abs(slope) > 1e-3:
+        lowering = slope * abs(slope) / (2.0 * ramp)  # what the ramp back still takes away
+        slope += step * ramp if left > lowering else -step * ramp
+        slope = max(-most, min(most, slope))
+        left -= step * slope
+        flown += step
+    assert needed == pytest.approx(flown, abs=0.5)
+
+
+def test_a_level_flight_at_its_height_needs_no_path():
+    assert path_needed(0.0, 1000.0, 0.0, 0.1, UNIT, 0.0) == 0.0
 
 
 @pytest.mark.parametrize("times", [0.2, 3.0])
@@ -59,5 +84,7 @@ def test_the_profile_of_another_aircraft_is_the_same_in_turn_lengths(times):
         large, far, unit = times * height, times * remaining, times * UNIT
         there = goal_slope(large, far, slope, unit)
         assert there == pytest.approx(goal_slope(height, remaining, slope, UNIT))
-        needed = path_needed(large, far, slope, 0.1, unit)
-        assert needed == pytest.approx(times * path_needed(height, remaining, slope, 0.1, UNIT))
+        needed = path_needed(large, far, slope, 0.1, unit, 0.03)
+        assert needed == pytest.approx(
+            times * path_needed(height, remaining, slope, 0.1, UNIT, 0.03)
+        )

@@ -57,7 +57,7 @@ def plan_flight(
     if is_on_detour(detour):
         course = detour_course(detour, soon(state, gains), leg, target.course)
     else:
-        leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg)
+        leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg, memory.slope)
     gamma = path_of(air, speed)
     heading = heading_for_course(
         target.course + course.chi,

@@ -17,7 +17,7 @@ from vfguide.geometry.vector import Vec3
 
 LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
-PLANNED = 0.92
+PLANNED = 0.95
 """Part of the steepest slope that ways are planned with."""
 SLOWEST_TURN = 2.5
 """No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
@@ -58,9 +58,17 @@ def in_goal_plane(state: FlightState, target: Target) -> Planar:
 
 @compiled
 def plan_course(
-    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
+    state: FlightState,
+    target: Target,
+    aircraft: Performance,
+    gains: Gains,
+    leg: Leg,
+    slope: float,
 ) -> tuple[Leg, Course]:
-    """Memory of the leg, and the course over ground relative to the target's."""
+    """Memory of the leg, and the course over ground relative to the target's.
+
+    `slope` is the one that was wanted at the step before.
+    """
     at = in_goal_plane(state, target)
     if target.circle != 0.0:
         return leg, loiter(at, target, leg)
@@ -68,9 +76,9 @@ def plan_course(
     descent = descent_at_airspeed(aircraft, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
     tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
-    slope = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
+    most = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
     distance = math.hypot(at.x, at.y)
-    needed = path_needed(height, distance, target.slope, max(slope, 1e-6), unit)
+    needed = path_needed(height, distance, target.slope, max(most, 1e-6), unit, slope)
     leg = fly_leg(leg, at, needed, gains)
     core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
     return leg, leg_course(leg, at, core)

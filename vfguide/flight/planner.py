@@ -11,6 +11,7 @@ goal. What does not lead on any more is planned anew.
 import math
 
 from vfguide.flight.approach import Course, Planar, field_course
+from vfguide.flight.longer import best_away, best_end
 from vfguide.flight.field_phase import (
     begins_in_field,
     is_lined_up,
@@ -31,15 +32,12 @@ from vfguide.flight.way import (
     way_course,
     way_left,
 )
-from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
-SETTLING = 1.3
+SETTLING = 0.9
 """The straight end is this long [radii] where the turns before it follow in haste."""
 OFF_WAY = 0.5
 """A way is planned anew where the vehicle is farther beside it than this, in radii."""
-ACROSS = 1.6
-"""Away from the goal means at least so far off the direction towards it [rad]."""
 BREAK_OFF = 0.9
 """A way is planned anew when it is shorter than this part of what the height needs."""
 
@@ -138,30 +136,37 @@ def begin_here(leg: Leg, at: Planar, path_needed: float, final: float) -> Leg:
 
 @compiled
 def way_or_away(leg: Leg, begin: Planar, word: Word, path_needed: float) -> Leg:
-    """The leg along a word, with full circles for the height, or away from the goal first."""
+    """The leg along a word that is long enough for the height.
+
+    It gets full circles, and for what is less than one a longer straight end, or it is begun away
+    from the goal.
+    """
     missing = (path_needed / leg.radius - length_of(word)) / FULL  # in circles
     circles = float(math.floor(missing)) if missing > 0.0 else 0.0
     if leg.phase == AWAY:
         circles = leg.circles
     if missing <= circles:
-        arc = word.arc + FULL * circles
-        word = Word(word.first, arc, word.middle, word.reach, word.last, word.end)
-        return in_phase(leg, WAY, new_way(begin, word, leg.radius))
+        return in_phase(leg, WAY, new_way(begin, with_circles(word, circles), leg.radius))
     if leg.phase == AWAY:
         return leg
-    return Leg(AWAY, leg.radius, leg.final, away_course(begin), circles, leg.way)
+    path_needed -= FULL * circles * leg.radius
+    farther, with_end = best_end(begin, leg.radius, path_needed)
+    course, with_away = best_away(begin, leg.radius, path_needed)
+    if with_away < with_end:
+        return Leg(AWAY, leg.radius, leg.final, course, circles, leg.way)
+    begin = Planar(begin.x + farther, begin.y, begin.vx, begin.vy)
+    word = with_circles(word_from(begin, leg.radius), circles)
+    return in_phase(with_final(leg, leg.final + farther), WAY, new_way(begin, word, leg.radius))
+
+
+@compiled
+def with_circles(word: Word, circles: float) -> Word:
+    """The word with full circles more at its beginning."""
+    arc = word.arc + FULL * circles
+    return Word(word.first, arc, word.middle, word.reach, word.last, word.end)
 
 
 @compiled
 def word_from(at: Planar, radius: float) -> Word:
     """The shortest word from here to the origin."""
     return shortest_word(at.x, at.y, math.atan2(at.vy, at.vx), radius)
-
-
-@compiled
-def away_course(at: Planar) -> float:
-    """The present course, or one across the direction towards the origin [rad]."""
-    toward = math.atan2(-at.y, -at.x)
-    off = wrap(math.atan2(at.vy, at.vx) - toward)
-    side = 1.0 if off >= 0.0 else -1.0
-    return toward + side * max(abs(off), ACROSS)

@@ -1,0 +1,67 @@
+"""Ways that are made longer for the height are long enough, and the shortest of their kind."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.flight.approach import Planar
+from vfguide.flight.longer import TURN, TURNS, best_away, best_end, path_away
+from vfguide.flight.shortest import FULL, length_of, shortest_word
+from vfguide.flight.way import Pose, after_turn
+
+RADIUS, SPEED = 62.5, 25.0
+PLACE, COURSE = st.floats(-500.0, 500.0), st.floats(-math.pi, math.pi)
+NEEDED = st.floats(0.0, 2000.0)
+
+
+def shortest(x, y, course):
+    return RADIUS * length_of(shortest_word(x, y, course, RADIUS))
+
+
+def at(x, y, course):
+    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
+
+
+@given(PLACE, PLACE, COURSE, NEEDED)
+def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
+    x, y, course, needed
+):
+    farther, length = best_end(at(x, y, course), RADIUS, needed)
+    assert length == pytest.approx(farther + shortest(x + farther, y, course))
+    assert length >= needed
+    before = farther - 0.1 * RADIUS
+    if before > -1e-9:
+        assert before + shortest(x + before, y, course) < needed + 1e-6
+    else:
+        assert farther == 0.0
+
+
+@given(PLACE, PLACE, COURSE, NEEDED)
+def test_the_course_away_is_the_one_of_the_shortest_path(x, y, course, needed):
+    chosen, length = best_away(at(x, y, course), RADIUS, needed)
+    assert length >= needed
+    lengths = {}
+    for k in range(-TURNS, TURNS + 1):
+        turn = abs(k) * TURN
+        pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), turn, RADIUS)
+        path = RADIUS * turn + path_away(pose, RADIUS, needed - RADIUS * turn)
+        lengths[pose.course] = path
+    assert length == pytest.approx(min(lengths.values()))
+    nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL)))
+    assert lengths[nearest] == pytest.approx(length)
+
+
+def test_a_little_that_is_missing_costs_no_circle_where_one_of_both_is_steady():
+    """20 m more than the shortest way: a longer end, or away from the goal, leaps by 170 m."""
+    course = math.radians(310.7)
+    here = at(-111.6, 137.6, course)
+    way = shortest(here.x, here.y, course)
+    assert best_end(here, RADIUS, way + 20.0)[1] < way + 25.0
+    assert best_away(here, RADIUS, way + 20.0)[1] > way + 200.0
+    course = math.radians(118.2)
+    here = at(-134.1, -84.5, course)
+    way = shortest(here.x, here.y, course)
+    assert best_end(here, RADIUS, way + 20.0)[1] > way + 170.0
+    assert best_away(here, RADIUS, way + 20.0)[1] < way + 25.0

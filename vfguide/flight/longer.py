@@ -1,0 +1,67 @@
+"""Longer ways, where the shortest one is too short for the height.
+
+The length of the shortest way leaps where another word becomes the shortest, by up to a circle.
+Therefore several ways of making it longer are tried, and the one that ends up shortest is taken.
+"""
+
+import math
+
+from vfguide.flight.approach import Planar
+from vfguide.flight.shortest import length_of, shortest_word
+from vfguide.flight.way import Pose, after_turn
+from vfguide.geometry.compiled import compiled
+
+TURNS = 4
+TURN = 0.55
+"""So many turns to either side are tried, each by so much more [rad]."""
+STRIDE = 0.1
+"""Lengths of straights are tried in steps of this, in radii."""
+
+
+@compiled
+def best_end(at: Planar, radius: float, path_needed: float) -> tuple[float, float]:
+    """How much longer to make the straight end, and the length of the path with it [m].
+
+    Args:
+        at: the vehicle, the origin where the straight end begins.
+        radius: of the turns [m].
+        path_needed: least length of the path to the origin [m].
+    """
+    course = math.atan2(at.vy, at.vx)
+    farther = 0.0
+    while True:
+        word = shortest_word(at.x + farther, at.y, course, radius)
+        length = farther + radius * length_of(word)
+        if length >= path_needed:
+            return farther, length
+        farther += STRIDE * radius
+
+
+@compiled
+def best_away(at: Planar, radius: float, path_needed: float) -> tuple[float, float]:
+    """The course to fly on before the way begins [rad], and the length of the path then [m].
+
+    Arguments of `best_end`.
+    """
+    begin = Pose(at.x, at.y, math.atan2(at.vy, at.vx))
+    best, least = begin.course, math.inf
+    for k in range(2 * TURNS + 1):
+        turn = TURN * ((k + 1) // 2)
+        pose = after_turn(begin, 1.0 if k % 2 == 1 else -1.0, turn, radius)
+        length = radius * turn + path_away(pose, radius, path_needed - radius * turn)
+        if length < least:
+            best, least = pose.course, length
+    return best, least
+
+
+@compiled
+def path_away(begin: Pose, radius: float, path_needed: float) -> float:
+    """Length of a straight and the shortest way behind it that first is as long as needed [m]."""
+    c, s = math.cos(begin.course), math.sin(begin.course)
+    straight = 0.0
+    while True:
+        x, y = begin.x + straight * c, begin.y + straight * s
+        length = straight + radius * length_of(shortest_word(x, y, begin.course, radius))
+        if length >= path_needed:
+            return length
+        straight += STRIDE * radius
