@@ -11,7 +11,6 @@ goal. What does not lead on any more is planned anew.
 import math
 
 from vfguide.flight.approach import Course, Planar, field_course
-from vfguide.flight.longer import best_away, best_end
 from vfguide.flight.field_phase import (
     begins_in_field,
     is_lined_up,
@@ -21,6 +20,7 @@ from vfguide.flight.field_phase import (
     takes_up_field,
 )
 from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, Leg, before_end, in_phase, with_final
+from vfguide.flight.longer import best_away, best_end
 from vfguide.flight.performance import Gains
 from vfguide.flight.shortest import FULL, Word, is_hasty, length_of, shortest_word
 from vfguide.flight.way import (
