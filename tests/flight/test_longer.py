@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.flight.approach import Planar
-from vfguide.flight.longer import TURN, TURNS, best_away, best_end, path_away
+from vfguide.flight.longer import STRIDES, TURN, TURNS, best_away, best_end, path_away
 from vfguide.flight.shortest import FULL, length_of, shortest_word
 from vfguide.flight.way import Pose, after_turn
 
@@ -28,7 +28,13 @@ def at(x, y, course):
 def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
     x, y, course, needed
 ):
+    way = shortest(x, y, course)
+    needed = min(needed, way + FULL * RADIUS)
     farther, length = best_end(at(x, y, course), RADIUS, needed)
+    if math.isinf(length):
+        ends = [0.1 * RADIUS * k for k in range(STRIDES)]
+        assert all(end + shortest(x + end, y, course) < needed for end in ends)
+        return
     assert length == pytest.approx(farther + shortest(x + farther, y, course))
     assert length >= needed
     before = farther - 0.1 * RADIUS
@@ -40,8 +46,9 @@ def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
 
 @given(PLACE, PLACE, COURSE, NEEDED)
 def test_the_course_away_is_the_one_of_the_shortest_path(x, y, course, needed):
+    needed = min(needed, shortest(x, y, course) + FULL * RADIUS)
     chosen, length = best_away(at(x, y, course), RADIUS, needed)
-    assert length >= needed
+    assert needed <= length < math.inf
     lengths = {}
     for k in range(-TURNS, TURNS + 1):
         turn = abs(k) * TURN
@@ -65,3 +72,20 @@ def test_a_little_that_is_missing_costs_no_circle_where_one_of_both_is_steady():
     way = shortest(here.x, here.y, course)
     assert best_end(here, RADIUS, way + 20.0)[1] > way + 170.0
     assert best_away(here, RADIUS, way + 20.0)[1] < way + 25.0
+
+
+@pytest.mark.parametrize(
+    ("x", "needed", "end_found", "away_found"),
+    [
+        (-200.0, 380.0, True, True),
+        (-5e3, 0.0, True, True),
+        (-5e3, 380.0, False, True),
+        (-1e6, 380.0, False, True),
+        (300.0, 380.0, True, True),
+        (-200.0, math.nan, False, False),
+    ],
+)
+def test_every_search_ends(x, needed, end_found, away_found):
+    here, needed = at(x, 0.0, 0.0), shortest(x, 0.0, 0.0) + needed
+    assert math.isfinite(best_end(here, RADIUS, needed)[1]) == end_found
+    assert math.isfinite(best_away(here, RADIUS, needed)[1]) == away_found

@@ -15,12 +15,16 @@ TURNS = 4
 TURN = 0.55
 """So many turns to either side are tried, each by so much more [rad]."""
 STRIDE = 0.1
-"""Lengths of straights are tried in steps of this, in radii."""
+"""Lengths of straights are tried in steps of this, in radii, ..."""
+STRIDES = 100
+"""... no more of them than this."""
 
 
 @compiled
 def best_end(at: Planar, radius: float, path_needed: float) -> tuple[float, float]:
     """How much longer to make the straight end, and the length of the path with it [m].
+
+    The length is infinite where no end is long enough, as straight behind the goal.
 
     Args:
         at: the vehicle, the origin where the straight end begins.
@@ -28,13 +32,13 @@ def best_end(at: Planar, radius: float, path_needed: float) -> tuple[float, floa
         path_needed: least length of the path to the origin [m].
     """
     course = math.atan2(at.vy, at.vx)
-    farther = 0.0
-    while True:
+    for k in range(STRIDES):
+        farther = STRIDE * radius * k
         word = shortest_word(at.x + farther, at.y, course, radius)
         length = farther + radius * length_of(word)
         if length >= path_needed:
             return farther, length
-        farther += STRIDE * radius
+    return 0.0, math.inf
 
 
 @compiled
@@ -56,12 +60,15 @@ def best_away(at: Planar, radius: float, path_needed: float) -> tuple[float, flo
 
 @compiled
 def path_away(begin: Pose, radius: float, path_needed: float) -> float:
-    """Length of a straight and the shortest way behind it that first is as long as needed [m]."""
+    """Length of a straight and the shortest way behind it that first is as long as needed [m].
+
+    Infinite where none is, as far away towards the origin.
+    """
     c, s = math.cos(begin.course), math.sin(begin.course)
-    straight = 0.0
-    while True:
+    for k in range(STRIDES):
+        straight = STRIDE * radius * k
         x, y = begin.x + straight * c, begin.y + straight * s
         length = straight + radius * length_of(shortest_word(x, y, begin.course, radius))
         if length >= path_needed:
             return length
-        straight += STRIDE * radius
+    return math.inf
