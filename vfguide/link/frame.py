@@ -75,14 +75,10 @@ def frame_at(data: bytes, start: int) -> Frame | Flaw:
         return Flaw.INCOMPLETE
     if data[start] == MAGIC_2 and data[start + 2] & ~SIGNED:
         return Flaw.FOREIGN
-    end = start + frame_length(data, start)
-    if end > len(data):
+    whole = frame_length(data, start)
+    raw = data[start : start + whole]
+    if len(raw) < whole:
         return Flaw.INCOMPLETE
-    return _checked(data[start:end])
-
-
-def _checked(raw: bytes) -> Frame | Flaw:
-    """The frame that `raw` is, if its checksum is right."""
     if raw[0] == MAGIC_1:
         begin, version = 6, 1
         _, length, seq, sysid, compid, msgid = _HEADER_1.unpack_from(raw)
@@ -182,9 +178,9 @@ class Parser:
         counters = self.counters
         counters.frames += 1
         self._unknown_end = 0
-        sender = (frame.sysid, frame.compid)
-        lost = (frame.seq - self._last_seq.get(sender, frame.seq - 1) - 1) & 0xFF
+        sender, seq = (frame.sysid, frame.compid), frame.seq
+        lost = (seq - self._last_seq.get(sender, seq - 1) - 1) & 0xFF
         if lost < 128:  # else it is late or came twice
-            self._last_seq[sender] = frame.seq
+            self._last_seq[sender] = seq
             if lost:
                 counters.lost[sender] = counters.lost.get(sender, 0) + lost
