@@ -21,9 +21,12 @@ from vfguide.link.messages import (
     CurrentMode,
     GpsGlobalOrigin,
     Heartbeat,
+    LocalPositionNed,
     Message,
     SetAttitudeTarget,
     Timesync,
+    VfrHud,
+    WindCov,
 )
 
 SECOND = 1_000_000
@@ -91,13 +94,15 @@ class Companion:
         self._watch_link(now)
         before, self._known = self._known, observe(self._known, message)
         out: list[Message] = []
-        match message:
+        match message:  # the most frequent first
+            case LocalPositionNed() | VfrHud() | WindCov():
+                return out
+            case AttitudeQuaternion():
+                out += self._guide(now, message)
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
                 self._control.hear_mode(message.custom_mode)
-            case AttitudeQuaternion():
-                out += self._guide(now, message)
             case AdsbVehicle():
                 self.route.hear_traffic(message, self._known)
             case GpsGlobalOrigin():
@@ -133,7 +138,7 @@ class Companion:
 
     def _watch_link(self, now: int) -> None:
         """Note that the autopilot is not heard any more."""
-        if self.phase is not Phase.SEARCHING and now - self._heard > LOST:
+        if now - self._heard > LOST and self.phase is not Phase.SEARCHING:
             self._control.lose_link()
             self.route.pause()
 
@@ -163,8 +168,11 @@ class Companion:
             self._requests.ask([request_origin(self.sysid)])
         self._tell_why_silent(now)
         out += self._round_trip.due(now)
-        due = (self._requests.due(now), self._control.request(now))
-        return out + [request for request in due if request]
+        if request := self._requests.due(now):
+            out.append(request)
+        if request := self._control.request(now):
+            out.append(request)
+        return out
 
     def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
         """The setpoint for the state at a new attitude."""

@@ -1,7 +1,7 @@
 """What the companion has been told by its autopilot, and what of it can be flown on."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vfguide.companion.place import Heard
 from vfguide.companion.plausible import is_plausible
@@ -52,6 +52,11 @@ _PLACES: dict[type[Message], int] = {
     SystemTime: Knowledge._fields.index("date"),
 }
 """Where each kind of message is kept: the number of its field."""
+_TIMES: dict[type[Message], int] = {
+    VfrHud: Knowledge._fields.index("hud_time"),
+    WindCov: Knowledge._fields.index("wind_time"),
+}
+"""Where the time of a message is kept that does not tell it."""
 OBSERVED = tuple(_PLACES)
 """The kinds of messages that anything is known from."""
 
@@ -61,14 +66,11 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
-    after = Knowledge._make((*known[:place], message, *known[place + 1 :]))
-    if after.attitude is None:
-        return after
-    if isinstance(message, VfrHud):
-        return after._replace(hud_time=after.attitude.time_boot_ms)
-    if isinstance(message, WindCov):
-        return after._replace(wind_time=after.attitude.time_boot_ms)
-    return after
+    after: list[Any] = list(known)
+    after[place] = message
+    if known.attitude is not None and (time_place := _TIMES.get(type(message))):
+        after[time_place] = known.attitude.time_boot_ms
+    return Knowledge._make(after)
 
 
 def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:

@@ -30,7 +30,8 @@ class Session:
             return []
         self._record(now, frame.raw)
         message = decode(frame) if frame.msgid in HEEDED else None
-        return self._send(now, self.companion.receive(now, message)) if message else []
+        answers = self.companion.receive(now, message) if message else []
+        return self._send(now, answers) if answers else []
 
     def poll(self, now: int) -> list[bytes]:
         """The frames that are due at `now` [us since 1970] without anything received."""
