@@ -50,6 +50,8 @@ HEEDED = frozenset(
     )
 )
 """Ids of the messages that `Companion.receive` does something with."""
+RATES = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+"""Type mask of a setpoint of body rates."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,
@@ -192,9 +194,8 @@ class Companion:
     def _setpoint(self, time_boot_ms: int, setpoint: RateSetpoint) -> SetAttitudeTarget:
         """SET_ATTITUDE_TARGET with body rates and thrust."""
         p, q, r = setpoint.omega_b
-        mask = AttitudeTypeMask.ATTITUDE_IGNORE
         return SetAttitudeTarget(
-            time_boot_ms, self.sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
+            time_boot_ms, self.sysid, 1, RATES, setpoint.q_nb, p, q, r, setpoint.thrust
         )
 
     def _own_heartbeat(self) -> Heartbeat:

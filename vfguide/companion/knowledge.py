@@ -91,14 +91,14 @@ def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
     return (
         attitude.time_boot_ms * MS,
         (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
-        (position.x, position.y, position.z),
-        (position.vx, position.vy, position.vz),
+        position[1:4],
+        position[4:7],
         ahead,
-        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
+        attitude[1:5],
         hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
         hud.alt,
-        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
-        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
+        UNKNOWN if wind is None else wind[1:4],
+        attitude[5:8],
         lead,
     )
 
