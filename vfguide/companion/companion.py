@@ -21,9 +21,12 @@ from vfguide.link.messages import (
     CurrentMode,
     GpsGlobalOrigin,
     Heartbeat,
+    LocalPositionNed,
     Message,
     SetAttitudeTarget,
     Timesync,
+    VfrHud,
+    WindCov,
 )
 
 SECOND = 1_000_000
@@ -47,6 +50,8 @@ HEEDED = frozenset(
     )
 )
 """Ids of the messages that `Companion.receive` does something with."""
+RATES = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+"""Type mask of a setpoint of body rates."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,
@@ -91,13 +96,15 @@ class Companion:
         self._watch_link(now)
         before, self._known = self._known, observe(self._known, message)
         out: list[Message] = []
-        match message:
+        match message:  # the most frequent first
+            case LocalPositionNed() | VfrHud() | WindCov():
+                return out
+            case AttitudeQuaternion():
+                out += self._guide(now, message)
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
                 self._control.hear_mode(message.custom_mode)
-            case AttitudeQuaternion():
-                out += self._guide(now, message)
             case AdsbVehicle():
                 self.route.hear_traffic(message, self._known)
             case GpsGlobalOrigin():
@@ -133,7 +140,7 @@ class Companion:
 
     def _watch_link(self, now: int) -> None:
         """Note that the autopilot is not heard any more."""
-        if self.phase is not Phase.SEARCHING and now - self._heard > LOST:
+        if now - self._heard > LOST and self.phase is not Phase.SEARCHING:
             self._control.lose_link()
             self.route.pause()
 
@@ -163,8 +170,11 @@ class Companion:
             self._requests.ask([request_origin(self.sysid)])
         self._tell_why_silent(now)
         out += self._round_trip.due(now)
-        due = (self._requests.due(now), self._control.request(now))
-        return out + [request for request in due if request]
+        if request := self._requests.due(now):
+            out.append(request)
+        if request := self._control.request(now):
+            out.append(request)
+        return out
 
     def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
         """The setpoint for the state at a new attitude."""
@@ -184,9 +194,8 @@ class Companion:
     def _setpoint(self, time_boot_ms: int, setpoint: RateSetpoint) -> SetAttitudeTarget:
         """SET_ATTITUDE_TARGET with body rates and thrust."""
         p, q, r = setpoint.omega_b
-        mask = AttitudeTypeMask.ATTITUDE_IGNORE
         return SetAttitudeTarget(
-            time_boot_ms, self.sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
+            time_boot_ms, self.sysid, 1, RATES, setpoint.q_nb, p, q, r, setpoint.thrust
         )
 
     def _own_heartbeat(self) -> Heartbeat:

@@ -8,6 +8,8 @@ from vfguide.link.px4 import Px4Mode
 
 OFFER = 200_000
 """Setpoints go out for this long before the mode is asked for [us]."""
+WISHING = (Phase.OFFERING, Phase.ASKING, Phase.RETURNING)
+"""Phases in which another mode is asked for, or soon will be."""
 
 
 class Control:
@@ -58,13 +60,14 @@ class Control:
 
     def request(self, now: int) -> CommandLong | None:
         """The mode change to ask for at `now` [us], if any."""
+        if self.phase not in WISHING:
+            return None
         offered = self._offered is not None and now - self._offered >= OFFER
         if self.phase is Phase.OFFERING and self.engage and offered:
             self.happen(Event.OFFBOARD_ASKED)
         if self.phase is Phase.ASKING and self._request.in_vain(now):
             self._leave_choice("the autopilot accepted OFFBOARD and does not fly it")
-        asks = self.phase in (Phase.ASKING, Phase.RETURNING)
-        return self._request.due(now) if asks else None
+        return None if self.phase is Phase.OFFERING else self._request.due(now)
 
     def answer(self, ack: CommandAck) -> None:
         """Note the answer to a change of mode."""

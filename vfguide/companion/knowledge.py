@@ -1,7 +1,7 @@
 """What the companion has been told by its autopilot, and what of it can be flown on."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vfguide.companion.place import Heard
 from vfguide.companion.plausible import is_plausible
@@ -52,6 +52,11 @@ _PLACES: dict[type[Message], int] = {
     SystemTime: Knowledge._fields.index("date"),
 }
 """Where each kind of message is kept: the number of its field."""
+_TIMES: dict[type[Message], int] = {
+    VfrHud: Knowledge._fields.index("hud_time"),
+    WindCov: Knowledge._fields.index("wind_time"),
+}
+"""Where the time of a message is kept that does not tell it."""
 OBSERVED = tuple(_PLACES)
 """The kinds of messages that anything is known from."""
 
@@ -61,14 +66,11 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
-    after = Knowledge._make((*known[:place], message, *known[place + 1 :]))
-    if after.attitude is None:
-        return after
-    if isinstance(message, VfrHud):
-        return after._replace(hud_time=after.attitude.time_boot_ms)
-    if isinstance(message, WindCov):
-        return after._replace(wind_time=after.attitude.time_boot_ms)
-    return after
+    after: list[Any] = list(known)
+    after[place] = message
+    if known.attitude is not None and (time_place := _TIMES.get(type(message))):
+        after[time_place] = known.attitude.time_boot_ms
+    return Knowledge._make(after)
 
 
 def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
@@ -89,14 +91,14 @@ def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
     return (
         attitude.time_boot_ms * MS,
         (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
-        (position.x, position.y, position.z),
-        (position.vx, position.vy, position.vz),
+        position[1:4],
+        position[4:7],
         ahead,
-        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
+        attitude[1:5],
         hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
         hud.alt,
-        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
-        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
+        UNKNOWN if wind is None else wind[1:4],
+        attitude[5:8],
         lead,
     )
 

@@ -9,10 +9,12 @@ from vfguide.companion.place import place_state
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     JUMPS,
+    Noted,
     air_in,
-    decision_in,
     fresh_route,
     goal_in,
+    has_news,
+    noted_in,
     packed_memory,
     take_over,
     unpacked_memory,
@@ -51,9 +53,9 @@ class Route:
         return air_in(self._memory)
 
     @property
-    def decision(self) -> tuple[float, float, float, float]:
-        """What the assurance decided last: reason, margin [m], conflict [s], hazard."""
-        return decision_in(self._memory)
+    def noted(self) -> Noted:
+        """What records keep of the last step."""
+        return noted_in(self._memory)
 
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
@@ -92,8 +94,9 @@ class Route:
         )
         if follows:
             self._memory = after
-            self.notes += air_notes(before, after, plan) + progress_notes(before, after)
-            self._jumped |= bool(after[JUMPS] != before[JUMPS])
+            if has_news(before, after):
+                self.notes += air_notes(before, after, plan) + progress_notes(before, after)
+                self._jumped |= bool(after[JUMPS] != before[JUMPS])
             if math.isfinite(miss):
                 self.notes.append(passage_note(before, after, miss, plan))
             self.notes += self._lookout.notes(after, t)

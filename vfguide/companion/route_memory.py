@@ -138,7 +138,7 @@ def given_up_in(memory: PackedMemory) -> int:
 
 def decision_in(memory: PackedMemory) -> tuple[float, float, float, float]:
     """What the guard decided last: reason, margin [m], conflict [s], hazard."""
-    reason, least, conflict, hazard = memory[GUARD + REASON : GUARD + HAZARD + 1]
+    reason, least, conflict, hazard = memory[GUARD + REASON : GUARD + HAZARD + 1].tolist()
     return reason, least, conflict, hazard
 
 
@@ -162,6 +162,31 @@ def holds_in(memory: PackedMemory) -> bool:
 def air_in(memory: PackedMemory) -> AirReport:
     """What is believed of the air."""
     return report_air(memory[AIR:DETOUR])
+
+
+Noted = tuple[float, float, float, float, float, float, float, float, float]
+"""Wind toward north and east and its deviation, airspeed and its deviation [m/s]; reason, margin
+[m], conflict [s] and hazard of the guard's decision."""
+
+
+@compiled
+def noted_in(memory: PackedMemory) -> Noted:
+    """What records keep of a step: one call of compiled code, and no names, for each update."""
+    air, g = air_in(memory), GUARD + REASON
+    believed = (air.wind_north, air.wind_east, air.wind_sigma, air.airspeed, air.airspeed_sigma)
+    return (*believed, memory[g], memory[g + 1], memory[g + 2], memory[g + 3])
+
+
+@compiled
+def has_news(before: PackedMemory, after: PackedMemory) -> bool:
+    """Whether a step changed what the operator reads of air, jumps and progress."""
+    return (
+        before[AIR_TIME] < 0.0
+        or after[JUMPS] != before[JUMPS]
+        or after[HOLDS] != before[HOLDS]
+        or after[ALARMED] != before[ALARMED]
+        or after[AIR + TRUST] != before[AIR + TRUST]
+    )
 
 
 @compiled

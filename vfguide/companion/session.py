@@ -11,6 +11,10 @@ Record = Callable[[int, bytes], None]
 """Takes the time [us since 1970] and the bytes of one frame."""
 
 
+AUTOPILOT = int(MavComponent.AUTOPILOT1)
+"""As a plain integer: the name of a member costs more than the rest of the comparison."""
+
+
 class Session:
     """One companion on one link to its autopilot."""
 
@@ -26,11 +30,12 @@ class Session:
 
     def take(self, now: int, frame: Frame) -> list[bytes]:
         """Takes a frame that arrived at `now` [us since 1970]; returns the frames to send."""
-        if frame.sysid != self.companion.sysid or frame.compid != MavComponent.AUTOPILOT1:
+        if frame.sysid != self.companion.sysid or frame.compid != AUTOPILOT:
             return []
         self._record(now, frame.raw)
         message = decode(frame) if frame.msgid in HEEDED else None
-        return self._send(now, self.companion.receive(now, message)) if message else []
+        answers = self.companion.receive(now, message) if message else []
+        return self._send(now, answers) if answers else []
 
     def poll(self, now: int) -> list[bytes]:
         """The frames that are due at `now` [us since 1970] without anything received."""

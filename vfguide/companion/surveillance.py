@@ -34,7 +34,7 @@ class Surveillance:
 
     def is_due(self, now_ms: int) -> bool:
         """Whether there is somebody to look at, and nobody has looked lately."""
-        if not len(self._picture):
+        if self._picture.is_empty:
             return False
         return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK
 

@@ -157,6 +157,11 @@ class Picture:
     def __len__(self) -> int:
         return len(self._heard)
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether nobody is heard of."""
+        return not self._heard
+
     def hear(self, said: AdsbVehicle, now_ms: int) -> None:
         """Take a report that arrives at the autopilot's time `now_ms`."""
         if said.ICAO_address == self._own_icao != 0:

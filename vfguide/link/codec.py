@@ -7,7 +7,7 @@ Two kinds of error, by whose fault it is: a record of ours that the wire cannot 
 from fastcrc.crc16 import mcrf4xx
 
 from vfguide.link.frame import MAGIC_2, Frame, LinkCounters, Parser
-from vfguide.link.layout import LAYOUTS, EncodeError, Layout
+from vfguide.link.layout import LAYOUTS, EncodeError
 from vfguide.link.messages import Message
 
 __all__ = ["EncodeError", "Encoder", "Frame", "LinkCounters", "Parser", "decode"]
@@ -33,7 +33,10 @@ class Encoder:
         Raises:
             EncodeError: a field does not fit, or `message` is none of the records.
         """
-        layout = _layout(message)
+        try:
+            layout = LAYOUTS[type(message)]
+        except KeyError as error:
+            raise EncodeError(f"{message!r} is none of the records of messages") from error
         body = layout.body(self.seq, self.sysid, self.compid, message)
         checksum = mcrf4xx(body + layout.crc_extra)
         self.seq = (self.seq + 1) & 0xFF
@@ -48,10 +51,3 @@ def decode(frame: Frame) -> Message | None:
     """
     layout = _LAYOUTS_BY_ID.get(frame.msgid)
     return layout.unpack(frame.payload) if layout else None
-
-
-def _layout(message: Message) -> Layout:
-    try:
-        return LAYOUTS[type(message)]
-    except KeyError as error:
-        raise EncodeError(f"{message!r} is none of the records of messages") from error

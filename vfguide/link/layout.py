@@ -1,6 +1,8 @@
 """How the fields of a record lie on the wire, worked out from the dialect's tables."""
 
 import struct
+from collections.abc import Callable
+from functools import partial
 from operator import itemgetter
 from typing import Any
 
@@ -40,15 +42,13 @@ class Layout:
         self.crc_extra = CRC_EXTRA[record.MSGID]
         fields = _fields_of(record)
         self._fields = {field.name: field for field in fields}
-        codes = "".join(field.code for field in fields)
-        self._struct = struct.Struct("<" + codes)
-        self._body = struct.Struct(_HEADER_CODES + codes)
+        self._struct = struct.Struct("<" + "".join(field.code for field in fields))
+        self._body = struct.Struct(_HEADER_CODES + "".join(map(_packed_code, fields)))
         self._msgid = record.MSGID.to_bytes(3, "little")
-        self._make = record._make
+        self._make: Callable[[Any], Message] = partial(tuple.__new__, record)  # _make, unchecked
         self._to_wire = itemgetter(*(record._fields.index(field.name) for field in fields))
         self._to_record = itemgetter(*_slots(record, fields))
-        self._arrays = [(i, f.size) for i, f in enumerate(fields) if f.is_array][::-1]
-        self._texts_on_wire = [(i, f.size) for i, f in enumerate(fields) if f.is_text]
+        self._packers = [(i, _packer(f)) for i, f in enumerate(fields) if f.is_text or f.is_array]
         self._texts = [i for i, name in enumerate(record._fields) if self._fields[name].is_text]
 
     def unpack(self, payload: bytes) -> Message:
@@ -71,10 +71,10 @@ class Layout:
         size = self._struct.size
         try:
             values = self._to_wire(message)
-            if self._texts:
-                values = self._with_bytes(values)
-            for i, length in self._arrays:  # from the last: places before it stay
-                values = (*values[:i], *_elements(values[i], length), *values[i + 1 :])
+            if self._packers:
+                values = list(values)
+                for i, pack in self._packers:
+                    values[i] = pack(values[i])
             body = self._body.pack(size, 0, 0, seq, sysid, compid, self._msgid, *values)
         except _MISFITS as error:
             raise self._misfit(message) from error
@@ -82,13 +82,6 @@ class Layout:
             return body
         kept = max(len(body.rstrip(b"\0")), HEADER_BYTES + 1)
         return bytes((kept - HEADER_BYTES,)) + body[1:kept]
-
-    def _with_bytes(self, values: tuple[Any, ...]) -> tuple[Any, ...]:
-        """The values with every text as its bytes."""
-        wire = list(values)
-        for i, size in self._texts_on_wire:
-            wire[i] = _text_bytes(wire[i], size)
-        return tuple(wire)
 
     def _misfit(self, message: Message) -> EncodeError:
         """The error that names the first field that does not fit."""
@@ -119,10 +112,17 @@ def _slots(record: type[Message], fields: list[WireField]) -> list[int | slice]:
     return [slots[name] for name in record._fields]
 
 
-def _elements(array: Any, size: int) -> Any:
-    if len(array) != size:
-        raise ValueError
-    return array
+def _packed_code(field: WireField) -> str:
+    """The `struct` format of a field whose texts and arrays are bytes already."""
+    return f"{struct.calcsize('<' + field.code)}s" if field.is_array else field.code
+
+
+def _packer(field: WireField) -> Callable[[Any], bytes]:
+    """What makes the bytes of a text or an array."""
+    if field.is_text:
+        return lambda text: _text_bytes(text, field.size)
+    pack = struct.Struct("<" + field.code).pack
+    return lambda array: pack(*array)
 
 
 def _text_bytes(text: str, size: int) -> bytes:

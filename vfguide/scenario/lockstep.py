@@ -98,13 +98,11 @@ class Lockstep:
         """All at their starts; `duration` [s] is the longest flight."""
         self._fleet = fleet
         self._duration = duration
+        self._period = fleet.period
         self._updates = 0
-        self._finished_at: float | None = None
-
-    @property
-    def sim_s(self) -> float:
+        self.sim_s = 0.0
         """Simulated time [s]."""
-        return self._updates * self._fleet.period
+        self._finished_at: float | None = None
 
     @property
     def ending(self) -> Ending | None:
@@ -118,6 +116,7 @@ class Lockstep:
     def advance(self) -> None:
         """Every vehicle flies on to the next update."""
         self._updates += 1
+        self.sim_s = self._updates * self._period
         self._fleet.advance()
         if self._finished_at is None and all(its.legs.finished for its in self._fleet.members):
             self._finished_at = self.sim_s

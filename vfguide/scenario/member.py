@@ -95,19 +95,15 @@ class Member:
 
     def note(self) -> None:
         """Note the truth of this instant."""
-        truth = self.sim.truth
-        self._write_truth(
-            self.sim.now, self._truth_encoder.encode(truth_message(self.sim.now, truth))
-        )
+        now, truth = self.sim.now, self.sim.truth
+        self._write_truth(now, self._truth_encoder.encode(truth_message(now, truth)))
         p_n, v_n = place_in_plane(
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         sample = Sample(truth.time, p_n, v_n)
         self.legs.feed(sample)
-        self._noted.extend(_row(truth, sample, self.sim.autopilot.setpoint))
-        self._noted.extend(self._position_error(p_n))
-        self._noted.extend(self.companion.route.air[:5])
-        self._noted.extend(self.companion.route.decision)
+        flown = _row(truth, sample, self.sim.autopilot.setpoint)
+        self._noted.extend((*flown, *self._position_error(p_n), *self.companion.route.noted))
 
     def _position_error(self, p_n: Vec3) -> Vec3:
         """Position that the autopilot tells less the true one, scenario frame [m]."""

@@ -8,7 +8,7 @@ import math
 from vfguide.field.rate_law import rate_law
 from vfguide.flight.performance import Performance
 from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
-from vfguide.geometry.units import G0
+from vfguide.geometry.units import G0, MS
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
@@ -67,6 +67,7 @@ class Autopilot:
         self.now = 0
         """[us since 1970]."""
         self._airframe = airframe
+        self._tables = airframe.tables
         self._estimator = Estimator(first, instruments)
         self._tells_wind = instruments.tells_wind
         errors = instruments.errors
@@ -101,7 +102,7 @@ class Autopilot:
             inner = (*inner[:5], self._cruise, inner[6])  # PX4 then scales with the trim airspeed
         p, q, r, thrust = self._wanted
         controls, self._integral = inner_loop(
-            self._airframe.tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt
+            self._tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt
         )
         self._throttle = controls[3]
         return controls
@@ -124,16 +125,18 @@ class Autopilot:
     def streams(self, port: Port) -> list[bytes]:
         """The frames that are due on a port now."""
         report = self.report()
-        queued = [port.encode(message) for message in port.take_queue(self.now)]
+        messages = port.take_queue(self.now)
         due = port.due(self.now)
         if not self._tells_wind and WindCov.MSGID in due:
             due.remove(WindCov.MSGID)
-        return queued + [port.encode(MAKERS[msgid](report)) for msgid in due]
+        messages += [MAKERS[msgid](report) for msgid in due]
+        return [port.encode(message) for message in messages]
 
     def report(self) -> Report:
         """Everything that the streams tell."""
         return Report(
             self.now,
+            round(self.estimate.time / MS) % 2**32,
             self.estimate,
             self._estimator.origin,
             self._estimator.home,

@@ -10,15 +10,16 @@ class DelayLine:
     def __init__(self, delay: int) -> None:
         """An empty line that holds every frame for `delay` [us]."""
         self._delay = delay
-        self._on_the_way: deque[tuple[int, bytes]] = deque()
+        self._on_the_way: deque[tuple[int, bytes]] = deque()  # what was put in at once, as one
 
     def send(self, now: int, frames: Sequence[bytes]) -> None:
         """Put frames in at `now`."""
-        self._on_the_way.extend((now + self._delay, frame) for frame in frames)
+        if frames:
+            self._on_the_way.append((now + self._delay, b"".join(frames)))
 
     def arrived(self, now: int) -> bytes:
         """Take out what has arrived at `now`, one frame after the other."""
-        frames: list[bytes] = []
+        arrived = b""
         while self._on_the_way and self._on_the_way[0][0] <= now:
-            frames.append(self._on_the_way.popleft()[1])
-        return b"".join(frames)
+            arrived += self._on_the_way.popleft()[1]
+        return arrived

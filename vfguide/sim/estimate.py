@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.atmosphere import calibrated_airspeed, isa_density
+from vfguide.geometry.compiled import compiled
 from vfguide.geometry.projection import project, reproject
 from vfguide.geometry.vector import Vec3, add, norm, sub
 from vfguide.sim.instruments import AirspeedFault, Instruments
@@ -50,6 +51,15 @@ class Origin(NamedTuple):
     """[m]"""
 
 
+@compiled
+def on_instruments(
+    origin_lat: float, origin_lon: float, lat: float, lon: float, airspeed: float, altitude: float
+) -> Vec3:
+    """North and east of the local origin [m], and the calibrated airspeed [m/s] at an altitude."""
+    x, y = project(origin_lat, origin_lon, lat, lon)
+    return x, y, calibrated_airspeed(airspeed, isa_density(altitude))
+
+
 class Estimator:
     """Turns the truth into what an autopilot would report.
 
@@ -90,8 +100,8 @@ class Estimator:
             euler, omega_b = add(euler, error.euler), add(omega_b, rate_error)
         origin = self.origin
         latitude, longitude, altitude = self._place(truth)
-        x, y = project(origin.latitude, origin.longitude, latitude, longitude)
         told, own = self._airspeeds(truth, v_n, wind_n)
+        x, y, calibrated = on_instruments(*origin[:2], latitude, longitude, told, truth.altitude)
         return Estimate(
             truth.time,
             latitude,
@@ -101,7 +111,7 @@ class Estimator:
             v_n,
             euler,
             omega_b,
-            calibrated_airspeed(told, isa_density(truth.altitude)),
+            calibrated,
             own,
             wind_n,
         )

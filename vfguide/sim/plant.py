@@ -48,7 +48,8 @@ class Plant:
         weather = weather or Weather()
         self._model = model
         self._dt = dt
-        self._steps = 0
+        self.steps = 0
+        """Time steps since the start."""
         self._fdm = load(model, dt)
         self._fdm["ic/terrain-elevation-ft"] = ground_altitude / FT
         self._bind_controls()
@@ -62,14 +63,9 @@ class Plant:
             raise model_error(model, "accelerations are not finite at the start")
 
     @property
-    def steps(self) -> int:
-        """Time steps since the start."""
-        return self._steps
-
-    @property
     def time(self) -> float:
         """Simulated time since the start [s]."""
-        return self._steps * self._dt
+        return self.steps * self._dt
 
     def advance(self, controls: ControlTuple) -> None:
         """Fly one time step with `controls` (aileron, elevator, rudder, throttle) held.
@@ -85,13 +81,13 @@ class Plant:
         except JsbsimError as error:
             never_free(self._fdm)
             raise model_error(self._model, f"in flight: {error}") from error
-        self._steps += 1
+        self.steps += 1
 
     def run_bare(self, steps: int) -> None:
         """JSBSim and nothing else for so many time steps, controls held: a yardstick."""
         for _ in range(steps):
             self._run()
-        self._steps += steps
+        self.steps += steps
 
     def inner(self) -> Inner:
         """Body rates and air data, for the inner loop at every time step."""
@@ -109,7 +105,7 @@ class Plant:
         """The whole state."""
         load_x, load_y, load_up = self._load_factors()
         return Truth(
-            self._steps * self._dt,
+            self.steps * self._dt,
             self._latitude(),
             self._longitude(),
             FT * self._altitude(),

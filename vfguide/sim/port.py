@@ -66,15 +66,12 @@ class Port:
         self.parser = Parser()
         self.has_ground_station = False
         """PX4 sends STATUSTEXT only where a ground station was heard."""
-        self._encoder = Encoder(sysid, MavComponent.AUTOPILOT1)
+        self.encode = Encoder(sysid, MavComponent.AUTOPILOT1).encode
+        """Makes the frame of a message on this channel."""
         self._default = {msgid: round(SECOND / rate) for msgid, rate in rates.items()}
         self._interval = dict(self._default)
         self._due = dict.fromkeys(self._default, now)
         self._queue: list[tuple[int, Message]] = []
-
-    def encode(self, message: Message) -> bytes:
-        """The frame of a message on this channel."""
-        return self._encoder.encode(message)
 
     def queue(self, at: int, message: Message) -> None:
         """Have a message sent at a time, or as soon as the streams are sent after it."""
@@ -82,6 +79,8 @@ class Port:
 
     def take_queue(self, now: int) -> list[Message]:
         """The queued messages whose time has come."""
+        if not self._queue:
+            return []
         ready = [message for at, message in self._queue if at <= now]
         self._queue = [entry for entry in self._queue if entry[0] > now]
         return ready
@@ -91,10 +90,12 @@ class Port:
 
         What was missed is left out; the others keep their beat.
         """
-        ready = [msgid for msgid, due in self._due.items() if due <= now]
-        for msgid in ready:
-            interval, due = self._interval[msgid], self._due[msgid]
-            self._due[msgid] = due + interval * (1 + (now - due) // interval)
+        ready: list[int] = []
+        for msgid, due in self._due.items():
+            if due <= now:
+                ready.append(msgid)
+                interval = self._interval[msgid]
+                self._due[msgid] = due + interval * (1 + (now - due) // interval)
         return ready
 
     def set_interval(self, now: int, msgid: int, interval: int) -> None:

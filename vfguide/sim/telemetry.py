@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vfguide.geometry.so3 import quaternion_from_euler
-from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM, MS, PERCENT
+from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM, PERCENT
 from vfguide.link.enums import (
     AttitudeTypeMask,
     GpsFixType,
@@ -61,6 +61,8 @@ class Report(NamedTuple):
 
     now: int
     """[us since 1970]."""
+    time_boot_ms: int
+    """Time since the start [ms]."""
     estimate: Estimate
     origin: Origin
     home: Origin
@@ -70,11 +72,6 @@ class Report(NamedTuple):
     """The one that is flown."""
     throttle: float
     """0 to 1."""
-
-    @property
-    def time_boot_ms(self) -> int:
-        """Time since the start [ms]."""
-        return round(self.estimate.time / MS) % 2**32
 
 
 def heartbeat(report: Report) -> Heartbeat:
