@@ -12,9 +12,10 @@ unassured   ours without the run-time assurance
 ours        ours
 
 The paper leaves the reactive level of obstacles open: here the area of every obstacle reaches
---reach-m beyond its surface where it is narrowest. Cost is processor time of one step. The length
-of the path is that of flights that reach the goal, over the shortest one if nothing were in the
-way, or over that of BIT* where --reference-s is given and nothing moves.
+--reach-m beyond its surface where it is narrowest. Reached is who entered nothing and came within
+5 m and 5 deg; the length of the path is that of these flights, over the shortest one if nothing
+were in the way, or over that of BIT* where --reference-s is given and nothing moves. Cost is
+processor time of one step.
 """
 
 import argparse
@@ -65,7 +66,7 @@ class Row:
     """Those of them in which the manoeuvre tree finds no escape."""
     least_clearance_m: float
     reached: int
-    """Within 5 m and 5 deg."""
+    """Within 5 m and 5 deg, and nothing entered."""
     length_median: float
     length_90: float
     step_median_us: float
@@ -182,7 +183,9 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, tuple[Outcome, Any]]])
     outcomes = [its[law][0] for its in flown if law in its]
     took = np.concatenate([its[law][1] for its in flown if law in its])
     references = [shortest(its) for its in flown if law in its]
-    over = [o.length_m / r for o, r in zip(outcomes, references, strict=True) if o.meets]
+    clean = [o.meets and not o.hits for o in outcomes]
+    lengths = zip(outcomes, references, clean, strict=True)
+    over = [o.length_m / r for o, r, counts in lengths if counts]
     hit = [o for o in outcomes if o.hits]
     return Row(
         kind,
@@ -191,7 +194,7 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, tuple[Outcome, Any]]])
         len(hit),
         sum(o.best_m <= 0.0 for o in hit),
         min(o.clearance_m for o in outcomes),
-        sum(o.meets for o in outcomes),
+        sum(clean),
         *(np.quantile(over, (0.5, 0.9)) if over else (np.nan, np.nan)),
         *np.quantile(took, (0.5, 0.99)),
         100.0 * float(np.mean([o.acting for o in outcomes])),
@@ -231,7 +234,7 @@ def cells(row: Row) -> list[str]:
         str(row.no_escape),
         f"{row.least_clearance_m:.1f}",
         str(row.reached),
-        f"{row.length_median:.2f}, {row.length_90:.2f}",
+        f"{row.length_median:.2f}, {row.length_90:.2f}" if row.reached else "-",
         f"{row.step_median_us:.0f}, {row.step_99_us:.0f}",
         f"{row.acting_percent:.2f}",
     ]

@@ -19,6 +19,7 @@ from vfguide.safety.assurance import assurance
 from vfguide.safety.guard import comes_into_sight
 from vfguide.safety.hazards import Hazards
 from vfguide.safety.motion import Motion
+from vfguide.scenario.fence import Fence
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.record import Array, FlightRecord
@@ -108,11 +109,13 @@ def tracks_of(loaded: LoadedScenario, until: float) -> Tracks:
 
 
 def moments(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
-    """The samples at which something became known."""
+    """The samples at which something became known: a fence at the start."""
     known = hazards_of(loaded.scenario)
     assert known is not None
     seen = {k for k in in_sight_from(known, record) if k >= 0}
     scenario = loaded.scenario
+    if scenario.fence != Fence():
+        seen.add(0)
     for its in scenario.traffic:
         told = np.arange(0.0, float(record.time[-1]) - its.delay_s, its.interval_s)
         arrives = np.searchsorted(record.time, told + its.delay_s - 1e-9)

@@ -108,6 +108,11 @@ def test_the_tree_is_asked_when_an_obstacle_comes_in_sight(tmp_path):
     assert record.p_n[k, 0] == pytest.approx(400.0 - 60.0 - 100.0, abs=0.5)
 
 
+def test_a_fence_is_known_from_the_start(tmp_path):
+    loaded = loaded_from(scenario_of("fence", 1, 0), tmp_path)
+    assert moments(loaded, straight_on(loaded, 5.0)) == [0]
+
+
 def test_true_distances_of_a_flight_through_a_sphere(tmp_path):
     loaded = sphere_ahead(tmp_path, 60.0, 100.0)
     record = straight_on(loaded, 30.0)
