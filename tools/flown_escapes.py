@@ -1,7 +1,7 @@
 """Whether a flown world left an escape: the manoeuvre tree, asked from the true state.
 
-It is asked at each moment at which something new became known, up to the least clearance, and
-knows everything: what is not seen yet, and how traffic is going to turn. Its aircraft is the
+It is asked at the moment at which what was hit, or came nearest, became known, and knows
+everything: what is not seen yet, and how traffic is going to turn. Its aircraft is the
 assurance's model without lags on top, in the mean wind, so that gusts are ours alone.
 """
 
@@ -17,9 +17,7 @@ from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.safety.assurance import assurance
 from vfguide.safety.guard import comes_into_sight
-from vfguide.safety.hazards import Hazards
 from vfguide.safety.motion import Motion
-from vfguide.scenario.fence import Fence
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.record import Array, FlightRecord
@@ -35,26 +33,20 @@ MANY, LONG = 5, 4.0
 
 
 def best_possible(loaded: LoadedScenario, record: FlightRecord) -> float:
-    """The least, over those moments, of the largest clearance that the tree finds [m].
-
-    Infinite where the flight knew of nothing.
-    """
+    """The largest clearance that the tree finds [m], infinite where nothing was known before."""
     world = world_of(loaded, record)
     vehicle = record.vehicle
     limits = assurance(loaded.performance(vehicle), loaded.gains(vehicle)).limits
-    distances = true_distances(world, record.p_n, record.time)
+    distances, nearest = true_distances(world, record.p_n, record.time)
     inside = np.flatnonzero(distances <= 0.0)
     last = int(inside[0]) if inside.size else int(np.argmin(distances))
-    best = math.inf
-    for k in moments(loaded, record):
-        if k > last:
-            continue
-        t = float(record.time[k])
-        levels, hold = reach_of(float(record.time[last]) - t)
-        motion = motion_of(record, k, world)
-        found = best_escape(world, world.rows, motion, t, limits, ENOUGH, levels, hold)
-        best = min(best, found)
-    return best
+    k = known_from(loaded, record)[nearest[last]]
+    if not 0 <= k <= last:
+        return math.inf
+    t = float(record.time[k])
+    levels, hold = reach_of(float(record.time[last]) - t)
+    motion = motion_of(record, k, world)
+    return best_escape(world, world.rows, motion, t, limits, ENOUGH, levels, hold)
 
 
 def reach_of(ahead: float) -> tuple[int, float]:
@@ -108,26 +100,22 @@ def tracks_of(loaded: LoadedScenario, until: float) -> Tracks:
     return np.array(paths).reshape(len(paths), len(times), 3)
 
 
-def moments(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
-    """The samples at which something became known: a fence at the start."""
-    known = hazards_of(loaded.scenario)
+def known_from(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
+    """The sample at which each hazard became known; -1: none.
+
+    In the order of `true_distance`. Fence and ground are known from the start.
+    """
+    known, scenario = hazards_of(loaded.scenario), loaded.scenario
     assert known is not None
-    seen = {k for k in in_sight_from(known, record) if k >= 0}
-    scenario = loaded.scenario
-    if scenario.fence != Fence():
-        seen.add(0)
+    seen = [int(k) for k in first_seen(known.obstacles, record.p_n, record.time)]
+    seen += [0] * (len(known.fences.zones) + 1)
     for its in scenario.traffic:
         told = np.arange(0.0, float(record.time[-1]) - its.delay_s, its.interval_s)
         arrives = np.searchsorted(record.time, told + its.delay_s - 1e-9)
         apart = motion_at(path_of(its), told)[0] - record.p_n[arrives]
         near = np.linalg.norm(apart, axis=1) <= scenario.traffic_receiver.range_m
-        seen |= {int(arrives[i]) for i in np.flatnonzero(near)[:1]}
-    return sorted(seen)
-
-
-def in_sight_from(known: Hazards, record: FlightRecord) -> list[int]:
-    """The first sample at which each obstacle is near enough to be known; -1: none."""
-    return [int(k) for k in first_seen(known.obstacles, record.p_n, record.time)]
+        seen.append(int(arrives[np.argmax(near)]) if near.any() else -1)
+    return seen
 
 
 @compiled
@@ -143,10 +131,10 @@ def first_seen(rows: Rows, p_n: Array, time: Array) -> NDArray[np.int64]:
 
 
 @compiled
-def true_distances(world: World, p_n: Array, time: Array) -> Array:
-    """Distance from what is nearest, at each of the places [m]."""
-    out = np.empty(len(time))
+def true_distances(world: World, p_n: Array, time: Array) -> tuple[Array, NDArray[np.int64]]:
+    """Distance from what is nearest, at each of the places [m], and which that is."""
+    out, nearest = np.empty(len(time)), np.empty(len(time), np.int64)
     for k in range(len(time)):
         at = (p_n[k, 0], p_n[k, 1], p_n[k, 2])
-        out[k] = true_distance(world, world.rows, at, time[k])[0]
-    return out
+        out[k], nearest[k] = true_distance(world, world.rows, at, time[k])
+    return out, nearest

@@ -7,7 +7,7 @@
 
 World k of a kind is drawn from (seed, k) alone. Half of them have moderate turbulence; the wind
 is 0 to 8 m/s. Where something was hit, a tree of all hard manoeuvres tells whether it could be
-missed from each moment at which something became known.
+missed from the moment at which it became known.
 """
 
 import argparse

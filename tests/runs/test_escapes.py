@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 import tomli_w
-from flown_escapes import best_possible, moments, true_distances, world_of
+from flown_escapes import best_possible, known_from, true_distances, world_of
 from flown_worlds import scenario_of
 from measure_avoidance import Outcome
 
@@ -52,7 +52,11 @@ def straight_on(loaded, seconds):
 
 
 def sphere_ahead(folder, radius, seen):
-    table = {
+    return loaded_from(sphere_table(radius, seen), folder)
+
+
+def sphere_table(radius, seen):
+    return {
         "name": "ahead",
         "vehicle": [
             {
@@ -70,7 +74,6 @@ def sphere_ahead(folder, radius, seen):
             }
         ],
     }
-    return loaded_from(table, folder)
 
 
 def test_traffic_that_turns_is_where_it_was_aimed_at_and_turns_as_a_small_aircraft(tmp_path):
@@ -104,19 +107,22 @@ def test_a_drawn_world_is_the_same_every_time():
 def test_the_tree_is_asked_when_an_obstacle_comes_in_sight(tmp_path):
     loaded = sphere_ahead(tmp_path, 60.0, 100.0)
     record = straight_on(loaded, 30.0)
-    (k,) = moments(loaded, record)
+    k, ground = known_from(loaded, record)
+    assert ground == 0
     assert record.p_n[k, 0] == pytest.approx(400.0 - 60.0 - 100.0, abs=0.5)
 
 
 def test_a_fence_is_known_from_the_start(tmp_path):
     loaded = loaded_from(scenario_of("fence", 1, 0), tmp_path)
-    assert moments(loaded, straight_on(loaded, 5.0)) == [0]
+    assert known_from(loaded, straight_on(loaded, 5.0)) == [0, 0, 0, 0]
 
 
 def test_true_distances_of_a_flight_through_a_sphere(tmp_path):
     loaded = sphere_ahead(tmp_path, 60.0, 100.0)
     record = straight_on(loaded, 30.0)
-    distances = true_distances(world_of(loaded, record), record.p_n, record.time)
+    distances, nearest = true_distances(world_of(loaded, record), record.p_n, record.time)
+    assert nearest[0] == 1
+    assert nearest[np.argmin(distances)] == 0
     assert distances.min() == pytest.approx(-60.0, abs=0.5)
     assert distances[0] == pytest.approx(150.0, abs=0.5), "the ground, 150 m below"
 
@@ -129,6 +135,18 @@ def test_who_flies_straight_into_what_is_seen_early_had_an_escape(tmp_path):
 def test_who_sees_a_hill_too_late_had_none(tmp_path):
     loaded = sphere_ahead(tmp_path, 100.0, 10.0)
     assert -100.0 < best_possible(loaded, straight_on(loaded, 30.0)) < 0.0
+
+
+def test_what_comes_in_sight_later_is_no_excuse(tmp_path):
+    """A second sphere that is seen when the first can no longer be missed."""
+    table = sphere_table(40.0, 150.0)
+    late = {**table["obstacle"][0], "position_m": [430.0, 90.0, -150.0], "visible_from_m": 65.0}
+    table["obstacle"].append(late)
+    loaded = loaded_from(table, tmp_path)
+    record = straight_on(loaded, 30.0)
+    first, second, _ = known_from(loaded, record)
+    assert 0 < first < second
+    assert best_possible(loaded, record) == pytest.approx(5.0)
 
 
 def test_the_tree_knows_how_traffic_is_going_to_turn(tmp_path):
@@ -153,10 +171,10 @@ def test_the_tree_knows_how_traffic_is_going_to_turn(tmp_path):
     }
     loaded = loaded_from(table, tmp_path)
     record = straight_on(loaded, 20.0)
-    assert moments(loaded, record) == [0]
+    assert known_from(loaded, record) == [0, 0]
     world = world_of(loaded, record)
     assert world.volume == (50.0, 30.0)
-    assert true_distances(world, record.p_n, record.time).min() < 0.0
+    assert true_distances(world, record.p_n, record.time)[0].min() < 0.0
     assert best_possible(loaded, record) == pytest.approx(5.0)
 
 
