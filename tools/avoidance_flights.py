@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from avoidance_worlds import TICK, World
 
-from vfguide.field.near import distance_bound
+from vfguide.field.near import distance_bound, upright_distance
 from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
@@ -81,9 +81,22 @@ def come_in_sight(rows: Rows, p_n: Vec3, t: float, known: Rows) -> bool:
 
 @compiled
 def true_distance(world: World, rows: Rows, p_n: Vec3, t: float) -> tuple[float, int]:
-    """Distance from the nearest surface, fence, floor or ceiling [m], and which it is."""
+    """Distance from the nearest surface, fence, floor or ceiling [m], and which it is.
+
+    Cylinders on tracks come last.
+    """
     least = min(-p_n[2] - world.floor, world.ceiling + p_n[2])
     nearest = len(rows) + len(world.fences.zones)
+    for i in range(len(world.tracks)):
+        ticks = max(0.0, min(t / TICK, world.tracks.shape[1] - 1.0))
+        k = min(int(ticks), world.tracks.shape[1] - 2)
+        at, after = world.tracks[i, k], world.tracks[i, k + 1]
+        x = p_n[0] - at[0] - (ticks - k) * (after[0] - at[0])
+        y = p_n[1] - at[1] - (ticks - k) * (after[1] - at[1])
+        z = p_n[2] - at[2] - (ticks - k) * (after[2] - at[2])
+        distance = upright_distance(x, y, z, world.volume[0], world.volume[1])
+        if distance < least:
+            least, nearest = distance, len(rows) + len(world.fences.zones) + 1 + i
     for i in range(len(world.fences.zones)):
         distance = fence_distance(world.fences, i, p_n)
         if distance < least:

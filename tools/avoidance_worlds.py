@@ -19,6 +19,8 @@ GUST_LAG = 2.0
 """Time in which gusts are forgotten [s]."""
 TICK = 0.05
 """Time between two decisions [s]."""
+Tracks = NDArray[np.float64]
+NO_TRACKS: Tracks = np.zeros((0, 2, 3))
 
 
 class World(NamedTuple):
@@ -37,6 +39,10 @@ class World(NamedTuple):
     gust: float
     gusts_n: NDArray[np.float64]
     """(ticks, 3) [m/s]."""
+    tracks: Tracks = NO_TRACKS
+    """(K, n, 3), n at least 2: where upright cylinders are at each tick, NED [m]."""
+    volume: tuple[float, float] = (0.0, 0.0)
+    """Radius and half height of these [m]."""
 
 
 def any_shape(rng: np.random.Generator, low: float, high: float) -> Shape:

@@ -1,4 +1,4 @@
-"""Random worlds as scenarios: fields, movers, obstacles seen late, dead ends, fences."""
+"""Random worlds as scenarios: fields, movers, turning traffic, late obstacles, walls, fences."""
 
 import math
 from collections.abc import Callable
@@ -7,11 +7,19 @@ from typing import Any
 import numpy as np
 from numpy.random import Generator
 
+from vfguide.sim.traffic import Turn, flight_of, motion_at
+
 HEIGHT = 150.0
 """Of start and goal above the ground [m]."""
 ROOM = 60.0
 """Round start and goal [m]."""
 SPEED = 25.0
+HEARD_FROM = 400.0
+"""Before the surface of its volume other traffic is heard [m]."""
+PIECE = 1.5
+"""A turn is made of changes of the velocity that take so long [s]."""
+MANOEUVRES = 60.0
+"""Movers turn and climb until then [s]."""
 Table = dict[str, Any]
 SHAPES = ("sphere", "ellipsoid", "superquadric", "box", "cylinder", "cone")
 
@@ -172,6 +180,58 @@ def overtaking(rng: Generator, number: int) -> Table:
     return world
 
 
+def unforeseen(rng: Generator, course: float, speed: float) -> list[Turn]:
+    """Turns up to 0.15 rad/s with climbs or descents up to 3 m/s, one after another.
+
+    They begin at a time that nobody knows; each lasts 3 to 12 s, straight flight too.
+    """
+    turns: list[Turn] = []
+    time = int(rng.integers(0, 100)) / 4.0
+    while time < MANOEUVRES:
+        rate = float(rng.uniform(-0.15, 0.15)) if rng.random() < 0.75 else 0.0
+        down, pieces = float(rng.uniform(-3.0, 3.0)), int(rng.integers(2, 9))
+        for _ in range(pieces):
+            course += rate * PIECE
+            v_n = (speed * math.cos(course), speed * math.sin(course), down)
+            turns.append(Turn(time, PIECE, v_n))
+            time += PIECE
+    return turns
+
+
+def turner(rng: Generator, number: int) -> Table:
+    """Traffic that turns and climbs, and yet meets the straight way to the goal, more or less."""
+    course, speed = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(5.0, 20.0))
+    meeting = float(rng.uniform(10.0, 35.0))
+    begin = (speed * math.cos(course), speed * math.sin(course), 0.0)
+    turns = unforeseen(rng, course, speed)
+    gone = motion_at(flight_of((0.0, 0.0, 0.0), begin, turns), np.array([meeting]))[0][0]
+    at = (SPEED * meeting, float(rng.uniform(-20.0, 20.0)), -HEIGHT + float(rng.uniform(-15, 15)))
+    return {
+        "name": f"MOVER{number}",
+        "position_m": [round(a - float(b), 2) for a, b in zip(at, gone, strict=True)],
+        "velocity_mps": [round(x, 3) for x in begin],
+        "change": [
+            {
+                "time_s": its.time,
+                "velocity_mps": [round(x, 3) for x in its.v_n],
+                "within_s": its.within,
+            }
+            for its in turns
+        ],
+    }
+
+
+def turning(rng: Generator, number: int) -> Table:
+    """1 to 4 aircraft that turn and climb unforeseen, heard of at 400 m, a report each second."""
+    world = frame(rng, number, 1100.0, 20.0)
+    radius = round(float(rng.uniform(20.0, 50.0)), 1)
+    found = [turner(rng, k + 1) for k in range(int(rng.integers(1, 5)))]
+    world["avoidance"] = {"traffic_radius_m": radius, "traffic_half_height_m": radius}
+    world["traffic"] = [its for its in found if math.hypot(*its["position_m"][:2]) > 150.0 + radius]
+    world["traffic_receiver"] = {"range_m": HEARD_FROM + radius}
+    return world
+
+
 def popup(rng: Generator, number: int) -> Table:
     """One on the way that is known only from 60, 80, 100 or 150 m, and up to three beside it."""
     world = frame(rng, number, 1100.0, 10.0)
@@ -255,6 +315,7 @@ DRAWN: dict[str, Callable[[Generator, int], Table]] = {
     "popup": popup,
     "dead-end": dead_end,
     "fence": fence,
+    "turning": turning,
 }
 
 

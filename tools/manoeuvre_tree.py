@@ -1,7 +1,8 @@
 """Whether an escape existed: every sequence of hard manoeuvres, by branch and bound.
 
-Nine actions (bank hard left, none, hard right; climb, level, descend), changed every 2 s, four
-times. The collision check is the exact distance at every 0.05 s.
+Nine actions (bank hard left, none, hard right; climb, level, descend), four of them in sequence,
+each for 2 s, where nothing else is asked for. The collision check is the exact distance at every
+0.05 s.
 """
 
 import math
@@ -27,13 +28,14 @@ def act(
     action: int,
     limits: Dynamics,
     bound: float,
+    hold: float,
 ) -> tuple[Motion, float]:
     """The motion after one action, and the least distance on the way; ended below `bound`."""
     bank = limits.bank_max * (action % 3 - 1)
     gamma = limits.climb_max if action // 3 == 1 else 0.0
     gamma = -limits.descent_max if action // 3 == 2 else gamma
     least = math.inf
-    for k in range(round(HOLD / TICK)):
+    for k in range(round(hold / TICK)):
         motion = advance(motion, bank, gamma, world.wind_n, limits, TICK)
         least = min(least, true_distance(world, rows, motion.p_n, t + (k + 1) * TICK)[0])
         if least <= bound:
@@ -43,20 +45,28 @@ def act(
 
 @compiled
 def best_escape(
-    world: World, rows: Rows, motion: Motion, t: float, limits: Dynamics, enough: float
+    world: World,
+    rows: Rows,
+    motion: Motion,
+    t: float,
+    limits: Dynamics,
+    enough: float,
+    levels: int = LEVELS,
+    hold: float = HOLD,
 ) -> float:
     """The largest least distance of all sequences [m], not looked for above `enough`.
 
-    `rows` are the obstacles as they move at time `t`, all of them, known or not.
+    `rows` are the obstacles as they move at time `t`, all of them, known or not. A sequence has
+    `levels` actions, each for `hold` [s].
     """
     best = true_distance(world, rows, motion.p_n, t)[0]
     if best <= 0.0:
         return best
     ceiling, best = min(best, enough), -math.inf
-    p_n = np.zeros((LEVELS + 1, 3))
-    angles = np.zeros((LEVELS + 1, 3))
-    least = np.full(LEVELS + 1, ceiling)
-    action = np.full(LEVELS + 1, -1)
+    p_n = np.zeros((levels + 1, 3))
+    angles = np.zeros((levels + 1, 3))
+    least = np.full(levels + 1, ceiling)
+    action = np.full(levels + 1, -1)
     p_n[0, 0], p_n[0, 1], p_n[0, 2] = motion.p_n
     angles[0, 0], angles[0, 1], angles[0, 2] = motion.azimuth, motion.bank, motion.gamma
     level = 0
@@ -67,11 +77,12 @@ def best_escape(
             continue
         at: Vec3 = (p_n[level, 0], p_n[level, 1], p_n[level, 2])
         before = Motion(at, angles[level, 0], angles[level, 1], angles[level, 2], motion.airspeed)
-        after, found = act(world, rows, before, t + level * HOLD, action[level], limits, best)
+        start = t + level * hold
+        after, found = act(world, rows, before, start, action[level], limits, best, hold)
         found = min(found, least[level])
         if found <= best:
             continue
-        if level == LEVELS - 1:
+        if level == levels - 1:
             best = found
             continue
         level += 1

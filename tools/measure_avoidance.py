@@ -2,10 +2,12 @@
 """Flights among obstacles in random worlds, over MAVLink on JSBSim, judged by the truth.
 
     python tools/measure_avoidance.py --kind field --runs 100
+    python tools/measure_avoidance.py --kind popup --runs 100 --tree near
     python tools/measure_avoidance.py --kind movers --only 12 --out /tmp/flight
 
 World k of a kind is drawn from (seed, k) alone. Half of them have moderate turbulence; the wind
-is 0 to 8 m/s.
+is 0 to 8 m/s. Where something was hit, a tree of all hard manoeuvres tells whether it could be
+missed from the moment at which it became known.
 """
 
 import argparse
@@ -20,7 +22,9 @@ from pathlib import Path
 
 import numpy as np
 import tomli_w
-from flown_worlds import DRAWN, scenario_of
+from dubins import dubins_length
+from flown_escapes import best_possible
+from flown_worlds import DRAWN, Table, scenario_of
 from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
@@ -31,7 +35,12 @@ from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.record import FlightRecord
-from vfguide.scenario.result import judge
+from vfguide.scenario.result import TOUCH, judge
+
+TREE = {"hit": 0.0, "near": 12.0, "all": math.inf, "none": -math.inf}
+"""Clearance up to which the tree is asked [m], by the names of the option."""
+CLOSE = 5.0
+"""Where the tree finds no escape, at most so much deeper than its best is asked for [m]."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +52,7 @@ class Outcome:
     miss_m: float
     angle_deg: float
     clearance_m: float
-    """Least, of all obstacles and the fence."""
+    """Least, of all obstacles, other aircraft, the fence and the ground."""
     time_s: float
     wall_s: float
     acting: float
@@ -52,15 +61,39 @@ class Outcome:
     """Flown to the goal."""
     reference_m: float
     """Of the shortest path that BIT* finds; infinite where none, NaN where it was not asked."""
+    free_m: float
+    """Of the shortest path where nothing is in the way, by Dubins."""
+    best_m: float
+    """Least clearance that the tree finds to be possible; NaN where it was not asked."""
     reasons: tuple[str, ...]
+
+    @property
+    def meets(self) -> bool:
+        """Whether the goal was reached as exactly as the issue of avoidance asks for."""
+        return self.reached and self.miss_m <= 5.0 and self.angle_deg <= 5.0
+
+    @property
+    def hits(self) -> bool:
+        """Whether something was entered."""
+        return self.clearance_m <= 0.0
+
+    @property
+    def allowed(self) -> bool:
+        """Whether that is as good as the tree finds possible, but for CLOSE."""
+        return not self.hits or (self.best_m <= 0.0 and self.clearance_m >= self.best_m - CLOSE)
 
 
 def fly(number: int, args: argparse.Namespace) -> Outcome:
-    """Fly one world."""
+    """Fly one world of a kind."""
+    return fly_table(scenario_of(args.kind, args.seed, number), number, args)
+
+
+def fly_table(table: Table, number: int, args: argparse.Namespace) -> Outcome:
+    """Fly a world as it is written."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         path = folder / "world.toml"
-        path.write_text(tomli_w.dumps(scenario_of(args.kind, args.seed, number)))
+        path.write_text(tomli_w.dumps(table))
         loaded = load_scenario(path, args.set)
         flight = fly_scenario(loaded, folder)
         if args.out is not None:
@@ -69,19 +102,25 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
     vehicle = result.vehicles[0]
     goal = vehicle.goals[0]
-    clearances = [its.min_clearance_m for its in vehicle.obstacles]
+    clearances = [its.min_clearance_m for its in (*vehicle.obstacles, *vehicle.traffic)]
     clearances.append(fence_clearance(loaded.scenario, record.p_n))
+    if loaded.scenario.plant == "jsbsim":
+        clearances.append(float(record.height_above_ground.min()) - TOUCH)
+    clearance = min((c for c in clearances if c is not None), default=math.inf)
+    asks = clearance <= TREE[args.tree]
     return Outcome(
         number,
         goal.reached,
         np.inf if goal.miss_m is None else goal.miss_m,
         max(abs(goal.course_error_deg or 0.0), abs(goal.climb_error_deg or 0.0)),
-        min(c for c in clearances if c is not None),
+        clearance,
         goal.time_s or np.nan,
         flight.wall_s,
-        float(np.mean(record.guard[:, 0] > 0.0)),
+        0.0 if record.guard is None else float(np.mean(record.guard[:, 0] > 0.0)),
         flown_length(record, goal.time_s),
         reference(loaded, number, args.reference_s) if args.reference_s > 0.0 else np.nan,
+        free_length(loaded),
+        best_possible(loaded, record) if asks else np.nan,
         result.reasons,
     )
 
@@ -94,14 +133,25 @@ def flown_length(record: FlightRecord, until: float | None) -> float:
 
 def reference(loaded: LoadedScenario, number: int, seconds: float) -> float:
     """Shortest path at the goal's height with 5 m of clearance and turns in still air [m]."""
-    vehicle = loaded.scenario.vehicles[0]
-    goal, rows = vehicle.goals[0], rows_of(loaded.scenario.obstacles)
+    goal, rows = loaded.scenario.vehicles[0].goals[0], rows_of(loaded.scenario.obstacles)
     rows[:, 3] -= goal.position_m[2] + HEIGHT
+    start, end, radius = way_between(loaded)
+    return reference_length(World("flown", start, end, rows), radius, 5.0, seconds, number)
+
+
+def free_length(loaded: LoadedScenario) -> float:
+    """Shortest path in the plane with turns in still air, were there nothing in the way [m]."""
+    start, end, radius = way_between(loaded)
+    return dubins_length(tuple(start)[:3], tuple(end)[:3], radius)
+
+
+def way_between(loaded: LoadedScenario) -> tuple[Pose, Pose, float]:
+    """Start and goal in the plane, and the radius of the turns in still air [m]."""
+    vehicle = loaded.scenario.vehicles[0]
+    goal, gains = vehicle.goals[0], loaded.gains(vehicle)
     start = Pose(*vehicle.position_m[:2], math.radians(vehicle.euler_deg[2]))
     end = Pose(*goal.position_m[:2], math.radians(goal.heading_deg))
-    gains = loaded.gains(vehicle)
-    radius = gains.airspeed**2 / (G0 * math.tan(gains.bank_max))
-    return reference_length(World("flown", start, end, rows), radius, 5.0, seconds, number)
+    return start, end, gains.airspeed**2 / (G0 * math.tan(gains.bank_max))
 
 
 def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
@@ -111,9 +161,13 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
         sum(o.reached and o.miss_m <= miss and o.angle_deg <= angle for o in outcomes)
         for miss, angle in ((5.0, 5.0), (2.0, 3.0))
     ]
-    hit = [o for o in outcomes if o.clearance_m <= 0.0]
+    hit = [o for o in outcomes if o.hits]
     print(f"{args.kind}: seed {args.seed}, {n} worlds")
     print(f"penetrations {len(hit)}, least clearance {min(o.clearance_m for o in outcomes):.2f} m")
+    if hit:
+        none = [o for o in hit if o.best_m <= 0.0]
+        close = sum(o.allowed for o in none)
+        print(f"  of these without an escape {len(none)}, as deep as the best but 5 m {close}")
     print(f"reached within 5 m, 5 deg {within[0]} ({100.0 * within[0] / n:.1f} %)")
     print(f"reached within 2 m, 3 deg {within[1]} ({100.0 * within[1] / n:.1f} %)")
     print(f"time [s] median {np.nanmedian([o.time_s for o in outcomes]):.1f}")
@@ -125,11 +179,16 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
             f"length over BIT* median {median:.3f}, 90 % {high:.3f}, most {most:.3f} ({len(over)})"
         )
     print(f"wall time of a flight [s] mean {np.mean([o.wall_s for o in outcomes]):.2f}")
+    show_failures(outcomes)
+
+
+def show_failures(outcomes: Sequence[Outcome]) -> None:
+    """Print what was hit and what was not reached."""
     for o in outcomes:
-        if o.clearance_m <= 0.0 or not (o.reached and o.miss_m <= 5.0 and o.angle_deg <= 5.0):
+        if o.hits or not o.meets:
             print(
                 f"  world {o.number}: reached {o.reached}, miss {o.miss_m:.2f} m,"
-                f" {o.angle_deg:.2f} deg, clearance {o.clearance_m:.2f} m,"
+                f" {o.angle_deg:.2f} deg, clearance {o.clearance_m:.2f} m, best {o.best_m:.2f} m,"
                 f" acting {100.0 * o.acting:.1f} %: {'; '.join(o.reasons)}"
             )
 
@@ -147,6 +206,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="folder for its scenario")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
+    parser.add_argument(
+        "--tree", choices=list(TREE), default="hit", help="flights that the manoeuvre tree judges"
+    )
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     args = parser.parse_args()
     if args.reference_s > 0.0 and not is_installed():

@@ -8,12 +8,12 @@ from argparse import Namespace
 import measure_avoidance
 import pytest
 
-KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence")
+KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning")
 
 
 def fly(kind, number):
     return measure_avoidance.fly(
-        number, Namespace(kind=kind, seed=77, out=None, reference_s=0.0, set=[])
+        number, Namespace(kind=kind, seed=77, out=None, reference_s=0.0, tree="none", set=[])
     )
 
 

@@ -1,0 +1,75 @@
+"""The table of laws side by side."""
+
+import csv
+import dataclasses
+import math
+
+import compare_laws
+import numpy as np
+import pytest
+import tomli_w
+from flown_worlds import scenario_of
+from measure_avoidance import Outcome
+
+from vfguide.scenario.load import load_scenario
+
+OUTCOME = Outcome(
+    number=0,
+    reached=True,
+    miss_m=1.0,
+    angle_deg=1.0,
+    clearance_m=3.0,
+    time_s=40.0,
+    wall_s=1.0,
+    acting=0.1,
+    length_m=1100.0,
+    reference_m=math.nan,
+    free_m=1000.0,
+    best_m=math.nan,
+    reasons=(),
+)
+
+
+def flight(**changes):
+    return dataclasses.replace(OUTCOME, **changes)
+
+
+def loaded_from(table, folder):
+    path = folder / "world.toml"
+    path.write_text(tomli_w.dumps(table))
+    return load_scenario(path)
+
+
+def test_laws_side_by_side_as_a_table(tmp_path):
+    took = np.array([10.0, 20.0, 30.0])
+    flown = [
+        {"printed": (flight(clearance_m=-2.0, best_m=4.0), took), "ours": (flight(), took)},
+        {"printed": (flight(reached=False), took), "ours": (flight(miss_m=7.0), took)},
+    ]
+    rows = [compare_laws.row_of("field", law, flown) for law in ("printed", "ours")]
+    printed, ours = rows
+    assert (printed.worlds, printed.entered, printed.no_escape, printed.reached) == (2, 1, 0, 0)
+    assert (ours.entered, ours.reached, ours.length_median) == (0, 1, 1.1)
+    assert ours.step_median_us == 20.0
+    text = compare_laws.markdown(rows)
+    assert "| field | printed | 2 | 1 | 0 | -2.0 | 0 | - | 20, 30 | 10.00 |" in text
+    compare_laws.write_csv(rows, tmp_path / "laws.csv")
+    with (tmp_path / "laws.csv").open() as file:
+        assert [line["law"] for line in csv.DictReader(file)] == ["printed", "ours"]
+
+
+def test_the_worlds_can_be_flown_on_the_papers_plant(tmp_path):
+    for kind in ("field", "movers", "cluster", "overtaking", "popup", "dead-end"):
+        table = compare_laws.with_reach(scenario_of(kind, 1, 0), 100.0)
+        assert compare_laws.is_for("own plant", table)
+        scenario = loaded_from(compare_laws.on_papers_plant(table), tmp_path).scenario
+        assert (scenario.plant, scenario.law) == ("kinematic", "paper")
+        assert len(scenario.obstacles) == len(table["obstacle"])
+    assert not compare_laws.is_for("own plant", scenario_of("turning", 1, 0))
+    assert not compare_laws.is_for("own plant", scenario_of("fence", 1, 0))
+
+
+def test_reactive_areas_reach_as_far_as_asked_for():
+    assert compare_laws.level_of({"shape": "sphere", "radius_m": 50.0}, 100.0) == pytest.approx(9)
+    wall = {"shape": "box", "size_m": [900.0, 100.0, 290.0]}
+    assert compare_laws.level_of(wall, 50.0) == pytest.approx(256.0)

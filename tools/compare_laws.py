@@ -1,0 +1,322 @@
+#!/usr/bin/env python3
+"""The same random worlds by four laws, side by side, judged by the truth.
+
+    python tools/compare_laws.py --runs 20
+    python tools/compare_laws.py --kind field --kind popup --csv laws.csv --markdown laws.md
+
+own plant   the paper's law as printed on the paper's rigid body: any turn, no wind, no gusts, speed
+            k_v |p - p_d|, here 25 m/s at the start. Worlds without traffic and fence only.
+printed     the direction of the same field flown by the aeroplane of the other two, over MAVLink on
+            JSBSim, at 25 m/s, in the wind. Traffic is robots with priority; it knows no fence.
+unassured   ours without the run-time assurance
+ours        ours
+
+The paper leaves the reactive level of obstacles open: here the area of every obstacle reaches
+--reach-m beyond its surface where it is narrowest. Reached is who entered nothing and came within
+5 m and 5 deg; the length of the path is that of these flights, over the shortest one if nothing
+were in the way, or over that of BIT* where --reference-s is given and nothing moves. Cost is
+processor time of one step.
+"""
+
+import argparse
+import csv
+import multiprocessing
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import astuple, dataclass, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from flown_worlds import DRAWN, SPEED, Table, scenario_of
+from law_variants import step_printed, step_unassured
+from measure_avoidance import TREE, Outcome, fly_table, show_failures
+from rich.console import Console
+from rich.table import Table as RichTable
+
+from vfguide.companion import route
+from vfguide.companion.step import step_on
+from vfguide.field.shape import EDGED
+from vfguide.scenario import pilots
+
+PAPERS_PLANT, PRINTED, UNASSURED, OURS = LAWS = ("own plant", "printed", "unassured", "ours")
+BUILT: dict[str, Callable[[], Any]] = {
+    PRINTED: step_printed,
+    UNASSURED: step_unassured,
+    OURS: lambda: step_on,
+}
+STEPS: dict[str, Any] = {}
+"""The steps of the laws, compiled before the work is shared out."""
+HIGHEST = 1e6
+"""Reactive level that a scenario may have."""
+SLOW = 1000.0
+"""The paper's robots are slow near the goal: they get so long [s]."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: one law in the worlds of one kind."""
+
+    kind: str
+    law: str
+    worlds: int
+    entered: int
+    """Flights that entered something, the ground included."""
+    no_escape: int
+    """Those of them in which the manoeuvre tree finds no escape."""
+    least_clearance_m: float
+    reached: int
+    """Within 5 m and 5 deg, and nothing entered."""
+    length_median: float
+    length_90: float
+    step_median_us: float
+    step_99_us: float
+    acting_percent: float
+    """Setpoints that the assurance chose."""
+
+
+def with_reach(table: Table, reach: float) -> Table:
+    """The world with the reactive areas of the paper's law that large [m]; ours has none."""
+    return {
+        **table,
+        "obstacle": [
+            {**its, "reactive_level": level_of(its, reach)} for its in table.get("obstacle", [])
+        ],
+    }
+
+
+def level_of(obstacle: Table, reach: float) -> float:
+    """U where the narrowest semi-axis is longer by `reach` [m], within what is allowed."""
+    size, exponent = 1.0, EDGED
+    match obstacle["shape"]:
+        case "sphere":
+            size, exponent = obstacle["radius_m"], 1.0
+        case "ellipsoid" | "superquadric":
+            size = min(obstacle["semi_axes_m"][:2])
+            exponent = min(obstacle.get("exponents", [1.0]))
+        case "box":
+            size = 0.5 * min(obstacle["size_m"][:2])
+        case _:
+            size = obstacle["radius_m"]
+    return min((1.0 + reach / size) ** (2.0 * exponent), HIGHEST)
+
+
+def on_papers_plant(table: Table) -> Table:
+    """The world for the paper's rigid body: its law, its speed, no wind."""
+    left_out = ("wind", "traffic", "traffic_receiver", "fence", "avoidance")
+    goal = table["vehicle"][0]["goal"][0]["position_m"]
+    apart = float(np.linalg.norm(np.subtract(goal, table["vehicle"][0]["position_m"])))
+    return {
+        **{key: value for key, value in table.items() if key not in left_out},
+        "plant": "kinematic",
+        "law": "paper",
+        "duration_s": SLOW,
+        "guidance": {"k_v": SPEED / apart},
+    }
+
+
+def is_for(law: str, table: Table) -> bool:
+    """Whether a law can be flown in a world."""
+    return law != PAPERS_PLANT or not ("traffic" in table or "fence" in table)
+
+
+def stands(table: Table) -> bool:
+    """Whether nothing in the world moves."""
+    moving = any(any(its.get("velocity_mps", ())) for its in table.get("obstacle", []))
+    return not moving and not table.get("traffic") and "fence" not in table
+
+
+def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> tuple[Outcome, Any]:
+    """One world by one law, and what each of its steps took [us]."""
+    took: list[float] = []
+    if law == PAPERS_PLANT:
+        printed = pilots.fly_paper_law
+        pilots.fly_paper_law = timed(printed, took)
+        try:
+            return fly_table(on_papers_plant(table), number, args), np.array(took)
+        finally:
+            pilots.fly_paper_law = printed
+    route.step_on = timed(STEPS[law], took)
+    try:
+        return fly_table(table, number, args), np.array(took)
+    finally:
+        route.step_on = step_on
+
+
+def timed(function: Any, took: list[float]) -> Any:
+    """The function, which notes what each call takes [us]."""
+
+    def noting(*arguments: Any) -> Any:
+        begun = time.process_time()
+        value = function(*arguments)
+        took.append(1e6 * (time.process_time() - begun))
+        return value
+
+    return noting
+
+
+def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, tuple[Outcome, Any]]:
+    """One world by all laws that can be flown in it."""
+    kind, number, args = job
+    table = with_reach(scenario_of(kind, args.seed, number), args.reach_m)
+    flown: dict[str, tuple[Outcome, Any]] = {}
+    for law in args.laws:
+        asked = args.reference_s if not flown and stands(table) else 0.0
+        if is_for(law, table):
+            its = argparse.Namespace(**{**vars(args), "reference_s": asked})
+            flown[law] = fly_by(law, table, number, its)
+    return flown
+
+
+def prepare(args: argparse.Namespace) -> None:
+    """Compile the laws, by flights that are not counted."""
+    table = {**scenario_of("field", args.seed, 0), "duration_s": 2.0}
+    silent = argparse.Namespace(**{**vars(args), "tree": "none", "reference_s": 0.0})
+    for law in args.laws:
+        if law in BUILT:
+            STEPS[law] = BUILT[law]()
+        fly_by(law, table, 0, silent)
+
+
+def row_of(kind: str, law: str, flown: Sequence[dict[str, tuple[Outcome, Any]]]) -> Row:
+    """The line of one law in one kind of worlds."""
+    outcomes = [its[law][0] for its in flown if law in its]
+    took = np.concatenate([its[law][1] for its in flown if law in its])
+    references = [shortest(its) for its in flown if law in its]
+    clean = [o.meets and not o.hits for o in outcomes]
+    lengths = zip(outcomes, references, clean, strict=True)
+    over = [o.length_m / r for o, r, counts in lengths if counts]
+    hit = [o for o in outcomes if o.hits]
+    return Row(
+        kind,
+        law,
+        len(outcomes),
+        len(hit),
+        sum(o.best_m <= 0.0 for o in hit),
+        min(o.clearance_m for o in outcomes),
+        sum(clean),
+        *(np.quantile(over, (0.5, 0.9)) if over else (np.nan, np.nan)),
+        *np.quantile(took, (0.5, 0.99)),
+        100.0 * float(np.mean([o.acting for o in outcomes])),
+    )
+
+
+def shortest(flown: dict[str, tuple[Outcome, Any]]) -> float:
+    """Length of the shortest path in one world [m]: of BIT* where it was asked and found one."""
+    outcomes = [outcome for outcome, _ in flown.values()]
+    asked = [o.reference_m for o in outcomes if np.isfinite(o.reference_m)]
+    return asked[0] if asked else outcomes[0].free_m
+
+
+HEADS = (
+    "worlds",
+    "law",
+    "flown",
+    "entered",
+    "no escape",
+    "least [m]",
+    "reached",
+    "length, 90 %",
+    "step, 99 % [us]",
+    "acting [%]",
+)
+WIDTH = 120
+"""Of the table where there is no terminal."""
+
+
+def cells(row: Row) -> list[str]:
+    """The row as it is printed."""
+    return [
+        row.kind,
+        row.law,
+        str(row.worlds),
+        str(row.entered),
+        str(row.no_escape),
+        f"{row.least_clearance_m:.1f}",
+        str(row.reached),
+        f"{row.length_median:.2f}, {row.length_90:.2f}" if row.reached else "-",
+        f"{row.step_median_us:.0f}, {row.step_99_us:.0f}",
+        f"{row.acting_percent:.2f}",
+    ]
+
+
+def rich_table(rows: Sequence[Row]) -> RichTable:
+    """For the terminal."""
+    table = RichTable()
+    for number, head in enumerate(HEADS):
+        table.add_column(head, justify="left" if number < 2 else "right")
+    for before, row in zip([None, *rows], rows, strict=False):
+        if before is not None and before.kind != row.kind:
+            table.add_section()
+        table.add_row(*cells(row))
+    return table
+
+
+def markdown(rows: Sequence[Row]) -> str:
+    """For the documentation."""
+    lines = [HEADS, ["---"] * len(HEADS), *(cells(row) for row in rows)]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def write_csv(rows: Sequence[Row], path: Path) -> None:
+    """All digits."""
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow([field.name for field in fields(Row)])
+        writer.writerows(astuple(row) for row in rows)
+
+
+def flown_of(kind: str, args: argparse.Namespace) -> Iterator[dict[str, tuple[Outcome, Any]]]:
+    """All worlds of one kind."""
+    jobs = [(kind, number, args) for number in range(args.first, args.first + args.runs)]
+    if args.workers == 1:
+        yield from map(fly_all, jobs)
+        return
+    with multiprocessing.get_context("fork").Pool(args.workers) as pool:
+        yield from pool.imap(fly_all, jobs)
+
+
+def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    """The options."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--kind", dest="kinds", choices=list(DRAWN), action="append")
+    parser.add_argument("--law", dest="laws", choices=LAWS, action="append")
+    parser.add_argument("--runs", type=int, default=20, help="worlds of each kind")
+    parser.add_argument("--first", type=int, default=0, help="number of the first world")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--reach-m", type=float, default=100.0, help="of the paper's areas")
+    parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
+    parser.add_argument("--tree", choices=list(TREE), default="hit")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--csv", type=Path, help="file for the table")
+    parser.add_argument("--markdown", type=Path, help="file for the table")
+    args = parser.parse_args(arguments)
+    args.kinds, args.laws = args.kinds or list(DRAWN), args.laws or list(LAWS)
+    args.out, args.set = None, []
+    return args
+
+
+def main() -> None:
+    """Fly them all."""
+    args = parse()
+    prepare(args)
+    rows: list[Row] = []
+    for kind in args.kinds:
+        flown = list(flown_of(kind, args))
+        laws = [law for law in args.laws if any(law in its for its in flown)]
+        rows += [row_of(kind, law, flown) for law in laws]
+        for law in laws:
+            print(f"{kind}, {law}, seed {args.seed}:", flush=True)
+            show_failures([its[law][0] for its in flown if law in its])
+    console = Console()
+    Console(width=None if console.is_terminal else WIDTH).print(rich_table(rows))
+    if args.csv:
+        write_csv(rows, args.csv)
+    if args.markdown:
+        args.markdown.write_text(markdown(rows))
+
+
+if __name__ == "__main__":
+    main()
