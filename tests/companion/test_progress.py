@@ -20,76 +20,72 @@ from vfguide.geometry.units import DEG
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 
-STEP = 0.05
-"""Turned in one step [rad]."""
+STEP = 0.5
+"""Flown in one step [m]."""
+RADIUS = 100.0
+CIRCLE = TURN * RADIUS
 LAW = packed(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
 LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 
 
 def in_phase(phase):
-    return new_leg()._replace(phase=phase)
+    return new_leg()._replace(phase=phase, radius=RADIUS)
 
 
-def winding(turns):
-    """A leg along a way that turns by so much, a straight of 7 radii between two turns."""
-    leg = in_phase(WAY)
-    word = leg.way.word._replace(arc=turns - 1.0, middle=0.0, reach=7.0, end=1.0)
-    return leg._replace(way=leg.way._replace(word=word))
-
-
-def circle(leg, angle, remaining=500.0, progress=None, step=STEP):
-    """After turning by an angle with a path that does not become shorter."""
+def fly_on(distance, remaining=500.0, progress=None, phase=WAY):
+    """After a distance with a path that does not become shorter."""
+    leg = in_phase(phase)
     progress = progress or after_step(fresh_progress(), remaining, leg, 0.0)
-    for _ in range(round(angle / step)):
-        progress = after_step(progress, remaining, leg, math.copysign(step, angle))
+    for _ in range(round(distance / STEP)):
+        progress = after_step(progress, remaining, leg, STEP)
     return progress
 
 
-@pytest.mark.parametrize("side", [1.0, -1.0])
-@pytest.mark.parametrize(
-    ("leg", "planned"),
-    [(in_phase(FIELD), 0.0), (winding(2.0), 2.0), (winding(3.0 * TURN), 3.0 * TURN)],
-)
-def test_it_is_told_after_a_full_circle_more_than_planned(leg, planned, side):
-    step = side * STEP
-    assert not circle(leg, side * (TURN + planned - STEP), step=step).alarmed
-    assert circle(leg, side * (TURN + planned + 2.0 * STEP), step=step).alarmed
+def test_it_is_told_after_a_full_circle():
+    assert not fly_on(CIRCLE - STEP).alarmed
+    assert fly_on(CIRCLE + 2.0 * STEP).alarmed
+
+
+@pytest.mark.parametrize("longer", [0.0, 100.0, 3.0 * CIRCLE])
+def test_a_way_that_became_longer_is_flown_first(longer):
+    progress = fly_on(STEP, remaining=500.0 + longer, progress=fly_on(10.0))
+    assert not fly_on(longer + CIRCLE - 4.0 * STEP - 10.0, 500.0, progress).alarmed
+    assert fly_on(longer + CIRCLE + 4.0 * STEP - 10.0, 500.0, progress).alarmed
+
+
+def test_ways_that_are_planned_anew_again_and_again_lead_nowhere():
+    """To either side in turn: the course over ground never makes a circle."""
+    progress, flown = fresh_progress(), 0.0
+    while not progress.alarmed:
+        for _ in range(200):
+            remaining = 1500.0 - STEP * (flown / STEP % 200)
+            progress = after_step(progress, remaining, in_phase(WAY), STEP)
+            flown += STEP
+        assert flown < 5.0 * CIRCLE
+    assert flown > CIRCLE
 
 
 def test_a_path_that_becomes_shorter_is_progress():
     progress = fresh_progress()
-    for k in range(1000):
+    for k in range(9000):
         progress = after_step(progress, 5000.0 - 0.5 * k, in_phase(FIELD), STEP)
     assert not progress.alarmed
-    assert progress.least == pytest.approx(4501.0, abs=MARGIN)
-    assert 0.0 <= progress.turned <= (2.0 * MARGIN + 1.0) * STEP
-
-
-def test_turns_to_both_sides_are_no_circles():
-    progress = circle(in_phase(FIELD), 1.0)
-    for _ in range(20):
-        progress = circle(in_phase(FIELD), -2.0, progress=progress, step=-STEP)
-        progress = circle(in_phase(FIELD), 2.0, progress=progress)
-    assert not progress.alarmed
-
-
-def test_the_most_winding_way_since_the_last_progress_counts():
-    progress = circle(winding(2.0 * TURN), 6.0)
-    progress = circle(in_phase(FIELD), 12.0, remaining=900.0, progress=progress)
-    assert not progress.alarmed
-    assert circle(in_phase(FIELD), 2.0, remaining=900.0, progress=progress).alarmed
+    assert progress.least == pytest.approx(501.0, abs=MARGIN)
+    assert 0.0 <= progress.flown <= (2.0 * MARGIN + 1.0) * STEP
 
 
 def test_away_from_the_goal_no_path_is_measured():
     away = after_step(fresh_progress(), 100.0, in_phase(AWAY), 0.5)
-    assert (away.least, away.turned) == (math.inf, 0.5)
-    assert after_step(away, 2000.0, winding(2.0), 0.0).least == 2000.0
+    assert (away.least, away.flown) == (math.inf, 0.5)
+    assert not fly_on(9.0 * CIRCLE, 100.0, away, AWAY).alarmed
+    begun = after_step(away, 2000.0, in_phase(WAY), 0.5)
+    assert (begun.least, begun.longest, begun.flown) == (2000.0, 2000.0, 0.0)
+    assert fly_on(CIRCLE + 2.0 * STEP, 100.0, begun, AWAY).alarmed
 
 
 def test_an_alarm_stays_until_the_leg_is_over():
-    alarmed = circle(in_phase(FIELD), 7.0)
-    after = after_step(alarmed, 100.0, in_phase(FIELD), 0.0)
-    assert (after.alarmed, after.least, after.turned) == (True, 100.0, 0.0)
+    after = after_step(fly_on(2.0 * CIRCLE), 100.0, in_phase(FIELD), 0.5)
+    assert (after.alarmed, after.least, after.flown) == (True, 100.0, 0.0)
 
 
 def circling(seconds):
@@ -116,4 +112,4 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
     ((time, note),) = notes
     period = TURN * 80.0 / 25.0
     assert period < time < 3.0 * period
-    assert note.startswith("no progress to goal 1: a full circle more than its way has")
+    assert note.startswith("no progress to goal 1: flown a full circle more than its way has")

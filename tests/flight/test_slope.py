@@ -17,6 +17,7 @@ from vfguide.flight.vertical import (
     SAFE,
     SLOPE_RATE,
     STANDOFF,
+    ZOOM,
     airspeed_over_ground,
     descent_at_airspeed,
     goal_slope,
@@ -107,9 +108,11 @@ def test_no_dive_past_the_fastest_and_no_climb_near_the_slowest_airspeed():
     fastest = FASTEST_DESCENT * AEROSONDE.airspeed_max
     safe, room = SAFE * AEROSONDE.airspeed_min, ROOM * SPEED
     full = (-AEROSONDE.descent_max, AEROSONDE.climb_max)
-    for airspeed in (safe + room, 25.0, fastest - BAND):
-        assert path_limits(airspeed, SPEED, AEROSONDE) == pytest.approx(full)
-    assert path_limits(fastest + BAND, SPEED, AEROSONDE) == pytest.approx((0.0, full[1]))
+    assert path_limits(safe + room, SPEED, AEROSONDE) == pytest.approx(full)
+    zoom = math.asin(ZOOM * math.sin(AEROSONDE.climb_max))
+    for airspeed in (safe + ZOOM * room, fastest - BAND):
+        assert path_limits(airspeed, SPEED, AEROSONDE) == pytest.approx((full[0], zoom))
+    assert path_limits(fastest + BAND, SPEED, AEROSONDE) == pytest.approx((0.0, zoom))
     assert path_limits(safe, SPEED, AEROSONDE) == pytest.approx((full[0], 0.0))
     assert path_limits(safe - room, SPEED, AEROSONDE)[1] < 0.0
     assert path_angle(0.0, 25.0, 4.0, 25.0, (full[0], 0.0)) == 0.0, "in air that sinks"
@@ -140,10 +143,11 @@ def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspee
 
 
 def test_speed_goes_before_height():
-    safe, room = 1.15 * AEROSONDE.airspeed_min, 0.12 * 25.0
+    safe, room = SAFE * AEROSONDE.airspeed_min, ROOM * SPEED
     climb, glide = math.sin(AEROSONDE.climb_max), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
     for airspeed, sine in (
-        (25.0, climb),
+        (40.0, ZOOM * climb),
+        (safe + ZOOM * room, ZOOM * climb),
         (safe + room, climb),
         (safe + 0.5 * room, 0.5 * climb),
         (safe, 0.0),
@@ -151,7 +155,7 @@ def test_speed_goes_before_height():
         (safe - room, -glide),
         (0.0, -glide),
     ):
-        assert highest_path(airspeed, 25.0, AEROSONDE) == pytest.approx(sine, abs=1e-12)
+        assert highest_path(airspeed, SPEED, AEROSONDE) == pytest.approx(sine, abs=1e-12)
 
 
 def test_an_airspeed_near_the_slowest_may_be_flown():

@@ -98,7 +98,7 @@ JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in 
 ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
 WEAK_AGAIN = "the wind has fallen"
 NO_PROGRESS = (
-    "no progress to goal {goal}: a full circle more than its way has, "
+    "no progress to goal {goal}: flown a full circle more than its way has, "
     "and no nearer than {least:.0f} m along it"
 )
 

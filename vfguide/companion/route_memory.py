@@ -112,7 +112,7 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     tries, progress = memory.tries, memory.progress
     tried = (float(tries.missed), float(tries.given_up))
     alarm = 1.0 if progress.alarmed else 0.0
-    circled = (progress.least, progress.turned, progress.planned, alarm)
+    circled = (progress.least, progress.longest, progress.flown, alarm)
     packed = np.empty(GUARD + len(memory.guard))
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood, *tried, *circled))
     packed[AIR:DETOUR] = memory.air

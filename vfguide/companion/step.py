@@ -158,9 +158,9 @@ def progress_since(
     """Progress on the leg since the last step; on the circle after the last goal there is none."""
     if not memory.begun or memory.goal == len(legs) - 1:
         return memory.progress
-    before, now = memory.v_n, state.v_n
-    turned = wrap(math.atan2(now[1], now[0]) - math.atan2(before[1], before[0]))
-    return after_step(memory.progress, wish.remaining, leg, turned)
+    before, now = memory.p_n, state.p_n
+    flown = math.hypot(now[0] - before[0], now[1] - before[1])
+    return after_step(memory.progress, wish.remaining, leg, flown)
 
 
 @compiled

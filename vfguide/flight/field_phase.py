@@ -27,7 +27,7 @@ ASIDE = 0.01
 """The straight end is begun between its ends no farther aside than this, in radii, ..."""
 OFF_COURSE = 0.05
 """... and within this of its course [rad]; at the end of a way ..."""
-SLACK = 3.0
+SLACK = 5.0
 """... so many times as far."""
 
 

@@ -18,6 +18,8 @@ STRIDE = 0.1
 """Lengths of straights are tried in steps of this, in radii, ..."""
 STRIDES = 100
 """... no more of them than this."""
+SHORTER = 0.01
+"""A later way is taken only where it is shorter by this, in radii: rounding decides nothing."""
 
 
 @compiled
@@ -53,7 +55,7 @@ def best_away(at: Planar, radius: float, path_needed: float) -> tuple[float, flo
         turn = TURN * ((k + 1) // 2)
         pose = after_turn(begin, 1.0 if k % 2 == 1 else -1.0, turn, radius)
         length = radius * turn + path_away(pose, radius, path_needed - radius * turn)
-        if length < least:
+        if length < least - SHORTER * radius:
             best, least = pose.course, length
     return best, least
 

@@ -25,7 +25,7 @@ from vfguide.geometry.vector import dot, scale, sub
 
 RISE_TIME = 0.15
 """It is smoothed over this time [s]."""
-STEEPEST_AIR = 0.2
+STEEPEST_AIR = 0.3
 """The air rises or sinks no faster than this times the airspeed."""
 
 

@@ -18,10 +18,12 @@ SOON = 0.55
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
-SAFE = 1.15
+SAFE = 1.17
 """Below this times the slowest airspeed height is given up for airspeed."""
 ROOM = 0.12
 """This much above it the steepest climb is flown, as a share of the airspeed to fly."""
+ZOOM = 1.4
+"""Through air that sinks it may be this much steeper, while the airspeed lasts."""
 FASTEST_DESCENT = 1.03
 """At this times the fastest airspeed half the descent is given up, ..."""
 AIRSPEED_BAND = 0.06
@@ -93,13 +95,14 @@ def steepest_path(slope: float, goal_slope: float, aircraft: Performance) -> flo
 def highest_path(airspeed: float, flown: float, aircraft: Performance) -> float:
     """Largest sine of the path angle that the airspeed allows: speed goes before height.
 
-    It falls with the airspeed from the steepest climb to the glide without thrust, over ROOM on
-    either side of SAFE times the slowest airspeed, where it is level. An airspeed to fly, `flown`
-    [m/s], that leaves no such room puts it lower.
+    It falls with the airspeed from more than the steepest climb, which `plan_slope` asks for only
+    where the air sinks, to the glide without thrust: the climb is the steepest ROOM above SAFE
+    times the slowest airspeed, the glide ROOM below, and there the path is level. An airspeed to
+    fly, `flown` [m/s], that leaves no such room puts it lower.
     """
     room = ROOM * flown
     safe = min(SAFE * aircraft.airspeed_min, flown - room)
-    part = max(-1.0, min(1.0, (airspeed - safe) / room))
+    part = max(-1.0, min(ZOOM, (airspeed - safe) / room))
     steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
     return part * math.sin(steepest)
 
