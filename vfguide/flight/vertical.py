@@ -14,11 +14,11 @@ LINE_UP = 1.57
 """The slope of the goal is taken up over this distance before it, in turn lengths."""
 LOITER_HORIZON = 2.35
 """Distance over which a loitering vehicle takes away an error of height, in turn lengths."""
-SOON = 0.55
+SOON = 0.45
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
-SAFE = 1.17
+SAFE = 1.165
 """Below this times the slowest airspeed height is given up for airspeed."""
 ROOM = 0.12
 """This much above it the steepest climb is flown, as a share of the airspeed to fly."""
