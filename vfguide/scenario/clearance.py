@@ -1,8 +1,8 @@
 """How near the true path came to obstacles.
 
-U and the distance from a surface are convex functions of the place relative to the body. So where
-a step of the path, nearly straight, goes lower than its ends, one of them is lower than the sample
-on its other side: there the path is looked at between the samples, closer and closer.
+U and the distance from a surface are convex functions of the place relative to the body, and a step
+of the path is nearly straight. So the values at both its ends and halfway bound what is between
+them: where that may be the least of all the step is looked at, closer and closer.
 """
 
 from collections.abc import Callable
@@ -15,7 +15,7 @@ from vfguide.scenario.path import positions
 from vfguide.scenario.record import Array, FlightRecord
 
 PARTS = 16
-"""The path about a minimum is looked at in so many parts,"""
+"""A step is looked at in so many parts,"""
 ROUNDS = 4
 """and the two parts about the least value again, in so many rounds in all."""
 
@@ -62,17 +62,24 @@ def centres(row: Rows, time: Array) -> Array:
 
 
 def _refined(record: FlightRecord, values: Array, measure: Measure, row: Rows) -> float:
-    """The least of `values` at the samples, and of those between them near local minima."""
-    padded = np.concatenate(([np.inf], values, [np.inf]))
-    minima = np.flatnonzero((values < padded[:-2]) & (values <= padded[2:]))
-    low = record.time[np.maximum(minima - 1, 0)]
-    high = record.time[np.minimum(minima + 1, len(values) - 1)]
-    least, each = float(values.min()), np.arange(len(minima))
+    """The least of `values` at the samples, and of those in the steps between known ones."""
+    steps = np.flatnonzero(np.isfinite(values[:-1]) & np.isfinite(values[1:]))
+    low, high = record.time[steps], record.time[steps + 1]
+    halfway = _between(record, 0.5 * (low + high)[:, None], measure, row)[:, 0]
+    least = min(float(values.min()), float(halfway.min(initial=np.inf)))
+    may_be_least = 2.0 * halfway - np.maximum(values[steps], values[steps + 1]) < least
+    low, high = low[may_be_least], high[may_be_least]
+    each = np.arange(len(low))
     for _ in range(ROUNDS):
         time = np.linspace(low, high, PARTS + 1, axis=1)
-        between = measure(positions(record, time), time, row)[..., 0]
+        between = _between(record, time, measure, row)
         at = between.argmin(axis=1)
         least = min(least, float(between.min(initial=np.inf)))
         low = time[each, np.maximum(at - 1, 0)]
         high = time[each, np.minimum(at + 1, PARTS)]
     return least
+
+
+def _between(record: FlightRecord, time: Array, measure: Measure, row: Rows) -> Array:
+    """Values at times between the samples, of the same shape."""
+    return measure(positions(record, time), time, row)[..., 0]
