@@ -17,6 +17,7 @@ from vfguide.scenario.fence_distance import fence_distances
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.panels import LIMIT, lay_out, name_axis
 from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.traffic_figures import volume_distance
 
 TALL = 2.8
 """Height of a panel [inch]."""
@@ -33,9 +34,9 @@ SHORTEST = 0.004
 def draw_assurance(figure: Figure, flights: Flights) -> None:
     """Distance of each vehicle from its nearest hazard, the margin, and the episodes shaded."""
     marks = [
-        Line2D([], [], **line_of(0), label="Nearest obstacle or fence"),
+        Line2D([], [], **line_of(0), label="Nearest obstacle, aircraft or fence"),
         Line2D([], [], **MARGIN, label="Margin of the assurance"),
-        Line2D([], [], **LIMIT, label="Surface, or the fence"),
+        Line2D([], [], **LIMIT, label="Surface, volume or the fence"),
         *(Patch(label=LABELS[reason], **look) for reason, look in SHADES.items()),
     ]
     title = "Nearest hazard, and when the assurance acted"
@@ -45,10 +46,11 @@ def draw_assurance(figure: Figure, flights: Flights) -> None:
 
 
 def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
-    """Distance from the nearest obstacle or rule of the fence, (n,) [m], negative where inside."""
+    """Distance from the nearest obstacle, volume or rule of the fence, (n,) [m]; inside < 0."""
     scenario = flights.loaded.scenario
     fence = fence_distances(scenario.fence, record.p_n)
-    each = np.column_stack((clearances(record, rows_of(scenario.obstacles)), fence))
+    volumes = [volume_distance(scenario.avoidance, its.p_n - record.p_n) for its in flights.passers]
+    each = np.column_stack((clearances(record, rows_of(scenario.obstacles)), *volumes, fence))
     return np.fmin.reduce(each, axis=1)
 
 

@@ -76,11 +76,15 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
 
 def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
     """Their names where they are at the end, unless there are too many."""
+    for body in bodies if len(bodies) <= MOST_NAMES else ():
+        write_name(axes, body.name, body.track[1] @ onto, "#374151")
+
+
+def write_name(axes: Axes, name: str, at: Array, color: str) -> None:
+    """A name in the middle of a place, (2,), readable on lines and surfaces."""
     halo = [withStroke(linewidth=2.5, foreground="white", alpha=0.8)]
     look: Any = {"ha": "center", "va": "center", "fontsize": 8, "path_effects": halo}
-    for body in bodies if len(bodies) <= MOST_NAMES else ():
-        x, y = body.track[1] @ onto
-        axes.text(x, y, short(body.name), clip_on=True, color="#374151", zorder=1.5, **look)
+    axes.text(at[0], at[1], short(name), clip_on=True, color=color, zorder=1.7, **look)
 
 
 def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:

@@ -16,6 +16,7 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.bodies import Body, body_of
 from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.passers import Passer, passers_of
 from vfguide.scenario.record import Array, FlightRecord
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -74,6 +75,11 @@ class Flights:
         """The obstacles over the time of the flights."""
         seconds = float(self.records[0].time[-1])
         return tuple(body_of(its, seconds) for its in self.loaded.scenario.obstacles)
+
+    @cached_property
+    def passers(self) -> tuple[Passer, ...]:
+        """The other aircraft over the time of the flights."""
+        return passers_of(self.loaded.scenario, self.records)
 
 
 def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:

@@ -53,8 +53,9 @@ _CLEARANCE = Drawing(
 )
 _ASSURANCE = Drawing(
     "assurance",
-    "Distance from the nearest obstacle or border of the fence, the margin that ways out keep, "
-    "and the times in which the run-time assurance overruled the guidance.",
+    "Distance from the nearest obstacle, volume of another aircraft or border of the fence, the "
+    "margin that ways out keep, and the times in which the run-time assurance overruled the "
+    "guidance.",
     draw_assurance,
 )
 _SEPARATION = Drawing(

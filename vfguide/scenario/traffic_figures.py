@@ -7,6 +7,7 @@ import numpy as np
 
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.scenario_file import Avoidance
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 
@@ -38,10 +39,16 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
     for its in scenario.traffic:
         apart = motion_at(path_of(its), time)[0] - p_n
         horizontal, vertical = np.hypot(apart[:, 0], apart[:, 1]), np.abs(apart[:, 2])
-        least = clearance(horizontal - radius, vertical - half_height).min()
+        least = volume_distance(scenario.avoidance, apart).min()
         beside, level = horizontal[vertical <= half_height], vertical[horizontal <= radius]
         results.append(TrafficResult(its.name, _least(beside), _least(level), _rounded(least)))
     return tuple(results)
+
+
+def volume_distance(avoidance: Avoidance, apart: Array) -> Array:
+    """Distance of a vehicle from the volume of another aircraft that is `apart`, (n, 3), [m]."""
+    beside = np.hypot(apart[:, 0], apart[:, 1]) - avoidance.traffic_radius_m
+    return clearance(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
 
 
 def clearance(beside: Array, above: Array) -> Array:

@@ -11,6 +11,7 @@ from matplotlib.lines import Line2D
 from vfguide.scenario.bodies import body_marks
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, goal_axis, vehicle_lines
 from vfguide.scenario.fence_figure import places_of
+from vfguide.scenario.passers import passer_marks
 from vfguide.scenario.record import Array
 from vfguide.scenario.resolved import Goal
 
@@ -59,17 +60,20 @@ def view_of(flights: Flights, axes_n: Array) -> View:
 
 
 def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -> Iterator[Array]:
-    """Corners, (2, k), of what is within `reach` of the box of `points`: of fence and obstacles."""
+    """Corners, (2, k), of what is within `reach` of the box of `points`.
+
+    Those of the fence, of obstacles, and of the volumes of other aircraft.
+    """
     low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
     fence = places_of(flights.loaded.scenario.fence, flights.records[0].p_n[0]) @ axes_n.T
     if len(fence):
         yield np.clip((fence.min(axis=0), fence.max(axis=0)), low, high)
-    for body in flights.bodies:
-        for way, _ in body.places:
-            surface = (body.surface + way).reshape(-1, 3) @ axes_n.T
-            least, most = surface.min(axis=0), surface.max(axis=0)
-            if (least < high).all() and (most > low).all():
-                yield np.clip((least, most), low, high)
+    shown = [body.surface + way for body in flights.bodies for way, _ in body.places]
+    for surface in (*shown, *(passer.volume for passer in flights.passers)):
+        corners = surface.reshape(-1, 3) @ axes_n.T
+        least, most = corners.min(axis=0), corners.max(axis=0)
+        if (least < high).all() and (most > low).all():
+            yield np.clip((least, most), low, high)
 
 
 def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
@@ -80,7 +84,8 @@ def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
 
 
 def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
-    """Vehicles, marks, obstacles and what there is more, below the figure."""
-    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies), *more]
+    """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
+    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
+    handles += [*passer_marks(flights.passers), *more]
     columns = len(handles) if len(handles) <= WIDE else NARROW
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)
