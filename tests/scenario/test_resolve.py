@@ -265,6 +265,18 @@ def test_gains_follow_the_roll_response(
     assert found == pytest.approx((k_w, k_lateral, k_elevation, sluggish))
 
 
+def test_less_bank_is_asked_for_where_rolling_takes_long(tmp_path: Path) -> None:
+    """With 1.2 a Cessna swung between 44 degrees to either side before the goal."""
+    text = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    (tmp_path / "aircraft").mkdir()
+    own = tmp_path / "aircraft" / "aerosonde.toml"
+    own.write_text(text.replace("roll_rate_max_dps = 80.0", "roll_rate_max_dps = 20.0"))
+    loaded = loaded_from(tmp_path)
+    gains = loaded.gains(loaded.scenario.vehicles[0])
+    bank_per_error = gains.k_lateral * gains.airspeed / 9.80665
+    assert bank_per_error / math.radians(20.0) == pytest.approx(6.0)
+
+
 def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None:
     own = tmp_path / "aircraft" / "mine"
     own.mkdir(parents=True)

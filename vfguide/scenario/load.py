@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vfguide.flight.performance import Gains, Performance
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import DEG, G0
 from vfguide.scenario import checks
 from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
 from vfguide.scenario.atomic import write_atomically
@@ -25,6 +25,9 @@ from vfguide.scenario.ways import check_ways
 FAST, PROMPT = 0.08, 0.2
 """Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
 ones get less in proportion, since the inner loop has to be the faster one."""
+ROLL_IN = 6.0
+"""The bank that an error of the azimuth asks for is rolled in within this time for each radian of
+the error, at the largest roll rate [s]: a larger gain swings between the limits of that rate."""
 
 
 @dataclass(frozen=True)
@@ -48,10 +51,13 @@ class LoadedScenario:
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
         roll_time = self.aircraft[vehicle.aircraft].response.roll_s
+        roll_rate = self.aircraft[vehicle.aircraft].limits.roll_rate_max_dps * DEG
+        airspeed = self.scenario.airspeed_of(vehicle)
+        k_lateral = guidance.k_lateral * min(1.0, PROMPT / roll_time)
         return Gains(
-            airspeed=self.scenario.airspeed_of(vehicle),
+            airspeed=airspeed,
             k_w=guidance.k_w * min(1.0, FAST / roll_time),
-            k_lateral=guidance.k_lateral * min(1.0, PROMPT / roll_time),
+            k_lateral=min(k_lateral, ROLL_IN * roll_rate * G0 / airspeed),
             k_elevation=guidance.k_elevation * min(1.0, FAST / roll_time),
             bank_max=bank * DEG,
             sluggish=max(0.0, roll_time - FAST),
