@@ -20,6 +20,8 @@ PIECE = 1.5
 """A turn is made of changes of the velocity that take so long [s]."""
 MANOEUVRES = 60.0
 """Movers turn and climb until then [s]."""
+BESIDE = 700.0
+"""The wide fence is so far from start and goal [m]."""
 Table = dict[str, Any]
 SHAPES = ("sphere", "ellipsoid", "superquadric", "box", "cylinder", "cone")
 
@@ -305,6 +307,17 @@ def fence(rng: Generator, number: int) -> Table:
     zones.append({"kind": "exclude", "polygon_m": triangle})
     world["fence"] = {"floor_m": 90.0, "ceiling_m": 210.0, "zone": zones}
     return world
+
+
+def fenced(world: Table) -> Table:
+    """A world with floor, ceiling and a wide fence, if it has none of its own."""
+    if "fence" in world:
+        return world
+    goal = world["vehicle"][0]["goal"][0]["position_m"]
+    south, north = -BESIDE, goal[0] + BESIDE
+    corners = [[south, -BESIDE], [north, -BESIDE], [north, BESIDE], [south, BESIDE]]
+    zone = {"kind": "include", "polygon_m": corners}
+    return {**world, "fence": {"floor_m": 90.0, "ceiling_m": 210.0, "zone": [zone]}}
 
 
 DRAWN: dict[str, Callable[[Generator, int], Table]] = {

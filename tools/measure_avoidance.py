@@ -24,7 +24,7 @@ import numpy as np
 import tomli_w
 from dubins import dubins_length
 from flown_escapes import best_possible
-from flown_worlds import DRAWN, Table, scenario_of
+from flown_worlds import DRAWN, Table, fenced, scenario_of
 from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
@@ -84,8 +84,8 @@ class Outcome:
 
 
 def fly(number: int, args: argparse.Namespace) -> Outcome:
-    """Fly one world of a kind."""
-    return fly_table(scenario_of(args.kind, args.seed, number), number, args)
+    """Fly one world of a kind; all have a fence, a floor and a ceiling."""
+    return fly_table(fenced(scenario_of(args.kind, args.seed, number)), number, args)
 
 
 def fly_table(table: Table, number: int, args: argparse.Namespace) -> Outcome:

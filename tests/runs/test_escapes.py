@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import tomli_w
 from flown_escapes import best_possible, known_from, true_distances, world_of
-from flown_worlds import scenario_of
+from flown_worlds import fenced, scenario_of
 from measure_avoidance import Outcome
 
 from vfguide.scenario.load import load_scenario
@@ -102,6 +102,16 @@ def test_traffic_that_turns_is_where_it_was_aimed_at_and_turns_as_a_small_aircra
 def test_a_drawn_world_is_the_same_every_time():
     assert scenario_of("turning", 3, 5) == scenario_of("turning", 3, 5)
     assert scenario_of("turning", 3, 5) != scenario_of("turning", 3, 6)
+
+
+@pytest.mark.parametrize("kind", ["field", "dead-end", "turning", "fence"])
+def test_every_world_is_fenced_and_keeps_a_fence_of_its_own(kind, tmp_path):
+    world = scenario_of(kind, 1, 0)
+    loaded = loaded_from(fenced(world), tmp_path)
+    fence = loaded.scenario.fence
+    assert (fence.floor_m, fence.ceiling_m) == (90.0, 210.0)
+    assert fence.zone[0].kind == "include"
+    assert (fenced(world) == world) == (kind == "fence")
 
 
 def test_the_tree_is_asked_when_an_obstacle_comes_in_sight(tmp_path):
