@@ -70,7 +70,7 @@ def test_an_escape_without_a_conflict_says_so(among_towers: Plan) -> None:
 def test_where_nothing_is_clear_is_said_loudly_once_a_second(among_towers: Plan) -> None:
     notes = told(among_towers, (2.5, decided(LEAST_BAD, 1.5, 0)))
     assert [time for time, _ in notes] == pytest.approx([0.02, 1.02, 2.02])
-    assert all(note.startswith("NOTHING IS CLEAR: west tower in 1.5 s") for _, note in notes)
+    assert all(note.startswith("NOTHING IS CLEAR: south tower in 1.5 s") for _, note in notes)
 
 
 def test_a_decision_that_chatters_does_not_flood(among_towers: Plan) -> None:
