@@ -114,19 +114,22 @@ def printed_wish(
     course, turning, climb = printed_direction(state, target, hazards, t)
     air, m = sub(state.v_n, state.wind_n), memory
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
-    gamma = path_of(air, speed)
+    flown = path_of(air, speed)
     wind = (state.wind_n[0], state.wind_n[1])
-    heading = heading_for_course(course, turning, wind, speed * math.cos(gamma))
+    heading = heading_for_course(course, turning, wind, speed * math.cos(flown))
     slope = math.tan(climb)
     limits = path_limits(norm(air), gains.airspeed, aircraft)
     bank_max = usable_bank(aircraft, gains, speed)
     lift, side = plan_turn(
-        heading, azimuth_of(air), gamma, speed, bank_max, aircraft, gains, m.turning
+        heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, m.turning
     )
+    asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
+    gamma = max(limits[0], min(limits[1], asked))
     wish = Wish(
         course,
         heading.psi,
-        path_angle(slope, heading.groundspeed, state.wind_n[2], speed, limits),
+        gamma,
+        max(gamma, asked),
         lift.bank,
         lift.load,
         norm(sub(target.p_n, state.p_n)),

@@ -17,11 +17,13 @@ from flight_states import (
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.flight.energy import thrust_for
 from vfguide.flight.guidance import guide, soon
 from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.memory import Memory, fresh_memory
 from vfguide.flight.performance import Gains, Performance, packed, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.vertical import path_limits
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.vector import matvec
 from vfguide.safety.limits import guide_within_limits, limit_setpoint
@@ -151,3 +153,16 @@ def test_no_turn_is_faster_than_an_aircraft_rolls():
     still = state((-300.0, 20.0, -140.0), 0.4)
     assert flyable_radius(still, 0.8, GAINS._replace(airspeed=8.0)) == 2.5 * 8.0
     assert flyable_radius(still, 0.8, GAINS) > 2.6 * 25.0
+
+
+def test_where_the_air_sinks_faster_than_it_can_climb_thrust_is_set_for_all_of_the_climb():
+    """The airspeed that it brings soon allows a steeper one."""
+    below = (-300.0, 0.0, GOAL.p_n[2] + 20.0)
+    sinking = state(below, 0.0, wind=(0.0, 0.0, 8.0))._replace(airspeed=27.0)
+    setpoint, _, wish = guide(sinking, GOAL, AEROSONDE, GAINS, fresh_memory())
+    v, speed = sinking.v_n, GAINS.airspeed
+    assert wish.gamma == path_limits(math.hypot(v[0], v[1], v[2] - 8.0), speed, AEROSONDE)[1]
+    assert wish.climb > wish.gamma + 0.05
+    assert setpoint.thrust == thrust_for(AEROSONDE, speed - 27.0, wish.climb, wish.load, 0.0)
+    _, _, wish = guide(state(below, 0.0), GOAL, AEROSONDE, GAINS, fresh_memory())
+    assert wish.climb == wish.gamma

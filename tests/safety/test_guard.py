@@ -4,17 +4,32 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import ball, hazards
+from assurance_samples import FLOWN, ball, hazards
 from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.field.obstacle import VISIBLE_FROM
 from vfguide.flight.memory import Wish
+from vfguide.flight.state import FlightState
+from vfguide.flight.vertical import ZOOM
+from vfguide.geometry.so3 import IDENTITY
 from vfguide.safety.assurance import Decision, Reason
-from vfguide.safety.guard import KNOWN, OUT_OF_SIGHT, as_decided, fresh_guard, in_sight
+from vfguide.safety.guard import (
+    KNOWN,
+    LASTING,
+    OUT_OF_SIGHT,
+    as_decided,
+    fresh_guard,
+    in_air,
+    in_sight,
+    motion_of,
+    raised,
+)
 
 HERE = (0.0, 0.0, -150.0)
-WISH = Wish(0.0, 0.0, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
+LIMITS = (-0.17, 0.24)
+"""Path angles that the airspeed allows."""
+WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
 
 
 def with_sight(seen, *obstacles):
@@ -51,12 +66,41 @@ def test_without_obstacles_there_is_nothing_to_see():
 
 def test_a_wish_that_is_clear_is_flown_as_it_is():
     decision = Decision(1.0, -0.1, Reason.CLEAR, 12.0, math.inf, -1)
-    assert as_decided(WISH, decision, 0.2) == WISH
+    assert as_decided(WISH, decision, 0.1, LIMITS, 0.2) == WISH
 
 
-@given(st.floats(-0.9, 0.9), st.floats(-0.2, 0.2), st.floats(0.3, 0.9))
-def test_an_escape_is_flown_with_the_bank_that_the_wing_carries(bank, gamma, most):
-    flown = as_decided(WISH, Decision(bank, gamma, Reason.ESCAPE, 12.0, 3.0, 0), most)
+@given(st.floats(-0.9, 0.9), st.floats(-0.2, 0.2), st.floats(-0.5, 0.5), st.floats(0.3, 0.9))
+def test_an_escape_is_flown_as_aircraft_and_air_allow(bank, gamma, climb, most):
+    decision = Decision(bank, gamma, Reason.ESCAPE, 12.0, 3.0, 0)
+    flown = as_decided(WISH, decision, climb, LIMITS, most)
     assert flown.bank == np.clip(bank, -most, most)
-    assert flown.gamma == gamma
-    assert flown.load == pytest.approx(math.cos(gamma) / math.cos(flown.bank))
+    assert flown.gamma == np.clip(climb, *LIMITS)
+    assert flown.climb == max(climb, LIMITS[0]), "thrust is set for all of the climb"
+    assert flown.load == pytest.approx(math.cos(flown.gamma) / math.cos(flown.bank))
+
+
+@given(st.floats(-1.5, 1.5), st.floats(-0.4, 0.4))
+def test_what_the_air_does_is_made_good(gamma, sinking):
+    flown = raised(gamma, sinking)
+    assert math.sin(flown) == pytest.approx(np.clip(math.sin(gamma) + sinking, -1.0, 1.0))
+
+
+def test_in_air_that_sinks_fast_escapes_climb_less_and_in_air_that_rises_they_descend_less():
+    its = FLOWN.limits
+    for weak in (-0.05, 0.0, 0.1):
+        assert in_air(FLOWN, weak).limits.climb_max == its.climb_max
+    assert in_air(FLOWN, 0.05).limits.descent_max == its.descent_max
+    sinking = in_air(FLOWN, 0.4).limits
+    assert math.sin(sinking.climb_max) == pytest.approx(
+        ZOOM * math.sin(its.climb_max) - 0.4 * LASTING
+    )
+    assert sinking.descent_max == its.descent_max
+    rising = in_air(FLOWN, -0.2).limits
+    assert math.sin(rising.descent_max) == pytest.approx(math.sin(its.descent_max) - 0.2 * LASTING)
+    assert rising.climb_max == its.climb_max
+
+
+def test_tracks_begin_with_the_path_over_the_ground():
+    """Level over the ground through air that sinks: no track may begin with a climb."""
+    here = FlightState(0.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 5.0))
+    assert motion_of(here).gamma == 0.0

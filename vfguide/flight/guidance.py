@@ -58,12 +58,12 @@ def plan_flight(
         course = detour_course(detour, soon(state, gains), leg, target.course)
     else:
         leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg, memory.slope)
-    gamma = path_of(air, speed)
+    flown = path_of(air, speed)
     heading = heading_for_course(
         target.course + course.chi,
         course.chi_rate,
         (state.wind_n[0], state.wind_n[1]),
-        speed * math.cos(gamma),
+        speed * math.cos(flown),
     )
     slope = plan_slope(
         state,
@@ -76,14 +76,17 @@ def plan_flight(
         time_since(memory, state),
     )
     limits = path_limits(norm(air), gains.airspeed, aircraft)
+    climb = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
+    gamma = max(limits[0], min(limits[1], climb))
     bank_max = usable_bank(aircraft, gains, speed)
     lift, turning = plan_turn(
-        heading, azimuth_of(air), gamma, speed, bank_max, aircraft, gains, memory.turning
+        heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, memory.turning
     )
     wish = Wish(
         target.course + course.chi,
         heading.psi,
-        path_angle(slope, heading.groundspeed, state.wind_n[2], speed, limits),
+        gamma,
+        max(gamma, climb),
         lift.bank,
         lift.load,
         course.remaining,
@@ -114,7 +117,7 @@ def fly_wish(
     omega = rate_law(state.R_nb, R_na, omega_a, gains.k_w)
 
     error = gains.airspeed - state.airspeed
-    thrust = thrust_for(aircraft, error, wish.gamma, wish.load, memory.thrust_integral)
+    thrust = thrust_for(aircraft, error, wish.climb, wish.load, memory.thrust_integral)
     integral = integrate_error(aircraft, error, thrust, memory.thrust_integral, dt)
     m = memory
     after = Memory(state.time, m.leg, m.slope, m.turning, R_na, omega_a, integral, alpha_bias)

@@ -50,6 +50,8 @@ class Wish(NamedTuple):
     """Of the air velocity [rad]."""
     gamma: float
     """Path angle through the air [rad]."""
+    climb: float
+    """The same, or the steeper one that the height asks for: thrust is set for it [rad]."""
     bank: float
     load: float
     remaining: float

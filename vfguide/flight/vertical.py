@@ -137,11 +137,9 @@ def path_angle(
     groundspeed: float,
     wind_down: float,
     airspeed: float,
-    limits: tuple[float, float],
 ) -> float:
-    """Path angle through the air that makes good the slope over ground [rad], within limits."""
-    sine = (slope * groundspeed + wind_down) / airspeed
-    return min(limits[1], max(limits[0], math.asin(max(-1.0, min(1.0, sine)))))
+    """Path angle through the air that makes good the slope over ground [rad], not limited."""
+    return math.asin(max(-1.0, min(1.0, (slope * groundspeed + wind_down) / airspeed)))
 
 
 @compiled

@@ -81,7 +81,7 @@ class Decision(NamedTuple):
 
     bank: float
     gamma: float
-    """Bank and path angle through the air [rad]."""
+    """Bank, and path angle where the air neither sinks nor rises [rad]."""
     reason: int
     """A `Reason`."""
     margin: float

@@ -16,13 +16,14 @@ from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines, joined
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.vertical import ZOOM, path_limits
 from vfguide.flight.way_round import Journey, Scene, band_of, seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assurance, assure
 from vfguide.safety.hazards import Hazards, traffic_outlines
 from vfguide.safety.limits import limit_setpoint
-from vfguide.safety.motion import Motion
+from vfguide.safety.motion import Dynamics, Motion
 
 SIDE, TURNING, CLIMB, ACTING = 0, 1, 2, 3
 """Places of what the last decision stored."""
@@ -36,6 +37,8 @@ GuardState = NDArray[np.float64]
 NARROW, LEAST_ROOM = 1.25, 4.0
 """Where the way has less room than the margin times the first, the margin is less in proportion,
 down to the second [m]."""
+LASTING = 0.5
+"""Part of the present rise or sink of the air that is expected to last while an escape is flown."""
 OUT_OF_SIGHT = 1e9
 """An obstacle that is not known yet counts as so far away [m]."""
 
@@ -119,20 +122,24 @@ def assured(
     [m], not above zero where there is none.
     """
     aircraft, gains = unpacked(law)
+    air = norm(sub(state.v_n, state.wind_n))
+    sinking = state.wind_n[2] / max(air, 1.0)
     decision, stored = assure(
         motion_of(state),
-        (wish.bank, wish.gamma),
+        (wish.bank, raised(wish.gamma, -sinking)),
         (state.wind_n[0], state.wind_n[1], 0.0),
         watch.gust,
         hazards,
         watch.time,
         0.0 if before < 0.0 else max(state.time - before, 0.0),
-        in_room(assurance(aircraft, gains), room),
+        in_air(in_room(assurance(aircraft, gains), room), sinking),
         Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
     )
     note_decision(guard, decision, stored)
-    air = norm(sub(state.v_n, state.wind_n))
-    return as_decided(wish, decision, usable_bank(aircraft, gains, max(air, state.airspeed)))
+    limits = path_limits(air, gains.airspeed, aircraft)
+    climb = raised(decision.gamma, sinking)
+    bank_max = usable_bank(aircraft, gains, max(air, state.airspeed))
+    return as_decided(wish, decision, climb, limits, bank_max)
 
 
 @compiled
@@ -144,12 +151,34 @@ def in_room(aircraft: Assurance, room: float) -> Assurance:
 
 
 @compiled
+def in_air(aircraft: Assurance, sinking: float) -> Assurance:
+    """The assurance in air that sinks: what the steepest climb there makes good over the ground.
+
+    `sinking` is the speed of the air down over the airspeed, negative where it rises.
+    """
+    its = aircraft.limits
+    up = min(
+        its.climb_max,
+        raised(its.climb_max, (ZOOM - 1.0) * math.sin(its.climb_max) - LASTING * sinking),
+    )
+    down = min(its.descent_max, raised(its.descent_max, LASTING * sinking))
+    limits = Dynamics(its.bank_max, up, down, its.roll_rate, its.bank_lag, its.path_lag)
+    return Assurance(limits, aircraft.scale, aircraft.margin)
+
+
+@compiled
+def raised(gamma: float, sine: float) -> float:
+    """A path angle whose sine is larger by `sine` [rad]."""
+    return math.asin(max(-1.0, min(1.0, math.sin(gamma) + sine)))
+
+
+@compiled
 def motion_of(state: FlightState) -> Motion:
-    """The motion from which tracks are predicted."""
+    """The motion from which tracks are predicted: its path angle is that over the ground."""
     air, R = sub(state.v_n, state.wind_n), state.R_nb
     speed = max(state.airspeed, 1.0)
     bank = math.atan2(R[2][1], R[2][2])
-    return Motion(state.p_n, azimuth_of(air), bank, path_of(air, speed), speed)
+    return Motion(state.p_n, azimuth_of(air), bank, path_of(state.v_n, speed), speed)
 
 
 @compiled
@@ -186,19 +215,25 @@ def note_decision(guard: GuardState, decision: Decision, stored: Stored) -> None
 
 
 @compiled
-def as_decided(wish: Wish, decision: Decision, bank_max: float) -> Wish:
+def as_decided(
+    wish: Wish, decision: Decision, climb: float, limits: tuple[float, float], bank_max: float
+) -> Wish:
     """The wish, or what is flown instead: the lift carries the weight in the bank decided on.
 
-    The bank is no larger than `bank_max` [rad], which the wing carries now.
+    `climb` is the path angle through the air that makes good the decision's [rad]; flown is what
+    of it is within the `limits`, and a bank no larger than `bank_max` [rad], which the wing
+    carries now.
     """
     if decision.reason == Reason.CLEAR.value:
         return wish
     bank = max(-bank_max, min(bank_max, decision.bank))
-    load = math.cos(decision.gamma) / math.cos(bank)
+    gamma = max(limits[0], min(limits[1], climb))
+    load = math.cos(gamma) / math.cos(bank)
     return Wish(
         wish.course,
         wish.azimuth,
-        decision.gamma,
+        gamma,
+        max(gamma, climb),
         bank,
         load,
         wish.remaining,
