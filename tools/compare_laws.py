@@ -163,7 +163,8 @@ def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, tuple[Outcome
     for law in args.laws:
         asked = args.reference_s if not flown and stands(table) else 0.0
         if is_for(law, table):
-            its = argparse.Namespace(**{**vars(args), "reference_s": asked})
+            asks = {"reference_s": asked, "reference_in_wind": False}
+            its = argparse.Namespace(**{**vars(args), **asks})
             flown[law] = fly_by(law, table, number, its)
     return flown
 

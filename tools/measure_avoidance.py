@@ -28,8 +28,8 @@ from flown_worlds import DRAWN, Table, fenced, scenario_of
 from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
+from vfguide.flight.leg import turn_radius
 from vfguide.flight.way import Pose
-from vfguide.geometry.units import G0
 from vfguide.scenario.fence_distance import fence_clearance
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
@@ -118,7 +118,7 @@ def fly_table(table: Table, number: int, args: argparse.Namespace) -> Outcome:
         flight.wall_s,
         0.0 if record.guard is None else float(np.mean(record.guard[:, 0] > 0.0)),
         flown_length(record, goal.time_s),
-        reference(loaded, number, args.reference_s) if args.reference_s > 0.0 else np.nan,
+        reference(loaded, number, args) if args.reference_s > 0.0 else np.nan,
         free_length(loaded),
         best_possible(loaded, record) if asks else np.nan,
         result.reasons,
@@ -131,27 +131,32 @@ def flown_length(record: FlightRecord, until: float | None) -> float:
     return float(np.linalg.norm(np.diff(flown, axis=0), axis=1).sum())
 
 
-def reference(loaded: LoadedScenario, number: int, seconds: float) -> float:
-    """Shortest path at the goal's height with 5 m of clearance and turns in still air [m]."""
+def reference(loaded: LoadedScenario, number: int, args: argparse.Namespace) -> float:
+    """Shortest path at the goal's height with 5 m of clearance [m].
+
+    Its turns are those in still air, or those that can be flown over the ground on any course.
+    """
     goal, rows = loaded.scenario.vehicles[0].goals[0], rows_of(loaded.scenario.obstacles)
     rows[:, 3] -= goal.position_m[2] + HEIGHT
-    start, end, radius = way_between(loaded)
-    return reference_length(World("flown", start, end, rows), radius, 5.0, seconds, number)
+    wind = loaded.scenario.wind.speed_mps if args.reference_in_wind else 0.0
+    start, end, radius = way_between(loaded, wind)
+    world = World("flown", start, end, rows)
+    return reference_length(world, radius, 5.0, args.reference_s, number)
 
 
 def free_length(loaded: LoadedScenario) -> float:
     """Shortest path in the plane with turns in still air, were there nothing in the way [m]."""
-    start, end, radius = way_between(loaded)
+    start, end, radius = way_between(loaded, 0.0)
     return dubins_length(tuple(start)[:3], tuple(end)[:3], radius)
 
 
-def way_between(loaded: LoadedScenario) -> tuple[Pose, Pose, float]:
-    """Start and goal in the plane, and the radius of the turns in still air [m]."""
+def way_between(loaded: LoadedScenario, wind: float) -> tuple[Pose, Pose, float]:
+    """Start and goal in the plane, and the radius [m] of turns downwind in so much wind [m/s]."""
     vehicle = loaded.scenario.vehicles[0]
     goal, gains = vehicle.goals[0], loaded.gains(vehicle)
     start = Pose(*vehicle.position_m[:2], math.radians(vehicle.euler_deg[2]))
     end = Pose(*goal.position_m[:2], math.radians(goal.heading_deg))
-    return start, end, gains.airspeed**2 / (G0 * math.tan(gains.bank_max))
+    return start, end, turn_radius(gains.airspeed, wind, gains.bank_max, 1.0)
 
 
 def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
@@ -206,6 +211,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="folder for its scenario")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
+    parser.add_argument(
+        "--reference-in-wind", action="store_true", help="turns of BIT* as wide as downwind"
+    )
     parser.add_argument(
         "--tree", choices=list(TREE), default="hit", help="flights that the manoeuvre tree judges"
     )

@@ -24,9 +24,9 @@ ROOM = 0.12
 """This much above it the steepest climb is flown, as a share of the airspeed to fly."""
 ZOOM = 1.4
 """Through air that sinks it may be this much steeper, while the airspeed lasts."""
-FASTEST_DESCENT = 1.03
+FASTEST_DESCENT = 0.98
 """At this times the fastest airspeed half the descent is given up, ..."""
-AIRSPEED_BAND = 0.06
+AIRSPEED_BAND = 0.12
 """... all of it so much of the cruise airspeed above."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
