@@ -23,7 +23,7 @@ from vfguide.field.goal_frame import goal_frame
 from vfguide.field.robots import Spacing
 from vfguide.flight.detour_leg import DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
-from vfguide.flight.horizontal import largest_bank, plan_turn
+from vfguide.flight.horizontal import plan_turn, usable_bank
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
@@ -119,7 +119,7 @@ def printed_wish(
     heading = heading_for_course(course, turning, wind, speed * math.cos(flown))
     slope = math.tan(climb)
     limits = path_limits(norm(air), gains.airspeed, aircraft)
-    bank_max = largest_bank(aircraft, gains, speed)
+    bank_max = usable_bank(aircraft, gains, speed)
     lift, side = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, m.turning
     )

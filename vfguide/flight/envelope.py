@@ -22,7 +22,7 @@ STRONGER = 1.2
 """A gust in a turn may pull more than the turn is planned with, by this factor."""
 BANK_TIME = 0.3
 """The bank comes no nearer to its limit than would take it there in this time [s], ..."""
-BANK_OVER = 0.07
+BANK_OVER = 0.035
 """... and the limit is so much beyond the largest that is asked for [rad]."""
 
 

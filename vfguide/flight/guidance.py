@@ -9,13 +9,7 @@ from vfguide.flight.attitude import attitude_for_lift
 from vfguide.flight.detour_leg import DetourState, detour_course, is_on_detour
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.envelope import load_of, within_envelope
-from vfguide.flight.horizontal import (
-    flyable_radius,
-    largest_bank,
-    plan_course,
-    plan_turn,
-    usable_bank,
-)
+from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
 from vfguide.flight.leg import keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Gains, Performance
@@ -85,7 +79,7 @@ def plan_flight(
     limits = path_limits(norm(air), gains.airspeed, aircraft)
     climb = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
     gamma = max(limits[0], min(limits[1], climb))
-    bank_max = largest_bank(aircraft, gains, speed)
+    bank_max = usable_bank(aircraft, gains, speed)
     lift, turning = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, memory.turning
     )

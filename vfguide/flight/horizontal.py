@@ -22,8 +22,6 @@ PLANNED = 0.95
 SLOWEST_TURN = 2.5
 """No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
 the same time for a small aircraft, which could turn faster."""
-ROLL_ROOM = 0.0175
-"""Less than the bank that may be flown is asked for, by this: gusts and rolls overshoot [rad]."""
 OPPOSITE = 2.5
 """Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
 
@@ -33,12 +31,6 @@ def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
     """Largest bank whose load factor the wing carries at this airspeed [rad]."""
     load = min(aircraft.load_max, max(1.05, (airspeed / aircraft.airspeed_min) ** 2))
     return min(gains.bank_max, math.acos(1.0 / load))
-
-
-@compiled
-def largest_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
-    """Largest bank that is asked for at this airspeed [rad]."""
-    return usable_bank(aircraft, gains, airspeed) - ROLL_ROOM
 
 
 @compiled

@@ -11,7 +11,7 @@ from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
 from vfguide.flight.detour import CLEARANCES
 from vfguide.flight.detour_leg import CLEARANCE, SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
-from vfguide.flight.horizontal import largest_bank
+from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines, joined
 from vfguide.flight.performance import Law, unpacked
@@ -138,7 +138,7 @@ def assured(
     note_decision(guard, decision, stored)
     limits = path_limits(air, gains.airspeed, aircraft)
     climb = raised(decision.gamma, sinking)
-    bank_max = largest_bank(aircraft, gains, max(air, state.airspeed))
+    bank_max = usable_bank(aircraft, gains, max(air, state.airspeed))
     return as_decided(wish, decision, climb, limits, bank_max)
 
 

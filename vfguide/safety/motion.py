@@ -7,7 +7,7 @@ angle with a lag, the airspeed stays, and the air azimuth turns at g tan(bank) /
 import math
 from typing import NamedTuple
 
-from vfguide.flight.horizontal import largest_bank
+from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.vertical import descent_at_airspeed
 from vfguide.geometry.compiled import compiled
@@ -56,7 +56,7 @@ class Dynamics(NamedTuple):
 def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
     """Those of an aircraft under the flight law at the airspeed that it is to fly."""
     return Dynamics(
-        largest_bank(aircraft, gains, gains.airspeed),
+        usable_bank(aircraft, gains, gains.airspeed),
         aircraft.climb_max,
         descent_at_airspeed(aircraft, 0.0),
         ROLL_SHARE * aircraft.rate_max[0],
