@@ -17,7 +17,8 @@ OUTSIDE = 1.0
 """A load factor farther outside than this counts as so far outside: the air meets the wing from
 behind, as in a tumble."""
 SPARE = 0.3
-"""So much above the least load factor nothing is pushed any more: the next gust takes the rest."""
+"""So much above the least load factor, but not above halfway to 1, nothing is pushed any more: the
+next gust takes the rest."""
 STRONGER = 1.2
 """A gust in a turn may pull more than the turn is planned with, by this factor."""
 BANK_TIME = 0.3
@@ -30,12 +31,16 @@ BANK_OVER = 0.035
 def load_of(R: Mat3, air: Vec3, speed: float, aircraft: Performance) -> float:
     """Load factor: the lift at the angle at which the air meets the wing, over the weight.
 
+    It counts as 1 where the aircraft's lift is not known.
+
     Args:
         R: attitude, body to NED.
         air: velocity through the air, NED [m/s].
         speed: true airspeed [m/s].
         aircraft: its lift.
     """
+    if aircraft.alpha_load <= 0.0:
+        return 1.0
     x_n, z_n = (R[0][0], R[1][0], R[2][0]), (R[0][2], R[1][2], R[2][2])
     alpha = math.atan2(dot(air, z_n), dot(air, x_n)) - aircraft.alpha_zero
     return alpha * speed * speed / aircraft.alpha_load
@@ -61,7 +66,8 @@ def within_envelope(
     """
     upright, bank = R[2][2], math.atan2(R[2][1], R[2][2])
     steady, back = G0 / speed, aircraft.alpha_load / (speed * speed * LOAD_TIME)
-    least, most = aircraft.load_min + SPARE, STRONGER * aircraft.load_max
+    least = aircraft.load_min + min(SPARE, 0.5 * (1.0 - aircraft.load_min))
+    most = STRONGER * aircraft.load_max
     load = max(least - OUTSIDE, min(most + OUTSIDE, load))
     down = min(least - upright, 0.0) * steady + (least - load) * back
     up = (most - upright) * steady + (most - load) * back
