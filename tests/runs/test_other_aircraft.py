@@ -104,7 +104,7 @@ def with_slow_servos(folder: Path, roll_s: float) -> Path:
 
 
 def test_gains_follow_the_roll_response_of_the_file(tmp_path):
-    changes, found = measure_poses.draw(1, 4, options(aircraft="easystar", wind=3.7)), []
+    changes, found = measure_poses.draw(1, 11, options(aircraft="easystar", wind=3.7)), []
     for roll_s in (0.055, 0.12):
         folder = tmp_path / str(roll_s)
         folder.mkdir()
@@ -113,9 +113,10 @@ def test_gains_follow_the_roll_response_of_the_file(tmp_path):
         found.append(judge(loaded.scenario, flight.records, flight.sim_s, 1.0).vehicles[0])
     wrong, right = found
     assert right.goals[0].reached
-    assert right.goals[0].course_error_deg <= 3.0
-    assert right.load_factor[0] > 0.3
-    assert wrong.load_factor[0] < 0.3
+    assert right.goals[0].course_error_deg <= 1.0
+    assert right.load_factor[0] > 0.6 > wrong.load_factor[0]
+    assert wrong.goals[0].course_error_deg > 2.0
+    assert wrong.load_factor[1] - right.load_factor[1] > 0.2
 
 
 def test_the_steps_of_the_page_work_as_written(tmp_path):
