@@ -13,9 +13,10 @@ from pathlib import Path
 
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
+from vfguide.geometry.vector import Vec3
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType, ModeFlag
-from vfguide.link.messages import CommandLong, Heartbeat, HilStateQuaternion
+from vfguide.link.messages import CommandLong, GlobalPositionInt, Heartbeat, HilStateQuaternion
 from vfguide.link.px4 import main_and_sub
 from vfguide.link.tlog import TlogReader
 from vfguide.scenario.crew import start_us
@@ -189,10 +190,15 @@ def true_path(scenario: Path, log: Path, sysid: int) -> list[Sample]:
     for time_us, frame in TlogReader.open(log):
         message = decode(frame)
         if frame.sysid == sysid and isinstance(message, HilStateQuaternion):
-            v_n = (message.vx * CM_S, message.vy * CM_S, message.vz * CM_S)
-            where = (message.lat * DEG_E7, message.lon * DEG_E7, message.alt * MM)
-            path.append(Sample((time_us - start) * US, *place_in_plane(plane, *where, v_n)))
+            path.append(Sample((time_us - start) * US, *motion_told(plane, message)))
     return path
+
+
+def motion_told(origin: Vec3, message: HilStateQuaternion | GlobalPositionInt) -> tuple[Vec3, Vec3]:
+    """Position [m] and velocity [m/s] that a message tells, NED in the frame with an `origin`."""
+    v_n = (message.vx * CM_S, message.vy * CM_S, message.vz * CM_S)
+    where = (message.lat * DEG_E7, message.lon * DEG_E7, message.alt * MM)
+    return place_in_plane(origin, *where, v_n)
 
 
 def legs_of(scenario: Path, path: list[Sample], sysid: int) -> Legs:

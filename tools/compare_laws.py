@@ -163,8 +163,7 @@ def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, tuple[Outcome
     for law in args.laws:
         asked = args.reference_s if not flown and stands(table) else 0.0
         if is_for(law, table):
-            asks = {"reference_s": asked, "reference_in_wind": False}
-            its = argparse.Namespace(**{**vars(args), **asks})
+            its = argparse.Namespace(**{**vars(args), "reference_s": asked})
             flown[law] = fly_by(law, table, number, its)
     return flown
 
@@ -289,6 +288,9 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--reach-m", type=float, default=100.0, help="of the paper's areas")
     parser.add_argument("--reference-s", type=float, default=0.0, help="given to BIT* (ompl)")
+    parser.add_argument(
+        "--reference-in-wind", action="store_true", help="turns of BIT* as wide as downwind"
+    )
     parser.add_argument("--tree", choices=list(TREE), default="hit")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--csv", type=Path, help="file for the table")

@@ -27,7 +27,7 @@ from vfguide.flight.horizontal import plan_turn, usable_bank
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import path_angle, path_limits
+from vfguide.flight.vertical import allowed_path, path_angle, path_limits
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import norm, sub
@@ -124,12 +124,12 @@ def printed_wish(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, m.turning
     )
     asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
-    gamma = max(limits[0], min(limits[1], asked))
+    gamma, thrust_climb = allowed_path(asked, limits)
     wish = Wish(
         course,
         heading.psi,
         gamma,
-        max(gamma, asked),
+        thrust_climb,
         lift.bank,
         lift.load,
         norm(sub(target.p_n, state.p_n)),

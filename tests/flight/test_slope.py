@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from flight_states import AEROSONDE, GOAL, state
 from hypothesis import given
@@ -19,6 +20,7 @@ from vfguide.flight.vertical import (
     STANDOFF,
     ZOOM,
     airspeed_over_ground,
+    allowed_path,
     descent_at_airspeed,
     goal_slope,
     highest_path,
@@ -88,9 +90,9 @@ def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, gr
     slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, 0.0, 100.0)
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
-    down, up = path_limits(speed, SPEED, AEROSONDE)
-    gamma = max(down, min(up, path_angle(slope, groundspeed, 0.0, speed)))
-    assert -AEROSONDE.descent_max <= gamma <= AEROSONDE.climb_max
+    limits = path_limits(speed, SPEED, AEROSONDE)
+    gamma, _ = allowed_path(path_angle(slope, groundspeed, 0.0, speed), limits)
+    assert -AEROSONDE.descent_max - 1e-12 <= gamma <= AEROSONDE.climb_max + 1e-12
 
 
 @given(st.floats(-30.0, 30.0))
@@ -116,6 +118,18 @@ def test_no_dive_past_the_fastest_and_no_climb_near_the_slowest_airspeed():
     assert path_limits(fastest + BAND, SPEED, AEROSONDE) == pytest.approx((0.0, zoom))
     assert path_limits(safe, SPEED, AEROSONDE) == pytest.approx((full[0], 0.0))
     assert path_limits(safe - room, SPEED, AEROSONDE)[1] < 0.0
+
+
+@given(st.floats(-1.5, 1.5))
+def test_thrust_is_set_for_all_of_a_climb_and_for_no_more_of_a_descent(asked):
+    gamma, climb = allowed_path(asked, (-0.17, 0.24))
+    assert gamma == np.clip(asked, -0.17, 0.24)
+    assert climb == max(asked, -0.17)
+
+
+def test_at_the_slowest_airspeed_the_path_is_level_in_air_that_sinks():
+    level = allowed_path(path_angle(0.0, 25.0, 4.0, 25.0), (-AEROSONDE.descent_max, 0.0))[0]
+    assert level == 0.0
 
 
 def test_the_height_is_held_also_where_the_air_sinks():

@@ -23,6 +23,18 @@ def test_random_start(number, wind, miss, course):
     assert flown.rate_hz >= 49.5
 
 
+@pytest.mark.parametrize("number", [0, 47, 58, 84, 106, 144, 186])
+def test_gusts_and_sensors_leave_the_envelope_whole(number):
+    """Once there were 55.3 degrees of bank and loads of -0.36 and 2.65 among them."""
+    weather = {"wind": 8.0, "turbulence": "moderate", "sensors": True, "no_wind_message": True}
+    flown = measure_poses.fly(number, options(seed=1, nearest=10.0, height=80.0, **weather))
+    assert flown.reached, flown
+    assert flown.bank_deg <= 55.0
+    assert 0.0 <= flown.load[0] <= flown.load[1] <= 2.6
+    assert flown.airspeed[0] >= 1.1 * measure_poses.frame_of("aerosonde").stall
+    assert flown.below_m <= 50.0
+
+
 @pytest.mark.parametrize("late", [{"set": ["guidance.rate_hz=10"]}, {"delay_ms": 100.0}])
 @pytest.mark.parametrize("number", range(4))
 def test_random_start_on_a_slow_link(number, late):

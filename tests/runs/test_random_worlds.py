@@ -11,9 +11,14 @@ import pytest
 KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning")
 
 
-def fly(kind, number):
+SINKING = pytest.mark.xfail(
+    strict=True, reason="the air sinks by 7 to 10 m/s for 15 s, the aircraft climbs by 6 m/s"
+)
+
+
+def fly(kind, number, seed=77):
     return measure_avoidance.fly(
-        number, Namespace(kind=kind, seed=77, out=None, reference_s=0.0, tree="none", set=[])
+        number, Namespace(kind=kind, seed=seed, out=None, reference_s=0.0, tree="none", set=[])
     )
 
 
@@ -25,6 +30,19 @@ def test_a_random_world_is_flown_through(kind, number):
     assert flown.reached, flown
     assert flown.miss_m <= 5.0
     assert flown.angle_deg <= 5.0
+
+
+@pytest.mark.parametrize(
+    ("kind", "number"),
+    [
+        ("field", 177),
+        pytest.param("cluster", 113, marks=SINKING),
+        pytest.param("dead-end", 133, marks=SINKING),
+    ],
+)
+def test_the_floor_is_kept_where_the_air_sinks(kind, number):
+    """Field 177 once ended 0.4 m below it, with half of the thrust unused."""
+    assert fly(kind, number, seed=1).clearance_m > 0.0
 
 
 @pytest.mark.parametrize("number", range(3))

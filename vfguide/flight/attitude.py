@@ -6,7 +6,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, matmul
+from vfguide.geometry.vector import Mat3, Vec3, matmul, matvec, transpose
 
 
 class Lift(NamedTuple):
@@ -29,6 +29,13 @@ def lift_for_turn(lateral: float, gamma: float, bank_max: float, load_max: float
     most = min(up * math.tan(bank_max), math.sqrt(max((load_max * G0) ** 2 - up * up, 0.0)))
     right = max(-most, min(most, lateral))
     return Lift(math.atan2(right, up), math.hypot(up, right) / G0)
+
+
+@compiled
+def angle_of_attack(R_nb: Mat3, air: Vec3) -> float:
+    """Angle at which a velocity through the air, NED, meets the body's x axis [rad]."""
+    u, _, w = matvec(transpose(R_nb), air)
+    return math.atan2(w, u)
 
 
 @compiled

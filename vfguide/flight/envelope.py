@@ -1,15 +1,17 @@
-"""Body rates that keep bank and load factor inside their limits, also in gusts.
+"""Body rates that lead to no bank and no load factor outside their limits, also in gusts.
 
 The attitude that flies a path knows nothing of the gust that bends it: a push in air that stops
-rising takes the wing through zero lift.
+rising takes the wing through zero lift. A gust that is faster than the body turns is felt all the
+same.
 """
 
 import math
 
+from vfguide.flight.attitude import angle_of_attack
 from vfguide.flight.performance import Performance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3, dot
+from vfguide.geometry.vector import Mat3, Vec3
 
 LOAD_TIME = 0.3
 """A load factor outside the limits is taken back in this time [s]."""
@@ -41,8 +43,7 @@ def load_of(R: Mat3, air: Vec3, speed: float, aircraft: Performance) -> float:
     """
     if aircraft.alpha_load <= 0.0:
         return 1.0
-    x_n, z_n = (R[0][0], R[1][0], R[2][0]), (R[0][2], R[1][2], R[2][2])
-    alpha = math.atan2(dot(air, z_n), dot(air, x_n)) - aircraft.alpha_zero
+    alpha = angle_of_attack(R, air) - aircraft.alpha_zero
     return alpha * speed * speed / aircraft.alpha_load
 
 

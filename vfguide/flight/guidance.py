@@ -14,7 +14,7 @@ from vfguide.flight.leg import keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import path_angle, path_limits, plan_slope
+from vfguide.flight.vertical import allowed_path, path_angle, path_limits, plan_slope
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import log, to_quaternion
@@ -77,8 +77,8 @@ def plan_flight(
         time_since(memory, state),
     )
     limits = path_limits(norm(air), gains.airspeed, aircraft)
-    climb = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
-    gamma = max(limits[0], min(limits[1], climb))
+    asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
+    gamma, climb = allowed_path(asked, limits)
     bank_max = usable_bank(aircraft, gains, speed)
     lift, turning = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, memory.turning
@@ -87,7 +87,7 @@ def plan_flight(
         target.course + course.chi,
         heading.psi,
         gamma,
-        max(gamma, climb),
+        climb,
         lift.bank,
         lift.load,
         course.remaining,

@@ -17,6 +17,7 @@ from vfguide.flight.air_state import (
     AirState,
     X,
 )
+from vfguide.flight.attitude import angle_of_attack
 from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
@@ -44,9 +45,9 @@ def feel_rise(told: FlightState, air: AirState, aircraft: Performance) -> None:
         aircraft: its lift.
     """
     dt, R = told.time - air[TIME], told.R_nb
-    x_n, z_n = (R[0][0], R[1][0], R[2][0]), (R[0][2], R[1][2], R[2][2])
+    z_n = (R[0][2], R[1][2], R[2][2])
     level_n = sub(told.v_n, (air[X + NORTH], air[X + EAST], 0.0))
-    angle = math.atan2(dot(level_n, z_n), dot(level_n, x_n))
+    angle = angle_of_attack(R, level_n)
     before = (air[TOLD_BEFORE], air[TOLD_BEFORE + 1], air[TOLD_BEFORE + 2])
     halfway = 0.5 * (angle + air[TOLD_BEFORE + 3])
     for k in range(3):

@@ -143,6 +143,16 @@ def path_angle(
 
 
 @compiled
+def allowed_path(asked: float, limits: tuple[float, float]) -> tuple[float, float]:
+    """The part of a path angle that is within the limits, and what thrust is set for [rad].
+
+    That is no less: the airspeed that a climb lacks comes from the thrust for it.
+    """
+    gamma = max(limits[0], min(limits[1], asked))
+    return gamma, max(gamma, asked)
+
+
+@compiled
 def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) -> float:
     """Slope dh/ds of a path that ends at the goal's height with the goal's slope.
 

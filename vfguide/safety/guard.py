@@ -16,7 +16,7 @@ from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines, joined
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import ZOOM, path_limits
+from vfguide.flight.vertical import ZOOM, allowed_path, path_limits
 from vfguide.flight.way_round import Journey, Scene, band_of, seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
@@ -137,9 +137,9 @@ def assured(
     )
     note_decision(guard, decision, stored)
     limits = path_limits(air, gains.airspeed, aircraft)
-    climb = raised(decision.gamma, sinking)
+    path = allowed_path(raised(decision.gamma, sinking), limits)
     bank_max = usable_bank(aircraft, gains, max(air, state.airspeed))
-    return as_decided(wish, decision, climb, limits, bank_max)
+    return as_decided(wish, decision, path, bank_max)
 
 
 @compiled
@@ -215,25 +215,23 @@ def note_decision(guard: GuardState, decision: Decision, stored: Stored) -> None
 
 
 @compiled
-def as_decided(
-    wish: Wish, decision: Decision, climb: float, limits: tuple[float, float], bank_max: float
-) -> Wish:
+def as_decided(wish: Wish, decision: Decision, path: tuple[float, float], bank_max: float) -> Wish:
     """The wish, or what is flown instead: the lift carries the weight in the bank decided on.
 
-    `climb` is the path angle through the air that makes good the decision's [rad]; flown is what
-    of it is within the `limits`, and a bank no larger than `bank_max` [rad], which the wing
-    carries now.
+    `path` has the path angle through the air that makes good the decision's, and the one that
+    thrust is set for [rad]; the bank is no larger than `bank_max` [rad], which the wing carries
+    now.
     """
     if decision.reason == Reason.CLEAR.value:
         return wish
     bank = max(-bank_max, min(bank_max, decision.bank))
-    gamma = max(limits[0], min(limits[1], climb))
+    gamma, climb = path
     load = math.cos(gamma) / math.cos(bank)
     return Wish(
         wish.course,
         wish.azimuth,
         gamma,
-        max(gamma, climb),
+        climb,
         bank,
         load,
         wish.remaining,
