@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vfguide.flight.response import airspeed_gains
 from vfguide.geometry.units import DEG, G0
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Model, Start
@@ -120,9 +121,7 @@ def measure(test: FlightTest, name: str, stock: str | None) -> str:
     thrusts = test.responses(STEADY, 0.1, 4.0)[:, 3]
     thrust_s = time_to_63((thrusts - thrusts[0]) / (0.1 * its.thrust.full_thrust))
     per_climb = bench.mass * G0 / its.thrust.full_thrust
-    # Speed errors vanish with 0.8 1/s, or more slowly where the engine is the slower one.
-    bandwidth = min(0.8, 0.6 / thrust_s)
-    per_airspeed = bandwidth * per_climb / G0
+    per_airspeed, integral = airspeed_gains(per_climb, thrust_s)
     zero, load = lift_fit(test)
     model = f'\n[model]\nstock = "{stock}"\n' if stock else ""
     return f"""\
@@ -156,7 +155,7 @@ trim = {its.cruise_thrust:.3f}
 per_climb = {per_climb:.2f}
 per_load = {drag_of_lift(test) / its.thrust.full_thrust:.3f}
 per_airspeed = {per_airspeed:.3f}
-integral = {0.24 * bandwidth * per_airspeed:.3f}
+integral = {integral:.3f}
 
 [response]
 roll_s = {roll_s:.3f}

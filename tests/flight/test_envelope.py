@@ -41,13 +41,6 @@ def test_the_attitude_for_a_lift_meets_the_air_with_that_load(load, speed, bank,
     assert load_of(R_nb, air, speed, AEROSONDE) == pytest.approx(load, abs=1e-9)
 
 
-def test_an_aircraft_whose_lift_is_not_known_flies_with_one_g():
-    unknown = AEROSONDE._replace(alpha_zero=0.0, alpha_load=0.0)
-    assert load_of(from_euler(0.5, 0.4, 0.3), (25.0, 3.0, 2.0), 25.0, unknown) == 1.0
-    push = within_envelope((0.0, -9.0, 0.0), IDENTITY, 1.0, 25.0, BANK, unknown)[1]
-    assert push == (LEAST - 1.0) * G0 / 25.0
-
-
 @given(st.floats(-1.0, 0.95), st.floats(1.01, 5.0), SPEEDS)
 def test_level_flight_is_free_whatever_the_limits(least, most, speed):
     limits = AEROSONDE._replace(load_min=least, load_max=most)

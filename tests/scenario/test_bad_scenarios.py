@@ -61,12 +61,14 @@ def instead_of_goal(lines: str) -> str:
         (
             in_vehicle("airspeed = 25.0"),
             "vehicle[0].airspeed: unknown key, did you mean airspeed_mps?; allowed: "
-            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, identify, "
+            "goal",
         ),
         (
             MINIMAL.replace("id = 1", "Id = 1"),
             "vehicle[0].Id: unknown key; allowed: "
-            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, goal",
+            "id, position_m, heading_deg, attitude_deg, airspeed_mps, aircraft, icao, identify, "
+            "goal",
         ),
         (
             at_top("[wnd]\nspeed_mps = 3"),

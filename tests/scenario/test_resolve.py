@@ -169,6 +169,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                 "airspeed_mps": 25.0,
                 "aircraft": "aerosonde",
                 "icao": None,
+                "identify": False,
                 "goals": (
                     {
                         "position_m": (0.0, 0.0, -100.0),

@@ -25,7 +25,7 @@ DOCUMENTED = json.loads(
    "obstacles": [], "fence_clearance_m": null, "assurance": null,
    "max_bank_deg": 47.0, "load_factor": [0.95, 1.53], "airspeed_mps": [24.8, 25.2],
    "altitude_m": [148.0, 151.0], "setpoints": 1475, "setpoint_rate_hz": 50.0,
-   "traffic": []}]}
+   "traffic": [], "identified": []}]}
 """
 )
 

@@ -11,6 +11,7 @@ from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.daemon.transport import Transport
+    from vfguide.flight.identification import Identified
     from vfguide.link.tlog import TlogWriter
     from vfguide.scenario.load import LoadedScenario
 
@@ -56,6 +57,8 @@ def fly(
         say(f"waiting for the autopilot of vehicle {vehicle} at {connect}; log: {path}")
         say("Ctrl-C hands over and ends")
         outcome = Daemon(session, transport, flight_log, Clock(), say).run(lambda: signals.count)
+    if (found := session.companion.route.identified) is not None:
+        save_identified(loaded, vehicle, found, path.parent)
     if outcome is Outcome.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
     if outcome is Outcome.CUT_SHORT:
@@ -115,6 +118,20 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
     except OSError as error:
         raise InputError(f"--log {folder}: cannot be written: {error.strerror}") from error
     return log
+
+
+def save_identified(
+    loaded: "LoadedScenario", sysid: int, found: "Identified", folder: Path
+) -> None:
+    """Write the aircraft as the test flight has shown it beside the log."""
+    from vfguide.cli.console import complain
+    from vfguide.scenario.plans import vehicle_of
+
+    try:
+        loaded.write_identified(vehicle_of(loaded.scenario, sysid), found, folder)
+        say(f"what the test flight has shown: {folder / f'aircraft-{sysid}'}")
+    except OSError as error:
+        complain(f"{folder}: what the test flight has shown cannot be written: {error.strerror}")
 
 
 def add_to(app: typer.Typer) -> None:

@@ -17,6 +17,7 @@ from vfguide.companion.route_memory import (
     settled_in,
     trusts_sensor_in,
 )
+from vfguide.flight.identification import Identified
 from vfguide.link.messages import GpsGlobalOrigin
 from vfguide.link.px4 import Px4Mode
 
@@ -88,6 +89,21 @@ def onward(passed: int, plan: Plan) -> str:
 def times(number: int) -> str:
     """How often, in words."""
     return "once" if number == 1 else f"{number} times"
+
+
+TESTING = "test flight: {what}"
+NO_ROOM = "no room for a test flight here: flown with what is known of the aircraft"
+BROKEN_OFF = "test flight broken off, something is in its way: nothing was measured"
+MEASURED = "measured: {names}"
+UNSEEN = "not seen well enough, flown as it was known before: {names}"
+
+
+def identified_notes(found: Identified) -> list[str]:
+    """What a test flight has shown."""
+    seen = [f"{its.key} {its.value:.3g} +- {its.sigma:.1g}" for its in found.findings if its.used]
+    unseen = [its.key for its in found.findings if not its.used]
+    lists = ((MEASURED, seen), (UNSEEN, unseen))
+    return [note.format(names=", ".join(names)) for note, names in lists if names]
 
 
 NO_SENSOR = "no airspeed sensor"

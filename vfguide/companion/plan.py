@@ -6,6 +6,7 @@ from vfguide.companion.legs import Goal, Legs, leg_rows
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.flight.outlines import NO_FENCE, Outlines
 from vfguide.flight.performance import Gains, Law, Performance, packed
+from vfguide.flight.response import FAST
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.hazards import Hazards
 
@@ -26,6 +27,12 @@ class Plan:
     """Guidance steps in a second [Hz]."""
     aircraft: Performance
     gains: Gains
+    """That suit its roll response."""
+    roll_time: float = FAST
+    """Of that response, 63 % of a step of the roll rate [s]."""
+    untuned: Gains | None = None
+    """Gains for an aircraft that follows at once: given where a test flight before the first goal
+    has to show what the aircraft is like."""
     hazards: Hazards | None = None
     """What to keep clear of; None: nothing."""
     hazard_names: tuple[str, ...] = ()

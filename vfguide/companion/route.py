@@ -4,16 +4,28 @@ import math
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.lookout import Lookout
-from vfguide.companion.notes import air_notes, passage_note, progress_notes, route_note
-from vfguide.companion.place import place_state
+from vfguide.companion.notes import (
+    BROKEN_OFF,
+    NO_ROOM,
+    TESTING,
+    air_notes,
+    identified_notes,
+    passage_note,
+    progress_notes,
+    route_note,
+)
+from vfguide.companion.place import Heard, place_state
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import (
     JUMPS,
     Noted,
     air_in,
+    begin_route,
+    decision_in,
     fresh_route,
     goal_in,
     has_news,
+    leave_goal,
     noted_in,
     packed_memory,
     take_over,
@@ -22,9 +34,12 @@ from vfguide.companion.route_memory import (
 from vfguide.companion.step import step_on
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Own, Picture
+from vfguide.companion.trial import Trial
 from vfguide.flight.air_state import AirReport
+from vfguide.flight.identification import Identified
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.messages import AdsbVehicle
+from vfguide.safety.assurance import Reason
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
@@ -36,7 +51,12 @@ class Route:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
+        """What is flown now."""
+        self.identified: Identified | None = None
+        """The aircraft as a test flight has shown it."""
+        self._trial = None if plan.untuned is None else Trial(plan)
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
+        self._obstacles = obstacles
         self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
@@ -46,6 +66,11 @@ class Route:
         self._began = 0
         self._follows = False
         self._jumped = False
+
+    @property
+    def is_testing(self) -> bool:
+        """Whether a test flight goes before the first goal now."""
+        return self._trial is not None
 
     @property
     def air(self) -> AirReport:
@@ -70,11 +95,11 @@ class Route:
         state = heard(known, delay + HELD / self.plan.rate)
         if state is None:
             return None
+        t = obstacle_time(known, self.plan.epoch, self._began)
         if follows and not self._follows:
-            self._begin_leg()
+            self._begin_leg(state, t)
         self._follows = follows
         plan, before = self.plan, self._memory
-        t = obstacle_time(known, plan.epoch, self._began)
         now_ms = known.attitude.time_boot_ms
         if self._surveillance.is_due(now_ms):
             own = place_state(state, plan.origin)
@@ -86,7 +111,7 @@ class Route:
             state,
             plan.origin,
             plan.legs,
-            plan.law,
+            plan.law if self._trial is None else self._trial.law(goal_in(before)),
             before,
             hazards,
             plan.fence,
@@ -97,10 +122,14 @@ class Route:
             if has_news(before, after):
                 self.notes += air_notes(before, after, plan) + progress_notes(before, after)
                 self._jumped |= bool(after[JUMPS] != before[JUMPS])
-            if math.isfinite(miss):
+            if math.isfinite(miss) and self._trial is None:
                 self.notes.append(passage_note(before, after, miss, plan))
             self.notes += self._lookout.notes(after, t)
-        return RateSetpoint(omega_b, thrust, q_nb)
+        setpoint = RateSetpoint(omega_b, thrust, q_nb)
+        if follows and self._trial is not None:
+            self._trial.take(state, setpoint, delay)
+            self._test(self._trial)
+        return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
         """Take a report of another aircraft; without an attitude nobody knows its time."""
@@ -116,10 +145,40 @@ class Route:
         """The autopilot does not follow now, or nobody knows."""
         self._follows = False
 
-    def _begin_leg(self) -> None:
-        goal = goal_in(self._memory)
-        self._memory = packed_memory(take_over(unpacked_memory(self._memory)))
-        self.notes.append(route_note(goal, self.plan))
+    def _begin_leg(self, state: Heard, t: float) -> None:
+        """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
+        memory = unpacked_memory(self._memory)
+        if self._trial is None:
+            self._memory = packed_memory(take_over(memory))
+            self.notes.append(route_note(goal_in(self._memory), self.plan))
+            return
+        self._memory = packed_memory(begin_route(memory))
+        if name := self._trial.begin(state, t):
+            self.notes.append(TESTING.format(what=name))
+            self.plan = self._trial.plan
+        else:
+            self._end_test(self._trial, NO_ROOM)
+
+    def _test(self, trial: Trial) -> None:
+        """Go on with the test flight; after it the goals are flown to with what it has shown."""
+        if decision_in(self._memory)[0] != Reason.CLEAR.value:
+            self._end_test(trial, BROKEN_OFF)
+            return
+        if trial.is_stuck():
+            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
+        leg = goal_in(self._memory)
+        if name := trial.enters(leg):
+            self.notes.append(TESTING.format(what=name))
+        if trial.is_over(leg):
+            self.identified = trial.identify()
+            self._memory = packed_memory(fresh_route(self._obstacles))
+            self._end_test(trial, *identified_notes(self.identified))
+
+    def _end_test(self, trial: Trial, *notes: str) -> None:
+        """Fly to the goals, with what the test flight has shown if it has."""
+        self._trial, self.plan = None, trial.plan_after(self.identified)
+        self._memory = packed_memory(begin_route(unpacked_memory(self._memory)))
+        self.notes += (*notes, route_note(0, self.plan))
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time; one far back starts anew."""

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from vfguide.companion.jump import Jumps, no_jumps, settled
 from vfguide.companion.progress import Progress, fresh_progress
-from vfguide.companion.tries import Tries, no_tries
+from vfguide.companion.tries import Tries, at_next, no_tries
 from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
 from vfguide.flight.detour_leg import DETOUR_NUMBERS, DetourState, fresh_detour
 from vfguide.flight.leg import Leg, new_leg
@@ -79,6 +79,18 @@ def take_over(memory: RouteMemory) -> RouteMemory:
     begun = (memory.stand, memory.tries, fresh_progress())
     kept = (*begun, memory.air, memory.guard, fresh_detour())
     return RouteMemory(memory.goal, False, zero, zero, fresh_memory(), no_jumps(), *kept)
+
+
+@compiled
+def leave_goal(memory: RouteMemory) -> RouteMemory:
+    """Memory at the beginning of the next leg, the goal of the present one given up."""
+    return begin_leg(memory.goal + 1, at_next(memory.tries, True), memory)
+
+
+@compiled
+def begin_route(memory: RouteMemory) -> RouteMemory:
+    """Memory at the beginning of another route; what is known of the air stays."""
+    return take_over(begin_leg(0, no_tries(), memory))
 
 
 PackedMemory = NDArray[np.float64]

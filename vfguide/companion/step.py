@@ -15,6 +15,7 @@ from vfguide.companion.route_memory import (
     PackedMemory,
     RouteMemory,
     begin_leg,
+    leave_goal,
     packed_memory,
     unpacked_memory,
 )
@@ -147,7 +148,7 @@ def note_passage(passage: Passage, legs: Legs, memory: RouteMemory) -> RouteMemo
         return begin_leg(memory.goal + 1, at_next(memory.tries, False), memory)
     tries = once_more(memory.tries)
     if gives_up(tries, goal):
-        return begin_leg(memory.goal + 1, at_next(tries, True), memory)
+        return leave_goal(memory)
     return begin_leg(memory.goal, tries, memory)
 
 

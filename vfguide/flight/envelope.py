@@ -33,16 +33,12 @@ BANK_OVER = 0.035
 def load_of(R: Mat3, air: Vec3, speed: float, aircraft: Performance) -> float:
     """Load factor: the lift at the angle at which the air meets the wing, over the weight.
 
-    It counts as 1 where the aircraft's lift is not known.
-
     Args:
         R: attitude, body to NED.
         air: velocity through the air, NED [m/s].
         speed: true airspeed [m/s].
         aircraft: its lift.
     """
-    if aircraft.alpha_load <= 0.0:
-        return 1.0
     alpha = angle_of_attack(R, air) - aircraft.alpha_zero
     return alpha * speed * speed / aircraft.alpha_load
 

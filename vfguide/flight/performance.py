@@ -30,7 +30,7 @@ class Performance(NamedTuple):
     """Largest body rates p, q, r [rad/s]."""
     alpha_zero: float
     alpha_load: float
-    """alpha = alpha_zero + alpha_load * n / V^2 [rad], [rad m^2/s^2]."""
+    """alpha = alpha_zero + alpha_load * n / V^2 [rad], [rad m^2/s^2], the latter above 0."""
     thrust_trim: float
     """Thrust setpoint of level flight at cruise, 0 to 1."""
     thrust_per_climb: float

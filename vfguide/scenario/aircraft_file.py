@@ -4,9 +4,12 @@ import math
 import re
 from typing import Annotated
 
+import tomli_w
 from pydantic import AfterValidator
 
+from vfguide.flight.identification import Identified
 from vfguide.flight.performance import Performance
+from vfguide.flight.response import airspeed_gains
 from vfguide.scenario.data import AircraftFiles
 from vfguide.scenario.source import Source
 from vfguide.scenario.tables import Table, above, between, rule_broken
@@ -15,6 +18,13 @@ Speed = Annotated[float, above(0, 150)]
 PathAngle = Annotated[float, above(0, 45)]
 BodyRate = Annotated[float, above(0, 720)]
 Alpha = Annotated[float, between(-20, 20)]
+
+TYPICAL_GLIDE, TYPICAL_INDUCED = 10.0, 0.15
+"""Lift over drag at cruise, and the part of the drag that is induced, of an aircraft whose thrust
+nobody has measured. The shipped ones have 8.5 to 10, and 0.13 to 0.30."""
+TYPICAL_ZERO_DEG, TYPICAL_STALL_DEG = -3.0, 11.0
+"""Angle of attack of zero lift, and how far above it the slowest level flight is: of an aircraft
+whose lift nobody has measured. The shipped ones have -2.5 to -3.5, and 11 to 16."""
 
 
 class Airspeed(Table):
@@ -41,18 +51,22 @@ class Limits(Table):
 class Lift(Table):
     """alpha = alpha_zero + alpha_load n / V^2, with the load factor n and true airspeed V."""
 
-    alpha_zero_deg: Alpha = 0.0
-    alpha_load_deg_m2ps2: Annotated[float, between(0, 100_000)] = 0.0
+    alpha_zero_deg: Alpha = TYPICAL_ZERO_DEG
+    alpha_load_deg_m2ps2: Annotated[float, above(0, 100_000)] | None = None
+    """None: TYPICAL_STALL_DEG above zero lift at the slowest airspeed."""
 
 
 class Thrust(Table):
     """Thrust setpoint, 0 to 1: trim and slopes at cruise, gains of the airspeed."""
 
     trim: Annotated[float, between(0, 1)]
-    per_climb: Annotated[float, above(0, 20)] = 1.0
-    per_load: Annotated[float, between(0, 1)] = 0.05
-    per_airspeed: Annotated[float, between(0, 2)] = 0.03
-    integral: Annotated[float, between(0, 1)] = 0.01
+    per_climb: Annotated[float, above(0, 20)] | None = None
+    """None: TYPICAL_GLIDE times the trim."""
+    per_load: Annotated[float, between(0, 1)] | None = None
+    """None: TYPICAL_INDUCED of the trim."""
+    per_airspeed: Annotated[float, between(0, 2)] | None = None
+    integral: Annotated[float, between(0, 1)] | None = None
+    """None: what suits the slope of a climb and the response of the thrust."""
 
 
 class Response(Table):
@@ -88,9 +102,16 @@ class Aircraft(Table):
     response: Response
     model: ModelTable = ModelTable()
 
+    @property
+    def alpha_load_deg(self) -> float:
+        """`alpha_load_deg_m2ps2`, or what is typical [deg m^2/s^2]."""
+        return self.lift.alpha_load_deg_m2ps2 or TYPICAL_STALL_DEG * self.airspeed.min_mps**2
+
     def performance(self) -> Performance:
         """The same for the flight law, SI units and radians."""
         limits, lift, thrust = self.limits, self.lift, self.thrust
+        per_climb = thrust.per_climb or max(TYPICAL_GLIDE * thrust.trim, 1.0)
+        per_airspeed, integral = airspeed_gains(per_climb, self.response.thrust_s)
         return Performance(
             airspeed_min=self.airspeed.min_mps,
             airspeed_cruise=self.airspeed.cruise_mps,
@@ -106,13 +127,35 @@ class Aircraft(Table):
                 math.radians(limits.yaw_rate_max_dps),
             ),
             alpha_zero=math.radians(lift.alpha_zero_deg),
-            alpha_load=math.radians(lift.alpha_load_deg_m2ps2),
+            alpha_load=math.radians(self.alpha_load_deg),
             thrust_trim=thrust.trim,
-            thrust_per_climb=thrust.per_climb,
-            thrust_per_load=thrust.per_load,
-            thrust_per_airspeed=thrust.per_airspeed,
-            thrust_integral=thrust.integral,
+            thrust_per_climb=per_climb,
+            thrust_per_load=_known(thrust.per_load, TYPICAL_INDUCED * thrust.trim),
+            thrust_per_airspeed=_known(thrust.per_airspeed, per_airspeed),
+            thrust_integral=_known(thrust.integral, integral),
         )
+
+    def as_identified(self, found: Identified, how: str) -> "Aircraft":
+        """The same with what a flight has shown; `how` says which flight."""
+        its, used = found.aircraft, [finding for finding in found.findings if finding.used]
+        table = self.model_dump(exclude_none=True)
+        for finding in used:
+            table[finding.table][finding.key] = float(f"{finding.value:.4g}")
+        if any(finding.table == "thrust" for finding in used):
+            gains = {"per_airspeed": its.thrust_per_airspeed, "integral": its.thrust_integral}
+            slopes = {"per_load": its.thrust_per_load, **gains}
+            table["thrust"] |= {key: float(f"{value:.4g}") for key, value in slopes.items()}
+        shown = ", ".join(f"{its.key} {its.value:.3g} +- {its.sigma:.1g}" for its in used)
+        table["source"] = f"{how}: {shown or 'nothing was seen'}; the rest: {self.source}"
+        return Aircraft.model_validate(table)
+
+    def to_toml(self) -> str:
+        """An aircraft file that says the same."""
+        return tomli_w.dumps(self.model_dump(exclude_none=True))
+
+
+def _known(value: float | None, else_: float) -> float:
+    return else_ if value is None else value
 
 
 def load_aircraft(files: AircraftFiles) -> Aircraft:

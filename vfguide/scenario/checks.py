@@ -23,6 +23,10 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
     if entry.law == "flight" and entry.plant == "kinematic" and entry.obstacle:
         rule = 'law = "flight" avoids them on plant = "jsbsim" only, allowed with law = "paper"'
         raise source.error(("obstacle",), rule)
+    for index, vehicle in enumerate(entry.vehicle):
+        if vehicle.identify and entry.plant == "kinematic":
+            rule = 'only plant = "jsbsim" has anything to be found out, allowed here false'
+            raise source.error(("vehicle", index, "identify"), rule, vehicle.identify)
     if entry.law == "paper":
         _check_single_attempts(entry, source)
 

@@ -5,8 +5,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from vfguide import __version__
+from vfguide.flight.identification import Identified
 from vfguide.flight.performance import Gains, Performance
-from vfguide.geometry.units import DEG, G0
+from vfguide.flight.response import suited
+from vfguide.geometry.units import DEG
 from vfguide.scenario import checks
 from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
 from vfguide.scenario.atomic import write_atomically
@@ -21,13 +24,6 @@ from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 from vfguide.scenario.traffic import check_traffic
 from vfguide.scenario.ways import check_ways
-
-FAST, PROMPT = 0.08, 0.2
-"""Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
-ones get less in proportion, since the inner loop has to be the faster one."""
-ROLL_IN = 6.0
-"""The bank that an error of the azimuth asks for is rolled in within this time for each radian of
-the error, at the largest roll rate [s]: a larger gain swings between the limits of that rate."""
 
 
 @dataclass(frozen=True)
@@ -48,19 +44,20 @@ class LoadedScenario:
 
     def gains(self, vehicle: Vehicle) -> Gains:
         """What the flight law of `vehicle` flies with."""
+        its = self.aircraft[vehicle.aircraft]
+        roll_rate = its.limits.roll_rate_max_dps * DEG
+        return suited(self.untuned(vehicle), its.response.roll_s, roll_rate)
+
+    def untuned(self, vehicle: Vehicle) -> Gains:
+        """The same, if the aircraft followed at once."""
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
-        roll_time = self.aircraft[vehicle.aircraft].response.roll_s
-        roll_rate = self.aircraft[vehicle.aircraft].limits.roll_rate_max_dps * DEG
-        airspeed = self.scenario.airspeed_of(vehicle)
-        k_lateral = guidance.k_lateral * min(1.0, PROMPT / roll_time)
         return Gains(
-            airspeed=airspeed,
-            k_w=guidance.k_w * min(1.0, FAST / roll_time),
-            k_lateral=min(k_lateral, ROLL_IN * roll_rate * G0 / airspeed),
-            k_elevation=guidance.k_elevation * min(1.0, FAST / roll_time),
+            airspeed=self.scenario.airspeed_of(vehicle),
+            k_w=guidance.k_w,
+            k_lateral=guidance.k_lateral,
+            k_elevation=guidance.k_elevation,
             bank_max=bank * DEG,
-            sluggish=max(0.0, roll_time - FAST),
         )
 
     def require_mavlink(self) -> None:
@@ -80,6 +77,14 @@ class LoadedScenario:
             if files.root != data_folder() / "aircraft":
                 _copy_aircraft(files, path.parent / "aircraft")
         write_atomically(path, self.scenario.to_toml())
+
+    def write_identified(self, vehicle: Vehicle, found: Identified, folder: Path) -> None:
+        """Write the aircraft file that a test flight of `vehicle` makes of its present one."""
+        its = self.aircraft[vehicle.aircraft]
+        how = f"Measured in flight by vfguide {__version__}"
+        path = folder / f"aircraft-{vehicle.id}" / f"{its.name}.toml"
+        path.parent.mkdir(exist_ok=True)
+        write_atomically(path, its.as_identified(found, how).to_toml())
 
 
 def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> LoadedScenario:

@@ -66,6 +66,7 @@ class Member:
         self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
         self._down = DelayLine(round(scenario.link.delay_ms * MS / US))
         self._up = DelayLine(round(scenario.link.delay_back_ms * MS / US))
+        self._goals_from = math.inf
         self._noted = array("d")  # records by the thousand would crowd the caches
         self.exchange()
         self.note()
@@ -101,7 +102,11 @@ class Member:
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         sample = Sample(truth.time, p_n, v_n)
-        self.legs.feed(sample)
+        if self.companion.route.is_testing:
+            self._goals_from = math.inf
+        else:
+            self._goals_from = min(self._goals_from, truth.time)
+            self.legs.feed(sample)
         flown = _row(truth, sample, self.sim.autopilot.setpoint)
         self._noted.extend((*flown, *self._position_error(p_n), *self.companion.route.noted))
 
@@ -139,6 +144,8 @@ class Member:
             position_error_n=error,
             wind_believed=air,
             airspeed_believed=airspeed,
+            goals_from=self._goals_from,
+            identified=self.companion.route.identified,
             guard=guard if self.companion.route.plan.hazards is not None else None,
         )
 

@@ -43,6 +43,8 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         guidance.rate_hz,
         loaded.performance(vehicle),
         loaded.gains(vehicle),
+        loaded.aircraft[vehicle.aircraft].response.roll_s,
+        loaded.untuned(vehicle) if vehicle.identify else None,
         hazards_of(loaded.scenario),
         hazard_names(loaded.scenario),
         outlines_of(loaded.scenario.fence),

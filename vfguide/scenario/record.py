@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.flight.identification import Identified
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.resolved import Vehicle
@@ -59,6 +60,10 @@ class FlightRecord:
     guard: Array | None = None
     """(n, 4) what the assurance decided: its `Reason`, least clearance of the way out [m], time
     to the conflict that it saw [s], number of the hazard; None: nothing to keep clear of."""
+    goals_from: float = 0.0
+    """The goals are flown to from this time on; a test flight goes before."""
+    identified: Identified | None = None
+    """The aircraft as that test flight has shown it."""
     arrives: bool = False
     """It slows down towards its goals, and stands still at the last one."""
 
@@ -68,5 +73,6 @@ class FlightRecord:
         directions = self.R_nb[:, :, 0] if self.arrives and self.R_nb is not None else self.v_n
         rows = zip(self.time.tolist(), self.p_n.tolist(), directions.tolist(), strict=True)
         for time, p_n, v_n in rows:
-            legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
+            if time >= self.goals_from:
+                legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
         return legs

@@ -52,7 +52,7 @@ def render(
         lstrip_blocks=True,
     )
     environment.filters["number"] = number
-    environment.filters["level"] = level
+    environment.filters["figure"] = figure
     environment.filters["range"] = span
     environment.filters["data_uri"] = data_uri
     return environment.get_template("report.html.j2").render(
@@ -71,9 +71,9 @@ def number(value: float | None, digits: int = 2) -> str:
     return NONE if value is None else f"{value:.{digits}f}"
 
 
-def level(value: float | None) -> str:
-    """A level U for a table; it grows without bound."""
-    return NONE if value is None else f"{value:.4g}"
+def figure(value: float | None, digits: int = 3) -> str:
+    """A number of any size for a table."""
+    return NONE if value is None else f"{value:.{digits}g}"
 
 
 def span(values: tuple[float | None, float | None], digits: int = 1) -> str:

@@ -70,6 +70,7 @@ def _vehicle(
         airspeed_mps=vehicle.airspeed_mps or cruise,
         aircraft=name,
         icao=vehicle.icao,
+        identify=vehicle.identify,
         goals=tuple(
             _goal(goal, entry.origin, source, (*at, "goal", number))
             for number, goal in enumerate(vehicle.goal)

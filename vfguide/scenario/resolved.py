@@ -47,6 +47,7 @@ class Vehicle(Table):
     aircraft: str
     """Its numbers are those of the flight law, also on the kinematic plant."""
     icao: str | None = None
+    identify: bool = False
     goals: tuple[Goal, ...] = Field(serialization_alias="goal")
 
     @property

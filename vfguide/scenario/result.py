@@ -52,6 +52,16 @@ class ObstacleResult:
 
 
 @dataclass(frozen=True)
+class MeasuredResult:
+    """A number of the aircraft file as the test flight has shown it; None: it has not."""
+
+    key: str
+    value: float | None
+    sigma: float | None
+    used: bool
+
+
+@dataclass(frozen=True)
 class VehicleResult:
     """How one vehicle flew; ranges are (least, most)."""
 
@@ -69,6 +79,8 @@ class VehicleResult:
     setpoints: int
     setpoint_rate_hz: float | None
     traffic: tuple[TrafficResult, ...] = ()
+    identified: tuple[MeasuredResult, ...] = ()
+    """Empty: no test flight went before the first goal."""
 
 
 @dataclass(frozen=True)
@@ -162,6 +174,15 @@ def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleR
         setpoints=record.setpoints,
         setpoint_rate_hz=_rounded(record.setpoints / sim_s) if sim_s > 0.0 else None,
         traffic=traffic_results(scenario, record),
+        identified=_measured(record),
+    )
+
+
+def _measured(record: FlightRecord) -> tuple[MeasuredResult, ...]:
+    found = () if record.identified is None else record.identified.findings
+    return tuple(
+        MeasuredResult(f"{its.table}.{its.key}", _rounded(its.value), _rounded(its.sigma), its.used)
+        for its in found
     )
 
 

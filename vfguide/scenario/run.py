@@ -1,6 +1,6 @@
 """A run: a scenario flown, judged and reported, all in one folder."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.lockstep import Ending, Progress, fly_scenario
 from vfguide.scenario.models import require_models
+from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.report import write_report
 from vfguide.scenario.result import Result, judge, write_result
 
@@ -48,11 +49,19 @@ def run_scenario(
         early = (flight.ending.value,) if flight.ending in EARLY else ()
         result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
         write_result(result, folder / "result.json")
+        write_identified(loaded, flight.records, folder)
         if report:
             write_report(folder, loaded, flight.records, result, command)
     except (OSError, TlogError) as error:
         raise InputError(f"{folder}: cannot be written: {error}") from error
     return Run(result, flight.ending is Ending.STOPPED)
+
+
+def write_identified(loaded: LoadedScenario, records: Sequence[FlightRecord], folder: Path) -> None:
+    """Write an aircraft file of what each test flight has shown, `aircraft-ID/NAME.toml`."""
+    for record in records:
+        if record.identified is not None:
+            loaded.write_identified(record.vehicle, record.identified, folder)
 
 
 def prepare_folder(folder: Path) -> None:

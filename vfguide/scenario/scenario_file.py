@@ -171,6 +171,8 @@ class VehicleEntry(Table):
     """Not used by the kinematic plant."""
     icao: Address | None = None
     """Of its own transponder; None: it has none."""
+    identify: bool = False
+    """Whether a test flight before the first goal finds out what the aircraft is like."""
     goal: Annotated[list[GoalEntry], Field(min_length=1)]
 
 
