@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vfguide.flight.attitude import attitude_for_lift
-from vfguide.flight.identification import Samples, first_order, identify, sound
+from vfguide.flight.identification import Finding, Samples, first_order, identify, sound
 from vfguide.geometry.units import DEG, G0
 
 DT = 0.02
@@ -205,3 +205,18 @@ def test_a_step_is_followed_with_a_lag_of_first_order(delay):
     since = time - 0.5 - delay
     exact = np.where(since > 0.0, -np.expm1(-since / 0.2), 0.0)
     assert follows == pytest.approx(exact, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("value", "sigma", "text"),
+    [
+        (0.29573, 0.0013, "x 0.296 +- 0.001"),
+        (3675.8, 13.3, "x 3676 +- 13"),
+        (11168.0, 137.0, "x 11168 +- 137"),
+        (-2.4983, 0.022, "x -2.50 +- 0.02"),
+        (0.5, 0.0, "x 0.5"),
+        (math.nan, math.nan, "x nan"),
+    ],
+)
+def test_a_finding_is_told_with_the_digits_that_it_has(value, sigma, text):
+    assert str(Finding("a", "x", value, sigma, True)) == text

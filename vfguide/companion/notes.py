@@ -100,7 +100,7 @@ UNSEEN = "not seen well enough, flown as it was known before: {names}"
 
 def identified_notes(found: Identified) -> list[str]:
     """What a test flight has shown."""
-    seen = [f"{its.key} {its.value:.3g} +- {its.sigma:.1g}" for its in found.findings if its.used]
+    seen = [str(its) for its in found.findings if its.used]
     unseen = [its.key for its in found.findings if not its.used]
     lists = ((MEASURED, seen), (UNSEEN, unseen))
     return [note.format(names=", ".join(names)) for note, names in lists if names]

@@ -97,6 +97,13 @@ class Finding(NamedTuple):
     used: bool
     """Whether it is flown by; else what was known before is."""
 
+    def __str__(self) -> str:
+        """Key, value and standard error, as in "trim 0.296 +- 0.001"."""
+        if not (math.isfinite(self.sigma) and self.sigma > 0.0):
+            return f"{self.key} {self.value:.4g}"
+        digits = max(0, -math.floor(math.log10(self.sigma)))
+        return f"{self.key} {self.value:.{digits}f} +- {self.sigma:.{digits}f}"
+
 
 class Identified(NamedTuple):
     """An aircraft as a flight shows it."""

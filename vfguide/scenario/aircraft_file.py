@@ -145,7 +145,7 @@ class Aircraft(Table):
             gains = {"per_airspeed": its.thrust_per_airspeed, "integral": its.thrust_integral}
             slopes = {"per_load": its.thrust_per_load, **gains}
             table["thrust"] |= {key: float(f"{value:.4g}") for key, value in slopes.items()}
-        shown = ", ".join(f"{its.key} {its.value:.3g} +- {its.sigma:.1g}" for its in used)
+        shown = ", ".join(map(str, used))
         table["source"] = f"{how}: {shown or 'nothing was seen'}; the rest: {self.source}"
         return Aircraft.model_validate(table)
 
