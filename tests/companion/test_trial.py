@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from conversations import Conversation
 from conversations import plan as plain_plan
+from hypothesis import given
+from hypothesis import strategies as st
 
 from vfguide.companion.plan import Plan
-from vfguide.companion.trial import CHANGE, circuit
-from vfguide.flight.performance import AIRSPEED_GAIN
+from vfguide.companion.trial import CHANGE, NEEDED, SPACING, circuit, least_room
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler
 from vfguide.link.px4 import Px4Mode
@@ -28,27 +29,38 @@ def plan(*changes: str, aircraft: str = "aerosonde") -> Plan:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
+def test_places_are_close_together_along_the_whole_circuit(side):
+    legs = circuit(NORTH, plan(), side)
+    places = np.array([NORTH.p_n, *(place for leg in legs for place in leg.places)])
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= SPACING + 1e-9
+    assert all(leg.places[-1] == leg.goal.p_n for leg in legs)
+    length = np.linalg.norm(np.diff(places, axis=0), axis=1).sum()
+    radius = 0.5 * np.ptp(places[:, 1])
+    assert length == pytest.approx(19.0 * 25 + 18.4 * 25 + 2.0 * (math.pi + 0.7) * radius, rel=0.02)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
 def test_the_circuit_ends_near_its_beginning_and_on_its_course(side):
     legs = circuit(NORTH, plan(), side)
     ends = np.array([leg.goal.p_n for leg in legs])
-    courses = [leg.goal.course for leg in legs]
+    courses = [math.cos(leg.goal.course) for leg in legs]
     assert np.linalg.norm(ends[-1] - NORTH.p_n) < 30.0
-    assert courses == [0.0, 0.0, 0.0, math.pi, math.pi, math.pi, 0.0]
+    assert courses == pytest.approx([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
     assert math.copysign(1.0, ends[3, 1]) == side
     assert ends[:, 2].max() == pytest.approx(-150.0), "it goes no lower than it begins"
     assert ends[1, 2] < -160.0
 
 
-@pytest.mark.parametrize("aircraft", ["aerosonde", "easystar", "c172p"])
-def test_airspeeds_stay_inside_what_the_aircraft_flies(aircraft):
-    for change in (1.0, 0.8, 1.2):
-        its = plan(f"vehicle.0.airspeed_mps={change * CRUISE[aircraft]}", aircraft=aircraft)
-        speeds = [leg.airspeed for leg in circuit(NORTH, its, 1.0)]
-        assert min(speeds) >= min(1.1 * its.aircraft.airspeed_min, its.gains.airspeed)
-        assert max(speeds) <= max(0.95 * its.aircraft.airspeed_max, its.gains.airspeed)
-
-
-CRUISE = {"aerosonde": 25.0, "easystar": 11.0, "c172p": 45.0}
+@given(st.floats(10.0, 40.0), st.floats(1.0, 1.6), st.floats(1.0, 1.6))
+def test_airspeeds_stay_inside_what_the_aircraft_flies(slowest, cruise, fastest):
+    speed = slowest * cruise
+    its = replace(
+        plan(),
+        aircraft=plan().aircraft._replace(airspeed_min=slowest, airspeed_max=speed * fastest),
+        gains=plan().gains._replace(airspeed=speed),
+    )
+    speeds = {leg.name: leg.airspeed for leg in circuit(NORTH, its, 1.0)}
+    assert slowest <= speeds["slow flight"] <= speed <= speeds["fast flight"] <= speed * fastest
 
 
 def test_it_changes_the_airspeed_by_as_much_as_it_says():
@@ -75,15 +87,17 @@ class Testing(Conversation):
         return self.companion.route
 
 
-def test_each_leg_is_told_and_flown_at_its_airspeed():
+def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
     talk = Testing(replace(plain_plan(), untuned=plain_plan().gains))
     talk.engage()
     assert talk.told[-1] == "test flight: level flight"
     assert talk.route.is_testing
-    trial = talk.route._trial
-    speeds = [trial.law(leg)[AIRSPEED_GAIN] for leg in range(7)]
-    assert speeds == pytest.approx([25.0, 25.0, 25.0, 25.0, 28.75, 21.25, 25.0])
-    assert talk.route.plan.gains.bank_max == pytest.approx(math.radians(30.0))
+    gains, ours = talk.route.plan.gains, plain_plan().gains
+    assert gains.bank_max == ours.bank_max, "an escape may take it all"
+    wider = math.tan(math.radians(50.0)) / math.tan(math.radians(30.0))
+    assert gains.turn_margin == pytest.approx(ours.turn_margin * wider)
+    assert gains.k_w == pytest.approx(ours.k_w * 0.08 / 0.3)
+    assert gains.sluggish == pytest.approx(0.3 - 0.08)
 
 
 def test_it_begins_anew_when_the_autopilot_follows_again():
@@ -111,6 +125,22 @@ def test_a_leg_that_comes_to_no_end_is_left():
     assert talk.told[end - 1].startswith("not seen well enough")
     assert talk.route.identified.aircraft == plain_plan().aircraft
     assert talk.route.plan.goals == plain_plan().goals
+    assert talk.route.plan.gains.sluggish == pytest.approx(0.3 - 0.08), "its response is unknown"
+
+
+@pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])
+def test_a_tower_anywhere_on_the_circuit_is_seen(along):
+    its = plan()
+    legs = circuit(NORTH, its, 1.0)
+    places = [place for leg in legs for place in leg.places]
+    north, east, _ = places[int(along * len(places))]
+    tower = (
+        f'obstacle=[{{shape="cylinder",position_m=[{north + 9},{east - 7},-100],'
+        "radius_m=15,height_m=200}]"
+    )
+    goal = ("vehicle.0.goal.0.position_m=[0,3000,-150]", "vehicle.0.position_m=[0,2500,-150]")
+    hazards = plan(tower, *goal).hazards
+    assert least_room(legs, hazards, 0.0) < NEEDED
 
 
 def fenced(east: tuple[float, float]) -> Plan:

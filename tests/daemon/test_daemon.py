@@ -79,7 +79,7 @@ def fly(plan, tmp_path):
         links.append(link)
         log = FlightLog(TlogWriter(tmp_path / "vehicle-1.tlog"))
         session = Session(Companion(1, plan, engage=True), log.write)
-        daemon = Daemon(session, link, log, HeldClock(), said.append)
+        daemon = Daemon(session, link, log, HeldClock(), said.append, said.append)
         outcome = daemon.run(lambda: next(wishes, 1))
         log.close()
         return outcome, link.sent, said

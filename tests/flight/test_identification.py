@@ -10,7 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vfguide.flight.attitude import attitude_for_lift
-from vfguide.flight.identification import Finding, Samples, first_order, identify, sound
+from vfguide.flight.fit import first_order
+from vfguide.flight.identification import Finding, identify
+from vfguide.flight.response import BEGIN
+from vfguide.flight.samples import Samples, sound
 from vfguide.geometry.units import DEG, G0
 
 DT = 0.02
@@ -77,7 +80,7 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
         np.array(R_nb),
         flown_n + np.array(wind),
         speed,
-        first_order(time, roll_asked, delays, TRUE["roll_s"]),
+        first_order(time, roll_asked, delays, TRUE["roll_s"] - BEGIN),
         roll_asked,
         np.append(asked[late:], np.full(late, asked[-1])),
         delays,
@@ -103,7 +106,7 @@ def test_the_numbers_of_a_flight_are_found(wind):
     )
     assert its.alpha_zero == pytest.approx(DEG * findings["alpha_zero_deg"].value)
     assert its.alpha_load == pytest.approx(DEG * findings["alpha_load_deg_m2ps2"].value)
-    assert its.thrust_per_airspeed == pytest.approx(0.8 * its.thrust_per_climb / G0)
+    assert its.thrust_per_airspeed == pytest.approx(0.8 * its.thrust_per_climb / G0, rel=1e-3)
     assert found.roll_time == findings["roll_s"].value
     untouched = ("airspeed_min", "airspeed_max", "bank_max", "load_max", "climb_max", "rate_max")
     assert all(getattr(its, name) == getattr(AEROSONDE, name) for name in untouched)
@@ -131,7 +134,7 @@ def test_standard_errors_are_honest():
     for key in TRUE:
         finds = [found_in(samples)[1][key] for samples in noisy_flights]
         off = [abs(its.value - clean[key].value) / its.sigma for its in finds]
-        assert np.median(off) < 2.0, key
+        assert 0.25 < np.sqrt(np.mean(np.square(off))) < 2.5, (key, off)
         assert max(off) < 5.0, key
         assert all(its.used for its in finds), key
 
@@ -159,6 +162,37 @@ def test_without_an_airspeed_sensor_the_roll_response_alone_is_found():
     assert found.aircraft == AEROSONDE
 
 
+@pytest.mark.parametrize("gap", [(0.0, 0.6), (0.0, 1.5), (30.0, 33.0), (78.5, 80.0), (40.3, 40.9)])
+def test_a_gap_in_the_airspeed_costs_no_more_than_itself(gap):
+    samples = flight()
+    lost = (samples.time >= gap[0]) & (samples.time < gap[1])
+    found, findings = found_in(
+        samples._replace(airspeed=np.where(lost, math.nan, samples.airspeed))
+    )
+    assert all(its.used for its in findings.values())
+    for key, true in TRUE.items():
+        most = 0.06 * abs(true) + (DT if key.endswith("_s") else 0.0)
+        assert findings[key].value == pytest.approx(true, abs=most), key
+    assert found.aircraft.thrust_trim == findings["trim"].value
+
+
+def test_an_airspeed_that_stands_still_shows_neither_lift_nor_thrust():
+    """Its column is the constant's: what cannot be told apart is not known to any accuracy."""
+    samples = flight()
+    found, findings = found_in(samples._replace(airspeed=np.full_like(samples.time, 27.0)))
+    assert [key for key, its in findings.items() if its.used] == ["roll_s"]
+    assert found.aircraft == AEROSONDE
+
+
+def test_what_is_flown_by_is_what_a_file_can_say():
+    found, findings = found_in(flight())
+    its = found.aircraft
+    numbers = (its.thrust_per_airspeed, its.thrust_integral, *(f.value for f in findings.values()))
+    assert all(value == float(f"{value:.4g}") for value in numbers)
+    assert its.alpha_zero == math.radians(findings["alpha_zero_deg"].value)
+    assert its.alpha_load == math.radians(findings["alpha_load_deg_m2ps2"].value)
+
+
 def test_samples_that_are_no_numbers_do_not_count():
     samples = flight()
     _, before = found_in(samples)
@@ -171,7 +205,7 @@ def test_samples_that_are_no_numbers_do_not_count():
         assert its.value == pytest.approx(before[key].value, rel=0.02, abs=0.01), key
 
 
-@given(st.integers(0, 45), st.integers(0, 2**32 - 1))
+@given(st.integers(0, 900), st.integers(0, 2**32 - 1))
 @settings(max_examples=30, deadline=None)
 def test_anything_goes_in_and_no_exception_comes_out(n, seed):
     rng = np.random.default_rng(seed)
@@ -181,7 +215,8 @@ def test_anything_goes_in_and_no_exception_comes_out(n, seed):
         values[rng.uniform(size=shape) < 0.05] = rng.choice([math.nan, math.inf, 0.0])
         return values
 
-    samples = Samples(wild(n), wild(n, 3, 3), wild(n, 3), *(wild(n) for _ in range(5)))
+    time = np.cumsum(np.abs(wild(n))) if seed % 2 else 0.1 * np.arange(n)
+    samples = Samples(time, wild(n, 3, 3), wild(n, 3), *(wild(n) for _ in range(5)))
     found, findings = found_in(samples)
     if n < 20:
         assert not any(its.used for its in findings.values())
@@ -195,16 +230,6 @@ def test_a_roll_rate_that_does_not_follow_is_no_response():
     found, findings = found_in(samples._replace(roll_rate=rates))
     assert not findings["roll_s"].used
     assert found.roll_time == 0.3
-
-
-@pytest.mark.parametrize("delay", [0.0, 0.013, 0.1])
-def test_a_step_is_followed_with_a_lag_of_first_order(delay):
-    time = np.arange(0.0, 2.0, DT)
-    asked = np.where(time >= 0.5, 1.0, 0.0)
-    follows = first_order(time, asked, np.full_like(time, delay), 0.2)
-    since = time - 0.5 - delay
-    exact = np.where(since > 0.0, -np.expm1(-since / 0.2), 0.0)
-    assert follows == pytest.approx(exact, abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from contextlib import ExitStack, closing
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -56,9 +57,9 @@ def fly(
         session = Session(Companion(vehicle, plan, engage=engage), flight_log.write)
         say(f"waiting for the autopilot of vehicle {vehicle} at {connect}; log: {path}")
         say("Ctrl-C hands over and ends")
-        outcome = Daemon(session, transport, flight_log, Clock(), say).run(lambda: signals.count)
-    if (found := session.companion.route.identified) is not None:
-        save_identified(loaded, vehicle, found, path.parent)
+        save = partial(save_identified, loaded, vehicle, folder=path.parent)
+        daemon = Daemon(session, transport, flight_log, Clock(), say, save)
+        outcome = daemon.run(lambda: signals.count)
     if outcome is Outcome.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
     if outcome is Outcome.CUT_SHORT:
@@ -121,17 +122,16 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
 
 
 def save_identified(
-    loaded: "LoadedScenario", sysid: int, found: "Identified", folder: Path
+    loaded: "LoadedScenario", sysid: int, found: "Identified", *, folder: Path
 ) -> None:
     """Write the aircraft as the test flight has shown it beside the log."""
-    from vfguide.cli.console import complain
     from vfguide.scenario.plans import vehicle_of
 
     try:
         loaded.write_identified(vehicle_of(loaded.scenario, sysid), found, folder)
         say(f"what the test flight has shown: {folder / f'aircraft-{sysid}'}")
     except OSError as error:
-        complain(f"{folder}: what the test flight has shown cannot be written: {error.strerror}")
+        say(f"{folder}: what the test flight has shown cannot be written: {error.strerror}")
 
 
 def add_to(app: typer.Typer) -> None:

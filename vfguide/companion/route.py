@@ -20,8 +20,10 @@ from vfguide.companion.route_memory import (
     JUMPS,
     Noted,
     air_in,
+    begin_leg,
     begin_route,
     decision_in,
+    forget_learned,
     fresh_route,
     goal_in,
     has_news,
@@ -29,17 +31,21 @@ from vfguide.companion.route_memory import (
     noted_in,
     packed_memory,
     take_over,
+    trusts_sensor_in,
     unpacked_memory,
 )
 from vfguide.companion.step import step_on
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Own, Picture
 from vfguide.companion.trial import Trial
+from vfguide.companion.tries import no_tries
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.identification import Identified
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.messages import AdsbVehicle
 from vfguide.safety.assurance import Reason
+from vfguide.safety.guard import in_sight
+from vfguide.safety.hazards import Hazards
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
@@ -54,9 +60,8 @@ class Route:
         """What is flown now."""
         self.identified: Identified | None = None
         """The aircraft as a test flight has shown it."""
-        self._trial = None if plan.untuned is None else Trial(plan)
+        self._trial = None if plan.untuned is None else Trial(plan, plan.untuned)
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
-        self._obstacles = obstacles
         self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
@@ -96,17 +101,17 @@ class Route:
         if state is None:
             return None
         t = obstacle_time(known, self.plan.epoch, self._began)
-        if follows and not self._follows:
-            self._begin_leg(state, t)
-        self._follows = follows
-        plan, before = self.plan, self._memory
         now_ms = known.attitude.time_boot_ms
         if self._surveillance.is_due(now_ms):
-            own = place_state(state, plan.origin)
+            own = place_state(state, self.plan.origin)
             self.notes += self._surveillance.look(Own(now_ms, own.p_n, own.v_n))
-        hazards = plan.hazards
+        hazards = self.plan.hazards
         if hazards is not None:
             hazards = self._surveillance.among(hazards, now_ms, t)
+        if follows and not self._follows:
+            self._begin_leg(state, hazards, t)
+        self._follows = follows
+        plan, before = self.plan, self._memory
         omega_b, thrust, q_nb, after, miss = step_on(
             state,
             plan.origin,
@@ -120,15 +125,17 @@ class Route:
         if follows:
             self._memory = after
             if has_news(before, after):
-                self.notes += air_notes(before, after, plan) + progress_notes(before, after)
+                self.notes += air_notes(before, after, plan)
                 self._jumped |= bool(after[JUMPS] != before[JUMPS])
-            if math.isfinite(miss) and self._trial is None:
-                self.notes.append(passage_note(before, after, miss, plan))
             self.notes += self._lookout.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._trial is not None:
-            self._trial.take(state, setpoint, delay)
+            self._trial.take(state, setpoint, delay, trusts_sensor_in(after))
             self._test(self._trial)
+        elif follows:
+            self.notes += progress_notes(before, after)
+            if math.isfinite(miss):
+                self.notes.append(passage_note(before, after, miss, plan))
         return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
@@ -145,7 +152,7 @@ class Route:
         """The autopilot does not follow now, or nobody knows."""
         self._follows = False
 
-    def _begin_leg(self, state: Heard, t: float) -> None:
+    def _begin_leg(self, state: Heard, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
         memory = unpacked_memory(self._memory)
         if self._trial is None:
@@ -153,7 +160,10 @@ class Route:
             self.notes.append(route_note(goal_in(self._memory), self.plan))
             return
         self._memory = packed_memory(begin_route(memory))
-        if name := self._trial.begin(state, t):
+        if hazards is not None:
+            p_n = place_state(state, self.plan.origin).p_n
+            hazards = in_sight(hazards, memory.guard.copy(), p_n, t)
+        if name := self._trial.begin(state, hazards, t):
             self.notes.append(TESTING.format(what=name))
             self.plan = self._trial.plan
         else:
@@ -164,21 +174,24 @@ class Route:
         if decision_in(self._memory)[0] != Reason.CLEAR.value:
             self._end_test(trial, BROKEN_OFF)
             return
-        if trial.is_stuck():
-            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
-        leg = goal_in(self._memory)
-        if name := trial.enters(leg):
+        if name := trial.enters(goal_in(self._memory)):
             self.notes.append(TESTING.format(what=name))
-        if trial.is_over(leg):
+        elif not trial.is_over(goal_in(self._memory)) and trial.is_stuck():
+            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
+            if name := trial.enters(goal_in(self._memory)):
+                self.notes.append(TESTING.format(what=name))
+        if trial.is_over(goal_in(self._memory)):
             self.identified = trial.identify()
-            self._memory = packed_memory(fresh_route(self._obstacles))
             self._end_test(trial, *identified_notes(self.identified))
 
     def _end_test(self, trial: Trial, *notes: str) -> None:
         """Fly to the goals, with what the test flight has shown if it has."""
-        self._trial, self.plan = None, trial.plan_after(self.identified)
-        self._memory = packed_memory(begin_route(unpacked_memory(self._memory)))
-        self.notes += (*notes, route_note(0, self.plan))
+        before, after = self.plan.aircraft, trial.plan_after(self.identified)
+        self._trial, self.plan, self._lookout = None, after, Lookout(after)
+        memory = unpacked_memory(self._memory)
+        memory = forget_learned(memory, before, after.aircraft)
+        self._memory = packed_memory(begin_leg(0, no_tries(), memory))
+        self.notes += (*notes, route_note(0, after))
 
     def _due(self, time_boot_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time; one far back starts anew."""

@@ -8,10 +8,22 @@ from numpy.typing import NDArray
 from vfguide.companion.jump import Jumps, no_jumps, settled
 from vfguide.companion.progress import Progress, fresh_progress
 from vfguide.companion.tries import Tries, at_next, no_tries
-from vfguide.flight.air_state import AIR_NUMBERS, TRUST, AirReport, AirState, fresh_air, report_air
+from vfguide.flight.air_state import (
+    AIR_NUMBERS,
+    AIRSPEED,
+    MODEL,
+    PUSH,
+    TRUST,
+    AirReport,
+    AirState,
+    X,
+    fresh_air,
+    report_air,
+)
 from vfguide.flight.detour_leg import DETOUR_NUMBERS, DetourState, fresh_detour
 from vfguide.flight.leg import Leg, new_leg
 from vfguide.flight.memory import Memory, fresh_memory
+from vfguide.flight.performance import Performance
 from vfguide.flight.shortest import Word
 from vfguide.flight.strong_wind import Stand, new_stand
 from vfguide.flight.way import Way
@@ -91,6 +103,19 @@ def leave_goal(memory: RouteMemory) -> RouteMemory:
 def begin_route(memory: RouteMemory) -> RouteMemory:
     """Memory at the beginning of another route; what is known of the air stays."""
     return take_over(begin_leg(0, no_tries(), memory))
+
+
+def forget_learned(memory: RouteMemory, before: Performance, after: Performance) -> RouteMemory:
+    """Memory without the corrections of what is known better now of the aircraft."""
+    if before == after:
+        return memory
+    flight, air = memory.flight, memory.air.copy()
+    air[X + PUSH], air[MODEL] = 0.0, air[X + AIRSPEED]
+    if (after.alpha_zero, after.alpha_load) != (before.alpha_zero, before.alpha_load):
+        flight = flight._replace(alpha_bias=0.0)
+    if after.thrust_trim != before.thrust_trim:
+        flight = flight._replace(thrust_integral=0.0)
+    return memory._replace(flight=flight, air=air)
 
 
 PackedMemory = NDArray[np.float64]

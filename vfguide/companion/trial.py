@@ -14,13 +14,16 @@ import numpy as np
 from vfguide.companion.legs import Goal
 from vfguide.companion.place import Heard, place_state
 from vfguide.companion.plan import Plan
+from vfguide.flight.fit import Array
 from vfguide.flight.horizontal import flyable_radius, usable_bank
-from vfguide.flight.identification import Identified, Samples, first_order, identify
-from vfguide.flight.performance import AIRSPEED_GAIN, Law
+from vfguide.flight.identification import Identified, identify
+from vfguide.flight.performance import AIRSPEED_GAIN, Gains, Law, Performance
 from vfguide.flight.response import suited
+from vfguide.flight.samples import Samples
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3, add, scale
+from vfguide.geometry.vector import Vec3
+from vfguide.safety.guard import fresh_guard, in_sight
 from vfguide.safety.hazards import Hazards, hazard_count, hazard_distance
 
 BANK = 30.0 * DEG
@@ -30,6 +33,8 @@ CHANGE = 0.15
 """Of the airspeed, up and down."""
 STRAIGHT = 8.0
 """Time of a straight leg [s]."""
+SETTLING = 3.0
+"""Time of the first one, which nothing goes before [s]."""
 END = 0.7
 """A turn has a straight end, so many radii long."""
 CAREFUL = 0.3
@@ -38,6 +43,10 @@ MET, MET_ANGLE = 10.0, 30.0 * DEG
 """A leg that ends this close to its pose is reached [m]; one that does not is left all the same."""
 NEEDED = 50.0
 """Without so much room round the circuit nothing is tested [m]."""
+SPACING = 25.0
+"""Of the places at which that is asked for [m]."""
+ROW = 18
+"""Numbers that are noted of one step."""
 PATIENCE = 3.0
 """A leg may take so many times what it takes in still air, ..."""
 SPARE = 10.0
@@ -53,40 +62,42 @@ class Manoeuvre(NamedTuple):
     """To fly [m/s]."""
     longest: float
     """It is left after this time [s]."""
-    bulge: float
-    """How far a turn goes beyond the middle between its ends [m]."""
+    places: tuple[Vec3, ...]
+    """On its way, no farther than SPACING apart, NED [m]."""
 
 
 class Trial:
     """The test flight of one vehicle."""
 
-    def __init__(self, plan: Plan) -> None:
-        """Before it: `plan` is what follows."""
+    def __init__(self, plan: Plan, untuned: Gains) -> None:
+        """Before it: `plan` is what follows, with the gains that `untuned` ones become."""
         self.plan = plan
         """What is flown now."""
-        self._then = plan
+        self._then = replace(plan, untuned=None)
+        self._untuned = untuned
         self._legs: tuple[Manoeuvre, ...] = ()
         self._laws: tuple[Law, ...] = ()
         self._rows: list[tuple[float, ...]] = []
         self._leg, self._began = 0, 0.0
-        nothing = np.zeros(1)
         # Compiled on the ground, not in flight:
-        first_order(nothing, nothing, nothing, 1.0)
-        room((0.0, 0.0, 0.0), plan.hazards, 0.0)
+        identify(nothing_flown(), plan.aircraft, plan.roll_time)
+        if plan.hazards is not None:
+            unknown = fresh_guard(len(plan.hazards.obstacles))
+            room((0.0, 0.0, 0.0), in_sight(plan.hazards, unknown, (0.0, 0.0, 0.0), 0.0), 0.0)
 
-    def begin(self, heard: Heard, t: float) -> str | None:
+    def begin(self, heard: Heard, hazards: Hazards | None, t: float) -> str | None:
         """Lay out the legs from where the vehicle is; returns what is flown first.
 
-        The turns go to the side with more room at the time `t` [s] on the clock of the obstacles;
-        None: there is too little on both.
+        The turns go to the side with more room among what is known of the `hazards` at the time
+        `t` [s]; None: there is too little on both.
         """
         state = place_state((*heard[:10], 0.0), self._then.origin)
-        untuned, aircraft = self._then.untuned or self._then.gains, self._then.aircraft
-        gains = suited(untuned, max(self._then.roll_time, CAREFUL), aircraft.rate_max[0])
-        gains = gains._replace(bank_max=min(gains.bank_max, BANK))
+        gains = with_wide_turns(
+            self._gains(max(self._then.roll_time, CAREFUL)), self._then.aircraft
+        )
         layouts = [circuit(state, replace(self._then, gains=gains), side) for side in (1.0, -1.0)]
-        rooms = [least_room(state.p_n, legs, self._then.hazards, t) for legs in layouts]
-        if max(rooms) < NEEDED:
+        rooms = [least_room(legs, hazards, t) for legs in layouts]
+        if max(rooms) < NEEDED + 0.5 * SPACING:
             return None
         self._legs = layouts[rooms.index(max(rooms))]
         goals = tuple(leg.goal for leg in self._legs)
@@ -100,12 +111,16 @@ class Trial:
         """Aircraft and gains of a leg."""
         return self._laws[min(leg, len(self._laws) - 1)] if self._laws else self.plan.law
 
-    def take(self, heard: Heard, setpoint: RateSetpoint, delay: float) -> None:
-        """Note a state and the setpoint that answers it, which acts `delay` [s] later."""
+    def take(self, heard: Heard, setpoint: RateSetpoint, delay: float, trusts: bool) -> None:
+        """Note a state and the setpoint that answers it, which acts `delay` [s] later.
+
+        The airspeed counts only if the companion `trusts` its sensor.
+        """
         told = place_state((*heard[:10], 0.0), self._then.origin)
         attitude = (*told.R_nb[0], *told.R_nb[1], *told.R_nb[2])
+        airspeed = told.airspeed if trusts else math.nan
         asked = (heard[9][0], setpoint.omega_b[0], setpoint.thrust, delay)
-        self._rows.append((told.time, *attitude, *told.v_n, told.airspeed, *asked))
+        self._rows.append((told.time, *attitude, *told.v_n, airspeed, *asked))
 
     def enters(self, leg: int) -> str | None:
         """The name of a leg that begins now; None: the one before goes on, or it is over."""
@@ -119,72 +134,108 @@ class Trial:
         return self._rows[-1][0] - self._began > self._legs[self._leg].longest
 
     def is_over(self, leg: int) -> bool:
-        """Whether all legs before this one are all."""
+        """Whether `leg` comes after the last one."""
         return leg >= len(self._legs)
 
     def identify(self) -> Identified:
         """What the flight has shown."""
-        rows = np.array(self._rows)
-        time, R_nb, v_n, last = np.split(rows, np.cumsum([1, 9, 3]), axis=1)
-        samples = Samples(time[:, 0], R_nb.reshape(-1, 3, 3), v_n, *last.T)
+        samples = samples_from(np.array(self._rows))
         return identify(samples, self._then.aircraft, self._then.roll_time)
 
     def plan_after(self, found: Identified | None) -> Plan:
         """What is flown after it; `found` None: it has shown nothing."""
-        then = replace(self._then, untuned=None)
         if found is None:
-            return then
-        untuned = self._then.untuned or then.gains
-        gains = suited(untuned, found.roll_time, found.aircraft.rate_max[0])
-        return replace(then, aircraft=found.aircraft, roll_time=found.roll_time, gains=gains)
+            return replace(self._then, gains=self._gains(max(self._then.roll_time, CAREFUL)))
+        seen = any(its.key == "roll_s" and its.used for its in found.findings)
+        roll_time = found.roll_time if seen else max(found.roll_time, CAREFUL)
+        known = replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
+        return replace(known, gains=self._gains(roll_time))
+
+    def _gains(self, roll_time: float) -> Gains:
+        """The gains for a roll response [s]."""
+        return suited(self._untuned, roll_time, self._then.aircraft.rate_max[0])
+
+
+def with_wide_turns(gains: Gains, aircraft: Performance) -> Gains:
+    """Gains with turns planned for a bank of BANK; escapes may take all that there is."""
+    bank = usable_bank(aircraft, gains, gains.airspeed)
+    wider = max(1.0, math.tan(bank) / math.tan(BANK))
+    return gains._replace(turn_margin=wider * gains.turn_margin)
+
+
+def samples_from(rows: Array) -> Samples:
+    """The rows of a Trial as what it takes to identify the aircraft."""
+    time, R_nb, v_n, last = np.split(rows, np.cumsum([1, 9, 3]), axis=1)
+    return Samples(time[:, 0], R_nb.reshape(-1, 3, 3), v_n, *last.T)
+
+
+def nothing_flown() -> Samples:
+    """Half a minute in which nothing changes."""
+    rows = np.ones((120, ROW))
+    rows[:, 0] = 0.25 * np.arange(len(rows))
+    return samples_from(rows)
 
 
 def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:
     """The legs of a test flight that begins and ends at `state`, its turns right (+1) or left."""
     gains, aircraft = plan.gains, plan.aircraft
     speed = gains.airspeed
-    fast = min((1.0 + CHANGE) * speed, 0.95 * aircraft.airspeed_max)
-    slow = max((1.0 - CHANGE) * speed, 1.1 * aircraft.airspeed_min)
+    fast = max(speed, min((1.0 + CHANGE) * speed, 0.95 * aircraft.airspeed_max))
+    slow = min(speed, max((1.0 - CHANGE) * speed, 1.1 * aircraft.airspeed_min))
     still = state._replace(wind_n=tuple(0.0 if math.isnan(w) else w for w in state.wind_n))
     radius = flyable_radius(still, usable_bank(aircraft, gains, speed), gains)
     course = math.atan2(state.v_n[1], state.v_n[0])
-    up, down = min(PATH, 0.4 * aircraft.climb_max), min(PATH, 0.4 * aircraft.descent_max)
-    across, end = side * 2.0 * radius, END * radius
-    legs = (  # name, airspeed, ahead, to the right and up [m], course from the first one
-        ("level flight", speed, 3.0 * speed, 0.0, 0.0, 0.0),
-        ("a climb", speed, STRAIGHT * speed, 0.0, STRAIGHT * speed * math.tan(up), 0.0),
-        ("a descent", speed, STRAIGHT * speed, 0.0, -STRAIGHT * speed * math.tan(down), 0.0),
-        ("a turn", speed, -end, across, 0.0, math.pi),
-        ("fast flight", fast, -STRAIGHT * fast, 0.0, 0.0, math.pi),
-        ("slow flight", slow, -STRAIGHT * fast, 0.0, 0.0, math.pi),
-        ("a turn back", speed, end, -across, 0.0, 0.0),
+    up = min(PATH, 0.4 * aircraft.climb_max)
+    down = min(up, 0.4 * aircraft.descent_max)
+    long, turn, end = STRAIGHT * speed, side * math.pi, END * radius
+    legs = (  # name, airspeed, turn, length after it and height on it [m]
+        ("level flight", speed, 0.0, SETTLING * speed, 0.0),
+        ("a climb", speed, 0.0, long, long * math.tan(up)),
+        ("a descent", speed, 0.0, long, -long * math.tan(down)),
+        ("a turn", speed, turn, end, 0.0),
+        ("fast flight", fast, 0.0, STRAIGHT * fast, 0.0),
+        ("slow flight", slow, 0.0, STRAIGHT * fast, 0.0),
+        ("a turn back", speed, turn, end, 0.0),
     )
     at, manoeuvres = state.p_n, list[Manoeuvre]()
-    for name, airspeed, ahead, right, up, turned in legs:
-        at = moved(at, course, ahead, right, up)
-        length = abs(ahead) + 0.5 * math.pi * abs(right)
-        goal = Goal(at, course + turned, 0.0, MET, MET_ANGLE, attempts=1)
-        bulge = 0.5 * (abs(right) + abs(ahead)) if right else 0.0
-        longest = PATIENCE * length / airspeed + SPARE
-        manoeuvres.append(Manoeuvre(name, goal, airspeed, longest, bulge))
+    for name, airspeed, turned, length, height in legs:
+        places = way(at, course, radius, turned, length, height)
+        at, course = places[-1], course + turned
+        longest = PATIENCE * (radius * abs(turned) + length) / airspeed + SPARE
+        goal = Goal(at, course, 0.0, MET, MET_ANGLE, attempts=1)
+        manoeuvres.append(Manoeuvre(name, goal, airspeed, longest, places))
     return tuple(manoeuvres)
 
 
-def least_room(start: Vec3, legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
-    """Least distance of ends and middles of the legs from a hazard at the time `t` [s] [m]."""
-    least, at = math.inf, start
-    for leg in legs:
-        p_n = leg.goal.p_n
-        halfway = scale(0.5, add(at, p_n))
-        if leg.bulge > 0.0:  # the far side of a turn
-            halfway = moved(halfway, leg.goal.course, -leg.bulge, 0.0, 0.0)
-        least = min(least, room(halfway, hazards, t), room(p_n, hazards, t))
-        at = p_n
-    return least
+def way(
+    p_n: Vec3, course: float, radius: float, turned: float, length: float, height: float
+) -> tuple[Vec3, ...]:
+    """Places on an arc that turns by `turned` [rad], right positive, and on the straight after it.
+
+    They are no farther than SPACING apart; the height [m] is gained on the straight.
+    """
+    places: list[Vec3] = []
+    steps = math.ceil(radius * abs(turned) / SPACING)
+    side = math.copysign(radius, turned)
+    for k in range(1, steps + 1):
+        angle = abs(turned) * k / steps
+        across = side * (1.0 - math.cos(angle))
+        places.append(moved(p_n, course, radius * math.sin(angle), across, 0.0))
+    at = places[-1] if places else p_n
+    steps = math.ceil(math.hypot(length, height) / SPACING)
+    for k in range(1, steps + 1):
+        share = k / steps
+        places.append(moved(at, course + turned, share * length, 0.0, share * height))
+    return tuple(places)
+
+
+def least_room(legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
+    """Least distance of the legs from a hazard at the time `t` [s] [m]."""
+    return min(room(place, hazards, t) for leg in legs for place in leg.places)
 
 
 def room(p_n: Vec3, hazards: Hazards | None, t: float) -> float:
-    """Distance of a place from the nearest hazard [m]."""
+    """Distance of a place from the nearest hazard at the time `t` [s] [m]."""
     if hazards is None:
         return math.inf
     return min(hazard_distance(hazards, i, p_n, t) for i in range(hazard_count(hazards)))

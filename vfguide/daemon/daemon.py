@@ -9,6 +9,7 @@ from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
 from vfguide.daemon.flight_log import FlightLog
 from vfguide.daemon.transport import Transport
+from vfguide.flight.identification import Identified
 
 POLL = 0.05
 """The companion is asked what is due at least this often [s]."""
@@ -37,6 +38,7 @@ class Daemon:
         log: FlightLog,
         clock: Clock,
         say: Callable[[str], None],
+        save: Callable[[Identified], None],
     ) -> None:
         """A daemon that has not begun.
 
@@ -46,6 +48,7 @@ class Daemon:
             log: of what it receives and sends.
             clock: the date.
             say: tells the operator one line.
+            save: takes what a test flight has shown of the aircraft, once.
         """
         self._session = session
         self._companion = session.companion
@@ -53,6 +56,7 @@ class Daemon:
         self._log = log
         self._clock = clock
         self._say = say
+        self._save: Callable[[Identified], None] | None = save
         self._stopped_at: int | None = None
 
     def run(self, stops: Callable[[], int]) -> Outcome:
@@ -68,6 +72,9 @@ class Daemon:
                 if self._companion.phase not in OVER:
                     self._send(self._session.poll(self._clock.now()))
                 self._tell()
+                if self._save and (found := self._companion.route.identified) is not None:
+                    self._save(found)
+                    self._save = None
                 self._log.flush(self._clock.now())
         self._tell()
         return outcome

@@ -6,6 +6,9 @@ from vfguide.geometry.units import G0
 FAST, PROMPT = 0.08, 0.2
 """Roll responses [s] that are followed by the whole gain of attitude, and of the azimuth: slower
 ones get less in proportion, since the inner loop has to be the faster one."""
+BEGIN = 0.02
+"""63 % of a fast step of the roll rate, for which those times stand, less the lag of first order
+that a flight shows [s]: 0.01 to 0.03 for the shipped aircraft, nothing with slow servos."""
 ROLL_IN = 6.0
 """The bank that an error of the azimuth asks for is rolled in within this time for each radian of
 the error, at the largest roll rate [s]: a larger gain swings between the limits of that rate."""

@@ -139,12 +139,14 @@ class Aircraft(Table):
         """The same with what a flight has shown; `how` says which flight."""
         its, used = found.aircraft, [finding for finding in found.findings if finding.used]
         table = self.model_dump(exclude_none=True)
+        table["thrust"] |= {
+            "per_climb": its.thrust_per_climb,
+            "per_load": its.thrust_per_load,
+            "per_airspeed": its.thrust_per_airspeed,
+            "integral": its.thrust_integral,
+        }
         for finding in used:
-            table[finding.table][finding.key] = float(f"{finding.value:.4g}")
-        if any(finding.table == "thrust" for finding in used):
-            gains = {"per_airspeed": its.thrust_per_airspeed, "integral": its.thrust_integral}
-            slopes = {"per_load": its.thrust_per_load, **gains}
-            table["thrust"] |= {key: float(f"{value:.4g}") for key, value in slopes.items()}
+            table[finding.table][finding.key] = finding.value
         shown = ", ".join(map(str, used))
         table["source"] = f"{how}: {shown or 'nothing was seen'}; the rest: {self.source}"
         return Aircraft.model_validate(table)
