@@ -16,7 +16,8 @@ RESULT_KEYS = {
     *("min_separation_m", "vehicles"),
 }
 VEHICLE_KEYS = {
-    *("id", "goals", "obstacles", "fence_clearance_m", "assurance", "traffic", "max_bank_deg"),
+    *("id", "goals", "obstacles", "fence_clearance_m", "assurance", "traffic", "identified"),
+    "max_bank_deg",
     *("load_factor", "airspeed_mps", "altitude_m", "setpoints", "setpoint_rate_hz"),
 }
 FIGURES = ("path-3d", "path-plan", "path-side", "position", "attitude", "envelope", "rates", "air")

@@ -147,6 +147,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "k_lateral": 1.2,
             "k_elevation": 0.5,
             "loiter": "right",
+            "loiter_radius_m": None,
         },
         "avoidance": {
             "safety_radius_m": 10.0,

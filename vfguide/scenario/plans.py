@@ -39,7 +39,8 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         place_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
         SIDES[guidance.loiter],
-        LOITER_RADIUS * turn_length(loaded.scenario.airspeed_of(vehicle)),
+        guidance.loiter_radius_m
+        or LOITER_RADIUS * turn_length(loaded.scenario.airspeed_of(vehicle)),
         guidance.rate_hz,
         loaded.performance(vehicle),
         loaded.gains(vehicle),

@@ -122,6 +122,8 @@ class Guidance(Table):
     """Extra elevation per error of the path angle."""
     loiter: Annotated[Literal["right", "left"], word("right", "left")] = "right"
     """Which way round to circle after the last goal."""
+    loiter_radius_m: Annotated[float, above(0, 10_000)] | None = None
+    """Of that circle; None: each aircraft's own. It grows where wind and bank ask for more."""
 
 
 class Avoidance(Table):
