@@ -21,7 +21,7 @@ def test_without_a_radius_it_is_the_aircraft_s_own():
 
 
 @pytest.mark.parametrize(("side", "sign"), [("right", 1.0), ("left", -1.0)])
-@pytest.mark.parametrize(("radius", "flown"), [(180.0, 180.0), (10.0, 61.0)])
+@pytest.mark.parametrize(("radius", "flown"), [(180.0, 180.0), (10.0, 62.5)])
 def test_it_is_flown_at_that_radius_if_the_bank_allows(side, sign, radius, flown, tmp_path):
     """In the last of the 5 s that a run goes on after the goal."""
     changes = (*CALM, f"guidance.loiter_radius_m={radius}", f'guidance.loiter="{side}"')
