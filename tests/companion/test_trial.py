@@ -88,11 +88,11 @@ class Testing(Conversation):
 
 
 def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
-    talk = Testing(replace(plain_plan(), untuned=plain_plan().gains))
+    talk = Testing(replace(plain_plan(), identify=True))
     talk.engage()
     assert talk.told[-1] == "test flight: level flight"
     assert talk.route.is_testing
-    gains, ours = talk.route.plan.gains, plain_plan().gains
+    gains, ours = talk.route.plan.tuned, plain_plan().tuned
     assert gains.bank_max == ours.bank_max, "an escape may take it all"
     wider = math.tan(math.radians(50.0)) / math.tan(math.radians(30.0))
     assert gains.turn_margin == pytest.approx(ours.turn_margin * wider)
@@ -101,7 +101,7 @@ def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
 
 
 def test_it_begins_anew_when_the_autopilot_follows_again():
-    talk = Testing(replace(plain_plan(), untuned=plain_plan().gains))
+    talk = Testing(replace(plain_plan(), identify=True))
     talk.engage()
     first = talk.route.plan.goals
     talk.fly(10.0, Px4Mode.OFFBOARD)
@@ -115,7 +115,7 @@ def test_it_begins_anew_when_the_autopilot_follows_again():
 
 def test_a_leg_that_comes_to_no_end_is_left():
     """The aeroplane of the conversation flies straight to the north for ever."""
-    talk = Testing(replace(plain_plan(), untuned=plain_plan().gains))
+    talk = Testing(replace(plain_plan(), identify=True))
     talk.engage()
     talk.fly(600.0, Px4Mode.OFFBOARD)
     tests = [note for note in talk.told if note.startswith("test flight")]
@@ -125,7 +125,7 @@ def test_a_leg_that_comes_to_no_end_is_left():
     assert talk.told[end - 1].startswith("not seen well enough")
     assert talk.route.identified.aircraft == plain_plan().aircraft
     assert talk.route.plan.goals == plain_plan().goals
-    assert talk.route.plan.gains.sluggish == pytest.approx(0.3 - 0.08), "its response is unknown"
+    assert talk.route.plan.tuned.sluggish == pytest.approx(0.3 - 0.08), "its response is unknown"
 
 
 @pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])

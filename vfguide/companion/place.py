@@ -50,6 +50,12 @@ def place_state(heard: Heard, origin: Vec3) -> FlightState:
 
 
 @compiled
+def place_told(heard: Heard, origin: Vec3) -> FlightState:
+    """The same at the time of the attitude: nothing is predicted."""
+    return place_state((*heard[:10], 0.0), origin)
+
+
+@compiled
 def extrapolated(v_n: Vec3, R_nb: Mat3, omega_b: Vec3, lead: float) -> tuple[Vec3, Mat3]:
     """Velocity [m/s] and attitude `lead` [s] later.
 

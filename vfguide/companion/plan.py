@@ -6,7 +6,7 @@ from vfguide.companion.legs import Goal, Legs, leg_rows
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.flight.outlines import NO_FENCE, Outlines
 from vfguide.flight.performance import Gains, Law, Performance, packed
-from vfguide.flight.response import FAST
+from vfguide.flight.response import FAST, suited
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.hazards import Hazards
 
@@ -27,12 +27,11 @@ class Plan:
     """Guidance steps in a second [Hz]."""
     aircraft: Performance
     gains: Gains
-    """That suit its roll response."""
+    """For an aircraft that follows at once."""
     roll_time: float = FAST
-    """Of that response, 63 % of a step of the roll rate [s]."""
-    untuned: Gains | None = None
-    """Gains for an aircraft that follows at once: given where a test flight before the first goal
-    has to show what the aircraft is like."""
+    """How fast this one does, 63 % of a step of the roll rate [s]."""
+    identify: bool = False
+    """Whether a test flight before the first goal has to show what the aircraft is like."""
     hazards: Hazards | None = None
     """What to keep clear of; None: nothing."""
     hazard_names: tuple[str, ...] = ()
@@ -47,10 +46,14 @@ class Plan:
     """Address of the own transponder; 0: there is none."""
     legs: Legs = field(init=False, compare=False)
     """Goals and circle, of `leg_rows`."""
+    tuned: Gains = field(init=False, compare=False)
+    """The gains that suit the roll response."""
     law: Law = field(init=False, compare=False)
-    """Aircraft and gains, `packed`."""
+    """Aircraft and those gains, `packed`."""
 
     def __post_init__(self) -> None:
         legs = leg_rows(self.goals, self.loiter_side, self.loiter_radius)
         object.__setattr__(self, "legs", legs)
-        object.__setattr__(self, "law", packed(self.aircraft, self.gains))
+        tuned = suited(self.gains, self.roll_time, self.aircraft.rate_max[0])
+        object.__setattr__(self, "tuned", tuned)
+        object.__setattr__(self, "law", packed(self.aircraft, tuned))

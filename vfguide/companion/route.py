@@ -60,7 +60,7 @@ class Route:
         """What is flown now."""
         self.identified: Identified | None = None
         """The aircraft as a test flight has shown it."""
-        self._trial = None if plan.untuned is None else Trial(plan, plan.untuned)
+        self._trial = Trial(plan) if plan.identify else None
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
         self._memory = packed_memory(fresh_route(obstacles))
         self.notes: list[str] = []
@@ -174,12 +174,10 @@ class Route:
         if decision_in(self._memory)[0] != Reason.CLEAR.value:
             self._end_test(trial, BROKEN_OFF)
             return
+        if trial.is_stuck(goal_in(self._memory)):
+            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
         if name := trial.enters(goal_in(self._memory)):
             self.notes.append(TESTING.format(what=name))
-        elif not trial.is_over(goal_in(self._memory)) and trial.is_stuck():
-            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
-            if name := trial.enters(goal_in(self._memory)):
-                self.notes.append(TESTING.format(what=name))
         if trial.is_over(goal_in(self._memory)):
             self.identified = trial.identify()
             self._end_test(trial, *identified_notes(self.identified))

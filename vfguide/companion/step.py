@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vfguide.companion.jump import follow_jumps, settled, smoothed
 from vfguide.companion.legs import Goal, Legs, goal_of, target_of
-from vfguide.companion.place import Heard, place_state
+from vfguide.companion.place import Heard, place_state, place_told
 from vfguide.companion.progress import Progress, after_step
 from vfguide.companion.route_memory import (
     PackedMemory,
@@ -132,7 +132,7 @@ def step_on(
         Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
     """
     state, before = place_state(heard, origin), unpacked_memory(memory)
-    feel_rise(place_state((*heard[:10], 0.0), origin), before.air, unpacked(law)[0])
+    feel_rise(place_told(heard, origin), before.air, unpacked(law)[0])
     setpoint, after, _, passage = step(state, legs, law, before, hazards, fence, t)
     miss = passage.miss
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss

@@ -12,13 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.companion.legs import Goal
-from vfguide.companion.place import Heard, place_state
+from vfguide.companion.place import Heard, place_told
 from vfguide.companion.plan import Plan
 from vfguide.flight.fit import Array
 from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.identification import Identified, identify
-from vfguide.flight.performance import AIRSPEED_GAIN, Gains, Law, Performance
-from vfguide.flight.response import suited
+from vfguide.flight.performance import AIRSPEED_GAIN, Law
 from vfguide.flight.samples import Samples
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.geometry.units import DEG
@@ -69,12 +68,12 @@ class Manoeuvre(NamedTuple):
 class Trial:
     """The test flight of one vehicle."""
 
-    def __init__(self, plan: Plan, untuned: Gains) -> None:
-        """Before it: `plan` is what follows, with the gains that `untuned` ones become."""
+    def __init__(self, plan: Plan) -> None:
+        """Before it: `plan` is what follows."""
         self.plan = plan
         """What is flown now."""
-        self._then = replace(plan, untuned=None)
-        self._untuned = untuned
+        self._known = plan
+        self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL), identify=False)
         self._legs: tuple[Manoeuvre, ...] = ()
         self._laws: tuple[Law, ...] = ()
         self._rows: list[tuple[float, ...]] = []
@@ -91,17 +90,13 @@ class Trial:
         The turns go to the side with more room among what is known of the `hazards` at the time
         `t` [s]; None: there is too little on both.
         """
-        state = place_state((*heard[:10], 0.0), self._then.origin)
-        gains = with_wide_turns(
-            self._gains(max(self._then.roll_time, CAREFUL)), self._then.aircraft
-        )
-        layouts = [circuit(state, replace(self._then, gains=gains), side) for side in (1.0, -1.0)]
+        state, wide = place_told(heard, self._then.origin), with_wide_turns(self._then)
+        layouts = [circuit(state, wide, side) for side in (1.0, -1.0)]
         rooms = [least_room(legs, hazards, t) for legs in layouts]
         if max(rooms) < NEEDED + 0.5 * SPACING:
             return None
         self._legs = layouts[rooms.index(max(rooms))]
-        goals = tuple(leg.goal for leg in self._legs)
-        self.plan = replace(self._then, goals=goals, gains=gains)
+        self.plan = replace(wide, goals=tuple(leg.goal for leg in self._legs))
         self._laws = tuple(at_airspeed(self.plan.law, leg.airspeed) for leg in self._legs)
         self._rows.clear()
         self._leg, self._began = 0, state.time
@@ -116,7 +111,7 @@ class Trial:
 
         The airspeed counts only if the companion `trusts` its sensor.
         """
-        told = place_state((*heard[:10], 0.0), self._then.origin)
+        told = place_told(heard, self._then.origin)
         attitude = (*told.R_nb[0], *told.R_nb[1], *told.R_nb[2])
         airspeed = told.airspeed if trusts else math.nan
         asked = (heard[9][0], setpoint.omega_b[0], setpoint.thrust, delay)
@@ -129,9 +124,11 @@ class Trial:
         self._leg, self._began = leg, self._rows[-1][0]
         return None if self.is_over(leg) else self._legs[leg].name
 
-    def is_stuck(self) -> bool:
-        """Whether the present leg takes too long."""
-        return self._rows[-1][0] - self._began > self._legs[self._leg].longest
+    def is_stuck(self, leg: int) -> bool:
+        """Whether `leg` takes too long; one that begins now does not."""
+        if leg != self._leg or self.is_over(leg):
+            return False
+        return self._rows[-1][0] - self._began > self._legs[leg].longest
 
     def is_over(self, leg: int) -> bool:
         """Whether `leg` comes after the last one."""
@@ -140,27 +137,23 @@ class Trial:
     def identify(self) -> Identified:
         """What the flight has shown."""
         samples = samples_from(np.array(self._rows))
-        return identify(samples, self._then.aircraft, self._then.roll_time)
+        return identify(samples, self._known.aircraft, self._known.roll_time)
 
     def plan_after(self, found: Identified | None) -> Plan:
         """What is flown after it; `found` None: it has shown nothing."""
         if found is None:
-            return replace(self._then, gains=self._gains(max(self._then.roll_time, CAREFUL)))
+            return self._then
         seen = any(its.key == "roll_s" and its.used for its in found.findings)
-        roll_time = found.roll_time if seen else max(found.roll_time, CAREFUL)
-        known = replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
-        return replace(known, gains=self._gains(roll_time))
-
-    def _gains(self, roll_time: float) -> Gains:
-        """The gains for a roll response [s]."""
-        return suited(self._untuned, roll_time, self._then.aircraft.rate_max[0])
+        roll_time = found.roll_time if seen else self._then.roll_time
+        return replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
 
 
-def with_wide_turns(gains: Gains, aircraft: Performance) -> Gains:
-    """Gains with turns planned for a bank of BANK; escapes may take all that there is."""
-    bank = usable_bank(aircraft, gains, gains.airspeed)
+def with_wide_turns(plan: Plan) -> Plan:
+    """The plan with turns for a bank of BANK; escapes may take all that there is."""
+    bank = usable_bank(plan.aircraft, plan.tuned, plan.gains.airspeed)
     wider = max(1.0, math.tan(bank) / math.tan(BANK))
-    return gains._replace(turn_margin=wider * gains.turn_margin)
+    gains = plan.gains._replace(turn_margin=wider * plan.gains.turn_margin)
+    return replace(plan, gains=gains)
 
 
 def samples_from(rows: Array) -> Samples:
@@ -178,7 +171,7 @@ def nothing_flown() -> Samples:
 
 def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:
     """The legs of a test flight that begins and ends at `state`, its turns right (+1) or left."""
-    gains, aircraft = plan.gains, plan.aircraft
+    gains, aircraft = plan.tuned, plan.aircraft
     speed = gains.airspeed
     fast = max(speed, min((1.0 + CHANGE) * speed, 0.95 * aircraft.airspeed_max))
     slow = min(speed, max((1.0 - CHANGE) * speed, 1.1 * aircraft.airspeed_min))

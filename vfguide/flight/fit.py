@@ -29,7 +29,7 @@ class Fit(NamedTuple):
     x: Array
     """(n,)."""
     covariance: Array
-    """(n, n); infinite where the regressors cannot be told apart."""
+    """(n, n); no numbers where the regressors cannot be told apart."""
     squares: float
     """Sum of what is left, squared."""
     variance: float

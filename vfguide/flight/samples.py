@@ -7,12 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.flight.fit import Array, columns, fitted
-from vfguide.geometry.units import DEG, G0
+from vfguide.flight.wind_estimate import STEEPEST
+from vfguide.geometry.units import G0
 
 WINDOW = 1.0
 """Lift and thrust are compared in means over this time [s]."""
-STEEPEST = 60.0 * DEG
-"""Banks beyond this count as this."""
 
 
 class Samples(NamedTuple):

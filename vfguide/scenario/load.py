@@ -44,9 +44,12 @@ class LoadedScenario:
 
     def gains(self, vehicle: Vehicle) -> Gains:
         """What the flight law of `vehicle` flies with."""
-        its = self.aircraft[vehicle.aircraft]
-        roll_rate = its.limits.roll_rate_max_dps * DEG
-        return suited(self.untuned(vehicle), its.response.roll_s, roll_rate)
+        roll_rate = self.performance(vehicle).rate_max[0]
+        return suited(self.untuned(vehicle), self.roll_time(vehicle), roll_rate)
+
+    def roll_time(self, vehicle: Vehicle) -> float:
+        """How fast the aircraft of `vehicle` follows, 63 % of a step of the roll rate [s]."""
+        return self.aircraft[vehicle.aircraft].response.roll_s
 
     def untuned(self, vehicle: Vehicle) -> Gains:
         """The same, if the aircraft followed at once."""
