@@ -7,7 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.flight.approach import Planar
-from vfguide.flight.longer import SHORTER, STRIDES, TURN, TURNS, best_away, best_end, path_away
+from vfguide.flight.longer import (
+    SHORTER,
+    SLACK,
+    STRIDES,
+    TURN,
+    TURNS,
+    best_away,
+    best_end,
+    path_away,
+)
 from vfguide.flight.shortest import FULL, length_of, shortest_word
 from vfguide.flight.way import Pose, after_turn
 
@@ -45,20 +54,35 @@ def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
 
 
 @given(PLACE, PLACE, COURSE, NEEDED)
-def test_the_course_away_is_the_one_of_the_shortest_path(x, y, course, needed):
+def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course, needed):
     needed = min(needed, shortest(x, y, course) + FULL * RADIUS)
     chosen, length = best_away(at(x, y, course), RADIUS, needed)
     assert needed <= length < math.inf
     lengths = {}
     for k in range(-TURNS, TURNS + 1):
-        turn = abs(k) * TURN
-        pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), turn, RADIUS)
-        path = RADIUS * turn + path_away(pose, RADIUS, needed - RADIUS * turn)
-        lengths[pose.course] = path
-    least = min(lengths.values())
-    assert least - 1e-6 <= length <= least + SHORTER * RADIUS + 1e-6
+        arc = abs(k) * TURN * RADIUS
+        pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), abs(k) * TURN, RADIUS)
+        lengths[pose.course] = tuple(
+            arc + path_away(pose, RADIUS, needed + slack * RADIUS - arc) for slack in (0.0, SLACK)
+        )
     nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL)))
-    assert lengths[nearest] == pytest.approx(length)
+    plain, with_slack = lengths[nearest]
+    assert length == pytest.approx(plain)
+    assert with_slack <= min(its[1] for its in lengths.values()) + SHORTER * RADIUS + 1e-6
+
+
+def test_a_course_on_which_a_metre_more_leaps_by_most_of_a_circle_is_not_taken():
+    """Half a radian to the right is the shortest way away, and leads on for 0.4 m no more."""
+    course = math.radians(-79.0)
+    here = at(-337.8, 115.83, course)
+    right = after_turn(Pose(here.x, here.y, course), 1.0, TURN, RADIUS)
+    arc, needed = TURN * RADIUS, 483.5
+    ahead = path_away(Pose(here.x, here.y, course), RADIUS, needed)
+    assert arc + path_away(right, RADIUS, needed - arc) < ahead
+    assert arc + path_away(right, RADIUS, needed + 1.0 - arc) > ahead + 3.0 * RADIUS
+    chosen, length = best_away(here, RADIUS, needed)
+    assert chosen == pytest.approx(course)
+    assert length == pytest.approx(ahead)
 
 
 def test_a_little_that_is_missing_costs_no_circle_where_one_of_both_is_steady():

@@ -20,6 +20,9 @@ STRIDES = 100
 """... no more of them than this."""
 SHORTER = 0.01
 """A later way is taken only where it is shorter by this, in radii: rounding decides nothing."""
+SLACK = 0.3
+"""A way that flies on first has to lead on even where so much more path is needed, in radii: what
+is missed by a little does not leap then."""
 
 
 @compiled
@@ -50,14 +53,16 @@ def best_away(at: Planar, radius: float, path_needed: float) -> tuple[float, flo
     Arguments of `best_end`.
     """
     begin = Pose(at.x, at.y, math.atan2(at.vy, at.vx))
-    best, least = begin.course, math.inf
+    best, shortest, least = begin.course, math.inf, math.inf
     for k in range(2 * TURNS + 1):
         turn = TURN * ((k + 1) // 2)
         pose = after_turn(begin, 1.0 if k % 2 == 1 else -1.0, turn, radius)
-        length = radius * turn + path_away(pose, radius, path_needed - radius * turn)
-        if length < least - SHORTER * radius:
-            best, least = pose.course, length
-    return best, least
+        arc = radius * turn
+        with_slack = arc + path_away(pose, radius, path_needed + SLACK * radius - arc)
+        if with_slack < least - SHORTER * radius:
+            best, least = pose.course, with_slack
+            shortest = arc + path_away(pose, radius, path_needed - arc)
+    return best, shortest
 
 
 @compiled
