@@ -97,7 +97,7 @@ def guide_printed(
     """
     aircraft, gains = unpacked(law)
     if target.circle != 0.0:
-        wish, planned = plan_flight(flown_in, target, aircraft, gains, memory, detour)
+        wish, planned = plan_flight(flown_in, target, aircraft, gains, memory, detour, math.inf)
     else:
         hazards = in_sight(watch.hazards, guard, state.p_n, watch.time)
         wish, planned = printed_wish(state, target, law, memory, hazards, watch.time)
@@ -118,7 +118,7 @@ def printed_wish(
     wind = (state.wind_n[0], state.wind_n[1])
     heading = heading_for_course(course, turning, wind, speed * math.cos(flown))
     slope = math.tan(climb)
-    limits = path_limits(norm(air), gains.airspeed, aircraft)
+    limits = path_limits(norm(air), gains.airspeed, math.inf, aircraft)
     bank_max = usable_bank(aircraft, gains, speed)
     lift, side = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, m.turning

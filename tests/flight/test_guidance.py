@@ -18,12 +18,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.flight.energy import thrust_for
-from vfguide.flight.guidance import guide, soon
+from vfguide.flight.guidance import SPARING, guide, plan_flight, soon
 from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.memory import Memory, fresh_memory
-from vfguide.flight.performance import Gains, Performance, packed, unpacked
+from vfguide.flight.performance import Gains, Performance, packed, turn_length, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import path_limits
+from vfguide.flight.vertical import AT_FLOOR, NEAR_FLOOR, path_limits
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.vector import matvec
 from vfguide.safety.limits import guide_within_limits, limit_setpoint
@@ -161,8 +161,41 @@ def test_where_the_air_sinks_faster_than_it_can_climb_thrust_is_set_for_all_of_t
     sinking = state(below, 0.0, wind=(0.0, 0.0, 8.0))._replace(airspeed=27.0)
     setpoint, _, wish = guide(sinking, GOAL, AEROSONDE, GAINS, fresh_memory())
     v, speed = sinking.v_n, GAINS.airspeed
-    assert wish.gamma == path_limits(math.hypot(v[0], v[1], v[2] - 8.0), speed, AEROSONDE)[1]
+    assert (
+        wish.gamma == path_limits(math.hypot(v[0], v[1], v[2] - 8.0), speed, math.inf, AEROSONDE)[1]
+    )
     assert wish.climb > wish.gamma + 0.05
     assert setpoint.thrust == thrust_for(AEROSONDE, speed - 27.0, wish.climb, wish.load, 0.0)
     _, _, wish = guide(state(below, 0.0), GOAL, AEROSONDE, GAINS, fresh_memory())
     assert wish.climb == wish.gamma
+
+
+def wished(sinking: float, above: float, airspeed: float = 25.0):
+    """The wish 300 m beside the goal and at its height, flying away from it."""
+    here = state((-300.0, 300.0, GOAL.p_n[2]), 2.0, wind=(0.0, 0.0, sinking))
+    here = here._replace(airspeed=airspeed)
+    return plan_flight(here, GOAL, AEROSONDE, GAINS, fresh_memory(), np.zeros(0), above)[0]
+
+
+def test_near_the_floor_air_that_sinks_is_flown_out_of_with_wings_level():
+    turn = wished(0.0, 20.0).bank
+    assert abs(turn) > 0.35
+    assert abs(wished(9.0, 20.0).bank) <= SPARING + 1e-9
+    assert wished(9.0, 200.0).bank == wished(9.0, math.inf).bank
+    assert abs(wished(9.0, 200.0).bank) > 0.25
+    between = abs(wished(9.0, 0.5 * (AT_FLOOR + NEAR_FLOOR) * turn_length(25.0)).bank)
+    assert abs(wished(9.0, 20.0).bank) <= between <= abs(turn)
+
+
+def test_a_turn_is_not_left_out_for_what_is_no_sink():
+    """An engine that is too weak would fly straight on for ever."""
+    for sinking, airspeed in ((0.0, 19.0), (0.0, 25.0), (-6.0, 25.0)):
+        bank = wished(sinking, 20.0, airspeed).bank
+        assert abs(bank) > 0.25
+        assert bank == wished(sinking, math.inf, airspeed).bank
+
+
+@given(st.floats(-10.0, 10.0), st.floats(-20.0, 200.0))
+def test_the_bank_changes_steadily_with_the_air_and_with_the_height(sinking, above):
+    here = wished(sinking, above).bank
+    assert wished(sinking + 1e-4, above + 1e-4).bank == pytest.approx(here, abs=1e-2)

@@ -11,9 +11,14 @@ from hypothesis import strategies as st
 from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import (
     AIRSPEED_BAND,
+    AT_FLOOR,
     FASTEST_DESCENT,
+    LAST_ROOM,
+    LAST_SAFE,
+    LAST_ZOOM,
     LINE_UP,
     LOITER_HORIZON,
+    NEAR_FLOOR,
     ROOM,
     SAFE,
     SLOPE_RATE,
@@ -38,6 +43,8 @@ STEP = 0.05
 SPEED = 25.0
 UNIT = turn_length(SPEED)
 BAND = AIRSPEED_BAND * SPEED
+HEIGHTS = (-1.0, AT_FLOOR, 0.5 * (AT_FLOOR + NEAR_FLOOR), NEAR_FLOOR, 10.0)
+"""Above the floor, in turn lengths."""
 
 
 def flown(height, slope, whole=400.0):
@@ -90,7 +97,7 @@ def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, gr
     slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, 0.0, 100.0)
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
-    limits = path_limits(speed, SPEED, AEROSONDE)
+    limits = path_limits(speed, SPEED, math.inf, AEROSONDE)
     gamma, _ = allowed_path(path_angle(slope, groundspeed, 0.0, speed), limits)
     assert -AEROSONDE.descent_max - 1e-12 <= gamma <= AEROSONDE.climb_max + 1e-12
 
@@ -111,13 +118,13 @@ def test_no_dive_past_the_fastest_and_no_climb_near_the_slowest_airspeed():
     fastest = FASTEST_DESCENT * AEROSONDE.airspeed_max
     safe, room = SAFE * AEROSONDE.airspeed_min, ROOM * SPEED
     full = (-AEROSONDE.descent_max, AEROSONDE.climb_max)
-    assert path_limits(safe + room, SPEED, AEROSONDE) == pytest.approx(full)
+    assert path_limits(safe + room, SPEED, math.inf, AEROSONDE) == pytest.approx(full)
     zoom = math.asin(ZOOM * math.sin(AEROSONDE.climb_max))
     for airspeed in (safe + ZOOM * room, fastest - BAND):
-        assert path_limits(airspeed, SPEED, AEROSONDE) == pytest.approx((full[0], zoom))
-    assert path_limits(fastest + BAND, SPEED, AEROSONDE) == pytest.approx((0.0, zoom))
-    assert path_limits(safe, SPEED, AEROSONDE) == pytest.approx((full[0], 0.0))
-    assert path_limits(safe - room, SPEED, AEROSONDE)[1] < 0.0
+        assert path_limits(airspeed, SPEED, math.inf, AEROSONDE) == pytest.approx((full[0], zoom))
+    assert path_limits(fastest + BAND, SPEED, math.inf, AEROSONDE) == pytest.approx((0.0, zoom))
+    assert path_limits(safe, SPEED, math.inf, AEROSONDE) == pytest.approx((full[0], 0.0))
+    assert path_limits(safe - room, SPEED, math.inf, AEROSONDE)[1] < 0.0
 
 
 @given(st.floats(-1.5, 1.5))
@@ -174,10 +181,40 @@ def test_speed_goes_before_height():
         (safe - room, -glide),
         (0.0, -glide),
     ):
-        assert highest_path(airspeed, SPEED, AEROSONDE) == pytest.approx(sine, abs=1e-12)
+        assert highest_path(airspeed, SPEED, math.inf, AEROSONDE) == pytest.approx(sine, abs=1e-12)
+
+
+@pytest.mark.parametrize("airspeed", [21.0, 22.0, 22.6])
+def test_near_the_floor_the_same_airspeed_lets_the_path_be_steeper(airspeed):
+    """An Aerosonde climbs at 6.6 m/s at 22.4 m/s, at 5.7 m/s at 25 m/s."""
+    steep = [highest_path(airspeed, SPEED, UNIT * above, AEROSONDE) for above in HEIGHTS]
+    assert steep == sorted(steep, reverse=True)
+    assert steep[0] == steep[1] > steep[-2] == steep[-1]
+    assert steep[-1] == highest_path(airspeed, SPEED, math.inf, AEROSONDE)
+
+
+def test_at_the_floor_the_airspeed_is_spent_down_to_a_slower_one():
+    at, climb = 0.0, math.sin(AEROSONDE.climb_max)
+    safe, room = LAST_SAFE * AEROSONDE.airspeed_min, LAST_ROOM * SPEED
+    assert safe > 1.1 * 17.6, "the stall"
+    for airspeed, sine in (
+        (safe + 3.0 * room, LAST_ZOOM * climb),
+        (safe + LAST_ZOOM * room, LAST_ZOOM * climb),
+        (safe + room, climb),
+        (safe, 0.0),
+    ):
+        assert highest_path(airspeed, SPEED, at, AEROSONDE) == pytest.approx(sine, abs=1e-12)
+
+
+@given(st.floats(0.0, 40.0), st.floats(10.0, 30.0), st.floats(-50.0, 300.0))
+def test_the_path_changes_steadily_on_the_way_to_the_floor(airspeed, flown, above):
+    here = highest_path(airspeed, flown, above, AEROSONDE)
+    assert highest_path(airspeed, flown, above - 0.01, AEROSONDE) == pytest.approx(here, abs=2e-3)
 
 
 def test_an_airspeed_near_the_slowest_may_be_flown():
     slowest = AEROSONDE.airspeed_min
-    assert highest_path(slowest, slowest, AEROSONDE) == math.sin(AEROSONDE.climb_max)
-    assert highest_path(0.88 * slowest, slowest, AEROSONDE) == pytest.approx(0.0, abs=1e-12)
+    assert highest_path(slowest, slowest, math.inf, AEROSONDE) == math.sin(AEROSONDE.climb_max)
+    assert highest_path(0.88 * slowest, slowest, math.inf, AEROSONDE) == pytest.approx(
+        0.0, abs=1e-12
+    )

@@ -4,10 +4,13 @@ import pytest
 
 from vfguide.flight.performance import turn_length
 from vfguide.flight.vertical import (
+    GENTLE,
     LINE_UP,
     RAMP,
     SLOPE_RATE,
+    SOON,
     STANDOFF,
+    WAIT,
     goal_slope,
     path_needed,
     profile_height,
@@ -33,7 +36,26 @@ def test_an_error_of_height_falls_in_a_line_and_ends_as_a_parabola(height, slope
         if remaining < line_up:
             left = steady * 0.5 * remaining**2 / line_up
         error = height - profile_height(remaining, slope, UNIT)
-        assert min(0.0, left) - 0.02 <= error <= max(0.0, left) + 0.02
+        most, waits = max(0.0, left), remaining - 0.5 * line_up - WAIT * UNIT
+        if waits > 0.0:
+            most = max(most, min(off, GENTLE * (waits + SOON * UNIT)))
+        assert min(0.0, left) - 0.02 <= error <= most + 0.02
+
+
+@pytest.mark.parametrize("height", [0.5, 10.0, 40.0])
+def test_height_is_kept_until_a_gentle_descent_is_due(height):
+    """It is what air that sinks can take: no metre is given away before."""
+    due = height / GENTLE + (WAIT + 0.5 * LINE_UP) * UNIT
+    assert goal_slope(height, due + 1.0, 0.0, UNIT) == 0.0
+    assert goal_slope(height, due - 10.0, 0.0, UNIT) < -0.01
+    assert goal_slope(-height, due + 1.0, 0.0, UNIT) > 0.01
+
+
+@pytest.mark.parametrize("slope", [0.07, 0.1])
+def test_a_descent_that_has_to_be_steep_begins_at_once(slope):
+    remaining = 1000.0
+    over = remaining - 0.5 * LINE_UP * UNIT
+    assert goal_slope(slope * over, remaining, 0.0, UNIT) == pytest.approx(-slope)
 
 
 @pytest.mark.parametrize("slope", SLOPES)

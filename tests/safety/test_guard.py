@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, ball, hazards
+from assurance_samples import FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -25,6 +25,7 @@ from vfguide.safety.guard import (
     motion_of,
     raised,
 )
+from vfguide.safety.manoeuvre import Manoeuvre, climb_of
 
 HERE = (0.0, 0.0, -150.0)
 WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
@@ -95,6 +96,24 @@ def test_in_air_that_sinks_fast_escapes_climb_less_and_in_air_that_rises_they_de
     rising = in_air(FLOWN, -0.2).limits
     assert math.sin(rising.descent_max) == pytest.approx(math.sin(its.descent_max) - 0.2 * LASTING)
     assert rising.climb_max == its.climb_max
+
+
+def test_where_the_air_sinks_faster_than_the_climb_no_escape_is_level():
+    level, climb = Manoeuvre(0.0, 0.0, 0.0), Manoeuvre(1.0, 2.0, 1.0)
+    sinking = in_air(FLOWN, 0.6).limits
+    assert climb_of(level, sinking) == climb_of(climb, sinking) == sinking.climb_max < 0.0
+    rising = in_air(FLOWN, -0.6).limits
+    assert climb_of(level, rising) == -rising.descent_max > 0.0
+    assert climb_of(level, in_air(FLOWN, 0.2).limits) == 0.0
+
+
+@given(st.floats(-3.0, 3.0))
+def test_air_that_moves_faster_than_any_limit_still_leaves_a_decision(sinking):
+    aircraft = in_air(FLOWN, sinking)
+    near = hazards([ball((60.0, 0.0, -150.0))])
+    decision, _ = decide(motion(p_n=HERE), near, of=aircraft)
+    assert decision.reason != Reason.CLEAR
+    assert math.isfinite(decision.bank + decision.gamma)
 
 
 def test_tracks_begin_with_the_path_over_the_ground():

@@ -5,6 +5,8 @@ is the other way round: the body points its x axis into the direction that the f
 and is banked as the aeroplane would be.
 """
 
+import math
+
 import numpy as np
 
 from vfguide.field.rate_law import rate_law
@@ -24,7 +26,7 @@ def guide_body(state: FlightState, target: Target, law: Law, memory: Memory) -> 
     Lemma 4 with the reference's own rate, as for an aeroplane. `law` is what `packed` gives.
     """
     aircraft, gains = unpacked(law)
-    wish, m = plan_flight(state, target, aircraft, gains, memory, np.zeros(0))
+    wish, m = plan_flight(state, target, aircraft, gains, memory, np.zeros(0), math.inf)
     R_na = from_euler(wish.bank, wish.gamma, wish.azimuth)
     omega_a = (0.0, 0.0, 0.0)
     if memory.time >= 0.0:

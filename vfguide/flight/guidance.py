@@ -12,9 +12,16 @@ from vfguide.flight.envelope import load_of, within_envelope
 from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
 from vfguide.flight.leg import keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
-from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vertical import allowed_path, path_angle, path_limits, plan_slope
+from vfguide.flight.vertical import (
+    allowed_path,
+    blended,
+    floor_share,
+    path_angle,
+    path_limits,
+    plan_slope,
+)
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import log, to_quaternion
@@ -22,6 +29,8 @@ from vfguide.geometry.vector import Mat3, Vec3, add, matmul, norm, scale, sub, t
 
 REFERENCE_RATE = 1.5
 """The reference attitude's angular velocity is not taken above this [rad/s]."""
+SPARING, SHORT = 0.05, 0.05
+"""No bank is larger than the first where the climb near the floor is the second short [rad]."""
 FIRST_STEP = 0.02
 LONGEST_STEP = 0.2
 """Bounds of the time between two steps [s]."""
@@ -32,7 +41,7 @@ def guide(
     state: FlightState, target: Target, aircraft: Performance, gains: Gains, memory: Memory
 ) -> tuple[RateSetpoint, Memory, Wish]:
     """One step of the flight law; the setpoint is not limited yet."""
-    wish, planned = plan_flight(state, target, aircraft, gains, memory, np.zeros(0))
+    wish, planned = plan_flight(state, target, aircraft, gains, memory, np.zeros(0), math.inf)
     setpoint, after = fly_wish(state, wish, aircraft, gains, planned)
     return setpoint, after, wish
 
@@ -45,11 +54,12 @@ def plan_flight(
     gains: Gains,
     memory: Memory,
     detour: DetourState,
+    above: float,
 ) -> tuple[Wish, Memory]:
     """The first half of a step: where to fly, as a bank, a load factor and a path angle.
 
-    While a `detour` is flown the leg waits. The memory has what was planned; its time is still
-    that of the step before.
+    While a `detour` is flown the leg waits. `above` is the height above the floor, infinite where
+    there is none [m]. The memory has what was planned; its time is still that of the step before.
     """
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
@@ -76,10 +86,12 @@ def plan_flight(
         memory.slope,
         time_since(memory, state),
     )
-    limits = path_limits(norm(air), gains.airspeed, aircraft)
+    limits = path_limits(norm(air), gains.airspeed, above, aircraft)
     asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
     gamma, climb = allowed_path(asked, limits)
     bank_max = usable_bank(aircraft, gains, speed)
+    last = floor_share(above, turn_length(gains.airspeed))
+    bank_max = sparing_bank(bank_max, last * min(asked - gamma, state.wind_n[2] / speed))
     lift, turning = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, memory.turning
     )
@@ -98,6 +110,20 @@ def plan_flight(
     return wish, Memory(
         m.time, leg, slope, turning, m.R_na, m.omega_a, m.thrust_integral, m.alpha_bias
     )
+
+
+@compiled
+def sparing_bank(bank: float, missing: float) -> float:
+    """The largest bank where the path near the floor is less steep than is asked for [rad].
+
+    Air that sinks faster than the aircraft climbs is flown out of with wings level: a turn takes
+    thrust, and may end where another has to follow.
+
+    Args:
+        bank: the largest one elsewhere.
+        missing: of the path angle through air that sinks, less where the floor is farther below.
+    """
+    return blended(bank, min(bank, SPARING), max(0.0, min(1.0, missing / SHORT)))
 
 
 @compiled

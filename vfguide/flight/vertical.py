@@ -18,12 +18,20 @@ SOON = 0.45
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
+WAIT = 8.0
+"""Height above the profile is kept until that slope takes it away so long before the goal, in turn
+lengths: it is what air that sinks can take."""
 SAFE = 1.165
 """Below this times the slowest airspeed height is given up for airspeed."""
 ROOM = 0.12
 """This much above it the steepest climb is flown, as a share of the airspeed to fly."""
 ZOOM = 1.4
 """Through air that sinks it may be this much steeper, while the airspeed lasts."""
+LAST_SAFE, LAST_ROOM, LAST_ZOOM = 1.12, 0.056, 1.8
+"""The same three at the floor: airspeed is spent there, and at less of it the climb is faster."""
+NEAR_FLOOR, AT_FLOOR = 1.2, 0.6
+"""From the first height above the floor, in turn lengths, to the second the first three become
+the last."""
 FASTEST_DESCENT = 0.98
 """At this times the fastest airspeed half the descent is given up, ..."""
 AIRSPEED_BAND = 0.12
@@ -92,19 +100,33 @@ def steepest_path(slope: float, goal_slope: float, aircraft: Performance) -> flo
 
 
 @compiled
-def highest_path(airspeed: float, flown: float, aircraft: Performance) -> float:
+def highest_path(airspeed: float, flown: float, above: float, aircraft: Performance) -> float:
     """Largest sine of the path angle that the airspeed allows: speed goes before height.
 
     It falls with the airspeed from more than the steepest climb, which `plan_slope` asks for only
     where the air sinks, to the glide without thrust: the climb is the steepest ROOM above SAFE
-    times the slowest airspeed, the glide ROOM below, and there the path is level. An airspeed to
-    fly, `flown` [m/s], that leaves no such room puts it lower.
+    times the slowest airspeed, the glide ROOM below, and there the path is level; near the floor,
+    `above` it [m], LAST_ROOM and LAST_SAFE. An airspeed to fly, `flown` [m/s], that leaves no such
+    room puts it lower.
     """
-    room = ROOM * flown
-    safe = min(SAFE * aircraft.airspeed_min, flown - room)
-    part = max(-1.0, min(ZOOM, (airspeed - safe) / room))
+    last = floor_share(above, turn_length(flown))
+    room = blended(ROOM, LAST_ROOM, last) * flown
+    safe = min(blended(SAFE, LAST_SAFE, last) * aircraft.airspeed_min, flown - room)
+    part = max(-1.0, min(blended(ZOOM, LAST_ZOOM, last), (airspeed - safe) / room))
     steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
     return part * math.sin(steepest)
+
+
+@compiled
+def floor_share(above: float, unit: float) -> float:
+    """How near the floor is: 0 NEAR_FLOOR above it and higher, 1 AT_FLOOR and lower."""
+    return max(0.0, min(1.0, (NEAR_FLOOR - above / unit) / (NEAR_FLOOR - AT_FLOOR)))
+
+
+@compiled
+def blended(first: float, second: float, part: float) -> float:
+    """The first at part 0, the second at part 1."""
+    return first + part * (second - first)
 
 
 @compiled
@@ -120,15 +142,22 @@ def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
 
 
 @compiled
-def path_limits(airspeed: float, flown: float, aircraft: Performance) -> tuple[float, float]:
+def path_limits(
+    airspeed: float, flown: float, above: float, aircraft: Performance
+) -> tuple[float, float]:
     """Steepest path angles through the air, down and up [rad], at an airspeed without its gusts.
 
-    The airspeed comes before the height, also where it is the air that sinks or rises; `flown`
-    is the airspeed to fly [m/s].
+    The airspeed comes before the height, also where it is the air that sinks or rises.
+
+    Args:
+        airspeed: [m/s].
+        flown: the one to fly [m/s].
+        above: height above the floor, infinite where there is none [m].
+        aircraft: its limits.
     """
     band = AIRSPEED_BAND * aircraft.airspeed_cruise
     down = share(FASTEST_DESCENT * aircraft.airspeed_max - airspeed, band)
-    return -down * aircraft.descent_max, math.asin(highest_path(airspeed, flown, aircraft))
+    return -down * aircraft.descent_max, math.asin(highest_path(airspeed, flown, above, aircraft))
 
 
 @compiled
@@ -158,12 +187,15 @@ def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) 
 
     `height` above the goal [m], `remaining` path over ground [m], `unit` turn length [m]. The
     error of height over the goal's own profile falls in a straight line until LINE_UP before the
-    goal, from there as a parabola: its slope is -2 error / remaining. Small errors fall sooner.
+    goal, from there as a parabola: its slope is -2 error / remaining. Small errors fall sooner,
+    but far from the goal those above the profile wait.
     """
     error = height - profile_height(remaining, goal_slope, unit)
     line_up = LINE_UP * unit
     own = goal_slope * max(0.0, 1.0 - remaining / line_up)
     over = 0.5 * remaining if remaining < line_up else remaining - 0.5 * line_up
+    if 0.0 < error < GENTLE * over:
+        error = max(0.0, error - GENTLE * max(0.0, over - WAIT * unit))
     soon = max(SOON * unit, abs(error) / GENTLE)
     return own - error / max(min(over, soon), 0.5 * STANDOFF * unit)
 

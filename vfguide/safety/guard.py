@@ -96,7 +96,8 @@ def guide_clear(
             shut = joined(shut, moving)
         scene = Scene(hazards.obstacles, shut, watch.time)
         leg = seek_way(Journey(state, target, gains), leg, scene, detour)
-    wish, planned = plan_flight(flown_in, target, aircraft, gains, with_leg(memory, leg), detour)
+    with_way, above = with_leg(memory, leg), -state.p_n[2] - hazards.floor
+    wish, planned = plan_flight(flown_in, target, aircraft, gains, with_way, detour, above)
     if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:
         detour[SHIFTED] = 1.0
     room = detour[CLEARANCE]
@@ -136,7 +137,7 @@ def assured(
         Stored(guard[SIDE], guard[TURNING], guard[CLIMB], guard[ACTING]),
     )
     note_decision(guard, decision, stored)
-    limits = path_limits(air, gains.airspeed, aircraft)
+    limits = path_limits(air, gains.airspeed, -state.p_n[2] - hazards.floor, aircraft)
     path = allowed_path(raised(decision.gamma, sinking), limits)
     bank_max = usable_bank(aircraft, gains, max(air, state.airspeed))
     return as_decided(wish, decision, path, bank_max)

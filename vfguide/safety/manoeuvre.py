@@ -56,8 +56,9 @@ def bank_of(flown: Manoeuvre, limits: Dynamics) -> float:
 
 @compiled
 def climb_of(flown: Manoeuvre, limits: Dynamics) -> float:
-    """The path angle it asks for [rad]."""
-    return flown.climb * (limits.climb_max if flown.climb > 0.0 else limits.descent_max)
+    """The path angle it asks for [rad]; level where the air lets it."""
+    asked = flown.climb * (limits.climb_max if flown.climb > 0.0 else limits.descent_max)
+    return max(-limits.descent_max, min(limits.climb_max, asked))
 
 
 @compiled

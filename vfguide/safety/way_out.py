@@ -123,10 +123,11 @@ def distances_from_wish(world: World, wish: Command) -> Rows:
     """How far each manoeuvre's first command is from the wish, shorter turns first: (KINDS,)."""
     far = np.empty(KINDS)
     limits = world.limits
+    climbs = max(limits.climb_max + limits.descent_max, 1e-3)  # the air may leave none
     for kind in range(KINDS):
         plan = manoeuvre(kind, 1.0)
         bank = abs(bank_of(plan, limits) - wish[0]) / limits.bank_max
-        climb = abs(climb_of(plan, limits) - wish[1]) / (limits.climb_max + limits.descent_max)
+        climb = abs(climb_of(plan, limits) - wish[1]) / climbs
         far[kind] = bank + climb + 0.01 * min(plan.turning, 10.0)
     return far
 
