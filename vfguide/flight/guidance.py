@@ -58,14 +58,15 @@ def plan_flight(
 ) -> tuple[Wish, Memory]:
     """The first half of a step: where to fly, as a bank, a load factor and a path angle.
 
-    While a `detour` is flown the leg waits. `above` is the height above the floor, infinite where
-    there is none [m]. The memory has what was planned; its time is still that of the step before.
+    While a `detour` is flown the leg waits; a circle is flown all the same. `above` is the height
+    above the floor, infinite where there is none [m]. The memory has what was planned; its time
+    is still that of the step before.
     """
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     steady = usable_bank(aircraft, gains, gains.airspeed)
     leg = keep_radius(memory.leg, flyable_radius(state, steady, gains))
-    if is_on_detour(detour):
+    if is_on_detour(detour) and target.circle == 0.0:
         course = detour_course(detour, soon(state, gains), leg, target.course)
     else:
         leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg, memory.slope)

@@ -20,7 +20,7 @@ GENTLE = 0.06
 """... a larger one with this slope."""
 WAIT = 8.0
 """Height above the profile is kept until that slope takes it away so long before the goal, in turn
-lengths: it is what air that sinks can take."""
+lengths and half of LINE_UP: it is what air that sinks can take."""
 SAFE = 1.165
 """Below this times the slowest airspeed height is given up for airspeed."""
 ROOM = 0.12
@@ -111,7 +111,7 @@ def highest_path(airspeed: float, flown: float, above: float, aircraft: Performa
     """
     last = floor_share(above, turn_length(flown))
     room = blended(ROOM, LAST_ROOM, last) * flown
-    safe = min(blended(SAFE, LAST_SAFE, last) * aircraft.airspeed_min, flown - room)
+    safe = min(blended(SAFE, LAST_SAFE, last) * aircraft.airspeed_min, (1.0 - ROOM) * flown)
     part = max(-1.0, min(blended(ZOOM, LAST_ZOOM, last), (airspeed - safe) / room))
     steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
     return part * math.sin(steepest)
