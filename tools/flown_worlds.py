@@ -320,6 +320,25 @@ def fenced(world: Table) -> Table:
     return {**world, "fence": {"floor_m": 90.0, "ceiling_m": 210.0, "zone": [zone]}}
 
 
+def hills(rng: Generator, number: int) -> Table:
+    """1 to 6 ridges and hills from the ground up, lower and higher than the way; no ceiling."""
+    apart = float(rng.uniform(1800.0, 3000.0))
+    world = frame(rng, number, apart, 60.0)
+    obstacles: list[Table] = []
+    while len(obstacles) < 1 + number % 6:
+        x, y = float(rng.uniform(0.3, 0.5) * apart), float(rng.uniform(-200.0, 200.0))
+        high, wide = float(rng.uniform(100.0, 190.0)), float(rng.uniform(300.0, 1500.0))
+        sizes = {"shape": "cone", "radius_m": 0.1 * wide + 50.0, "height_m": high}
+        if rng.random() < 0.6:
+            sizes = {"shape": "box", "size_m": [float(rng.uniform(20.0, 80.0)), wide, high]}
+        turned = float(rng.uniform(-25.0, 25.0))
+        place = {"position_m": [x, y, -0.5 * high], "heading_deg": turned}
+        obstacles.append({**sizes, **place, "visible_from_m": 2000.0})
+    world["obstacle"] = obstacles
+    world["fence"] = {"floor_m": 60.0}
+    return world
+
+
 DRAWN: dict[str, Callable[[Generator, int], Table]] = {
     "field": field,
     "movers": movers,
@@ -329,6 +348,7 @@ DRAWN: dict[str, Callable[[Generator, int], Table]] = {
     "dead-end": dead_end,
     "fence": fence,
     "turning": turning,
+    "hills": hills,
 }
 
 

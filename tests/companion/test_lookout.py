@@ -11,7 +11,16 @@ from conversations import plan
 from vfguide.companion.lookout import BACK, Lookout, way_note
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import DETOUR, GUARD, fresh_route, packed_memory
-from vfguide.flight.detour_leg import CLEARANCE, COUNT, LOOKED, RADIUS, ROWS, SOUGHT
+from vfguide.flight.detour_leg import (
+    CLEARANCE,
+    COUNT,
+    LEVEL,
+    LOOKED,
+    RADIUS,
+    ROWS,
+    SOUGHT,
+    fresh_detour,
+)
 from vfguide.safety.guard import CONFLICT, HAZARD, REASON
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
@@ -107,6 +116,12 @@ def test_turns_of_hops_that_join_in_one_are_one() -> None:
         *(0, 0, 0, 1, 0.2, 0, 1.0, -1, 0.6),
     )
     assert way_note(detour) == "a way round: 3 turns, 350 m"
+
+
+def test_a_way_over_is_told_by_its_height() -> None:
+    detour = fresh_detour()
+    detour[LEVEL] = -184.6
+    assert way_note(detour) == "over what is in the way, at 185 m"
 
 
 def test_a_flight_among_towers_tells_of_its_way(

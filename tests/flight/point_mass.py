@@ -69,10 +69,15 @@ def fly(
     wind_n: Vec3,
     seconds: float,
     until: Callable[[Moment], bool] = lambda moment: False,
+    route: RouteMemory | None = None,
 ) -> list[Moment]:
-    """The flight, a moment an update, for so long or until something is so."""
+    """The flight, a moment an update, until a time or until something is so.
+
+    It goes on from a `route`, or begins.
+    """
     known = 0 if plan.hazards is None else len(plan.hazards.obstacles)
-    route, flown, airspeed = fresh_route(known), list[Moment](), math.hypot(*body.air_n)
+    flown, airspeed = list[Moment](), math.hypot(*body.air_n)
+    route = fresh_route(known) if route is None else route
     while body.time < seconds and not (flown and until(flown[-1])):
         v_n = add(body.air_n, wind_n)
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)

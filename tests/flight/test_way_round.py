@@ -11,7 +11,7 @@ from point_mass import fly, level
 from vfguide.companion.route_memory import DETOUR, GUARD, packed_memory
 from vfguide.field import shape
 from vfguide.field.obstacle import VISIBLE_FROM, Obstacle, obstacle_distance, obstacle_rows
-from vfguide.flight.detour_leg import COUNT
+from vfguide.flight.detour_leg import COUNT, LEVEL
 from vfguide.safety.assurance import Reason
 from vfguide.safety.fence import Zone, fence_distance, fences
 from vfguide.safety.guard import REASON
@@ -159,3 +159,112 @@ def test_hazards_that_are_far_away_change_nothing():
     alone = fly(start(), plan, STILL, 60.0, arrived)
     among_them = fly(start(), far, STILL, 60.0, arrived)
     assert [at.state for at in alone] == [at.state for at in among_them]
+
+
+def ridge(high=180.0, wide=1600.0, low=0.0):
+    """A ridge across the way, which is 150 m high."""
+    return Obstacle(shape.box((80.0, wide, high - low)), (200.0, 0.0, -0.5 * (high + low)))
+
+
+def flown_far(obstacles, wind=STILL, **known):
+    """The same 2,600 m to the goal."""
+    plan = among(plan_of([goal(1900.0, 0.0)]), obstacles, **known)
+    flown = fly(start(), plan, wind, 300.0, arrived)
+    assert arrived(flown[-1]), "the goal was not reached"
+    return flown
+
+
+def heights(flown):
+    return np.array([-at.state.p_n[2] for at in flown])
+
+
+def beside(flown):
+    return max(abs(at.state.p_n[1]) for at in flown)
+
+
+@pytest.mark.parametrize("wind", [STILL, blowing(8.0, 0.0), blowing(8.0, 120.0)])
+def test_a_long_ridge_is_passed_over(wind):
+    flown = flown_far([ridge()], wind)
+    assert beside(flown) < 30.0
+    assert least_distance(flown, [ridge()]) > 20.0
+    assert heights(flown).max() == pytest.approx(205.0, abs=3.0)
+    assert not acted(flown)
+
+
+def test_a_short_one_is_passed_round():
+    flown = flown_far([ridge(wide=100.0)])
+    assert beside(flown) > 50.0
+    assert heights(flown).max() < 155.0
+
+
+@pytest.mark.parametrize("ceiling", [200.0, 225.0])
+def test_under_a_ceiling_that_leaves_no_room_over_it_the_way_leads_round(ceiling):
+    flown = flown_far([ridge()], heights=(20.0, ceiling))
+    assert beside(flown) > 700.0
+    assert heights(flown).max() < 155.0
+
+
+def test_too_near_to_climb_over_it_is_passed_round():
+    near = Obstacle(shape.box((40.0, 700.0, 180.0)), (-400.0, 0.0, -90.0))
+    flown = flown_far([near])
+    assert beside(flown) > 300.0
+    assert least_distance(flown, [near]) > 10.0
+
+
+def plateau():
+    """600 m long, so that the vehicle is over it for a while."""
+    return Obstacle(shape.box((600.0, 1600.0, 180.0)), (460.0, 0.0, -90.0))
+
+
+def with_sight(plan, *distances):
+    plan.hazards.obstacles[:, VISIBLE_FROM] = distances
+    return plan
+
+
+@pytest.mark.parametrize("north", [600.0, 900.0, 1100.0, 1300.0])
+@pytest.mark.parametrize("seen", [150.0, 300.0])
+def test_the_level_is_kept_over_a_plateau_when_a_tower_comes_into_sight(north, seen):
+    """The way round the tower leads over the plateau, no lower."""
+    tower = Obstacle(shape.cylinder(30.0, 600.0), (north, 10.0, HEIGHT))
+    both = [plateau(), tower]
+    plan = with_sight(among(plan_of([goal(2300.0, 0.0)]), both), 2000.0, seen)
+    flown = fly(start(), plan, STILL, 300.0, arrived)
+    assert arrived(flown[-1])
+    assert beside(flown) < 400.0
+    assert least_distance(flown, [tower]) > 5.0
+    over = [at for at in flown if 160.0 < at.state.p_n[0] < 760.0]
+    assert len(over) > 100
+    assert min(-at.state.p_n[2] for at in over) > 200.0
+    assert not [at for at in over if packed_memory(at.route)[GUARD + REASON] != Reason.CLEAR]
+
+
+@pytest.mark.parametrize("sunk", [6.0, 11.0, 18.0])
+@pytest.mark.parametrize("north", [600.0, 1100.0])
+def test_sunk_over_a_plateau_it_climbs_again(sunk, north):
+    """Whatever comes into sight, and whether a way round it is found from there."""
+    tower = Obstacle(shape.cylinder(30.0, 600.0), (north, 10.0, HEIGHT))
+    plan = among(plan_of([goal(2300.0, 0.0)]), [plateau(), tower])
+    plan = with_sight(plan, 2000.0, north - 330.0)
+    flown = fly(start(), plan, STILL, 300.0, lambda at: at.state.p_n[0] > 300.0)
+    at = flown[-1]
+    x, y, z = at.state.p_n
+    body = level((x, y, z + sunk), 0.0, 25.0, plan.aircraft)._replace(time=at.state.time)
+    after = fly(body, plan, STILL, at.state.time + 10.0, arrived, at.route)
+    heights_after = heights(after)
+    assert heights_after.min() > -z - sunk - 3.0
+    assert heights_after[-1] > 200.0
+
+
+def test_behind_what_was_passed_the_level_is_dropped():
+    flown = flown_far([ridge()])
+    kept = [packed_memory(at.route)[DETOUR + LEVEL] for at in flown]
+    there = [at.state.p_n[0] for at, z in zip(flown, kept, strict=True) if z == -205.0]
+    assert there[0] < -600.0
+    assert 200.0 < there[-1] < 500.0
+    assert kept[-1] == math.inf
+
+
+def test_what_comes_into_sight_behind_a_ridge_is_passed_too():
+    tower = Obstacle(shape.cylinder(30.0, 400.0), (700.0, 0.0, HEIGHT))
+    flown = flown_far([ridge(), tower], seen=900.0)
+    assert least_distance(flown, [ridge(), tower]) > 12.0

@@ -8,7 +8,7 @@ from argparse import Namespace
 import measure_avoidance
 import pytest
 
-KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning")
+KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning", "hills")
 
 
 def fly(kind, number, seed=77):

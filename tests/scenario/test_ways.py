@@ -106,6 +106,31 @@ def test_walls_below_the_heights_that_are_flown_shut_nothing_in(tmp_path: Path) 
     assert warnings_of(tmp_path, MINIMAL + low) == []
 
 
+FAR = "visible_from_m = 2000\n"
+CORRIDOR = """
+[fence]
+floor_m = 20
+ceiling_m = {ceiling}
+[[fence.zone]]
+kind = "include"
+polygon_m = [[-1800, -200], [1400, -200], [1400, 200], [-1800, 200]]
+"""
+
+
+@pytest.mark.parametrize(
+    ("ceiling", "seen", "told"),
+    [(300, FAR, False), (175, FAR, True), (300, "", True)],
+)
+def test_a_dam_across_a_fence_is_no_hindrance_where_there_is_room_over_it(
+    tmp_path: Path, ceiling: int, seen: str, told: bool
+) -> None:
+    """25 m are kept: 2 of them are missing under the lower ceiling. Seen late it is too near."""
+    far = MINIMAL.replace("[-500, 0, -100]", "[-1500, 0, -100]").replace("[0, 0,", "[1000, 0,")
+    dam = CORRIDOR.format(ceiling=ceiling) + box([-400, 0, -63.5], [60, 420, 127], seen)
+    found = [its for its in warnings_of(tmp_path, far + dam) if "no way there was found" in its]
+    assert bool(found) == told
+
+
 def test_without_hazards_nothing_is_looked_at(tmp_path: Path) -> None:
     kinematic = MINIMAL.replace(HEAD, f'plant = "kinematic"\n\n{HEAD}')
     assert warnings_of(tmp_path, kinematic) == []

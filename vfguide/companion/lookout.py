@@ -5,7 +5,16 @@ from itertools import pairwise
 
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import DETOUR, GUARD, PackedMemory, decision_in, goal_in
-from vfguide.flight.detour_leg import CLEARANCE, COUNT, INDEX, LOOKED, RADIUS, ROWS, SOUGHT
+from vfguide.flight.detour_leg import (
+    CLEARANCE,
+    COUNT,
+    INDEX,
+    LEVEL,
+    LOOKED,
+    RADIUS,
+    ROWS,
+    SOUGHT,
+)
 from vfguide.flight.hop import HOP_COLUMNS
 from vfguide.flight.way_round import LOOK, SEEK
 from vfguide.safety.assurance import Reason
@@ -87,7 +96,9 @@ def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
 
 
 def way_note(detour: PackedMemory) -> str:
-    """How the way round winds, and how long it is."""
+    """How the way round winds, and how long it is; or how high it is over what is in it."""
+    if math.isfinite(detour[LEVEL]) and detour[COUNT] == 0.0:
+        return f"over what is in the way, at {-detour[LEVEL]:.0f} m"
     hops = int(detour[COUNT]) or int(detour[INDEX]) + 1  # the last one flies as the leg's own
     words = detour[ROWS : ROWS + hops * HOP_COLUMNS].reshape(hops, HOP_COLUMNS)[:, 3:]
     sides = [side for word in words for side in sides_of(word)]

@@ -28,6 +28,8 @@ exponents; reactive level; reach, the radius of a ball that holds the reactive a
 from the surface beyond which nobody knows of it, infinite where it is beyond the reach."""
 POSITION, VELOCITY, SEMI_AXES = slice(1, 4), slice(4, 7), slice(9, 12)
 REACTIVE_LEVEL, REACH, VISIBLE_FROM = 15, 16, 17
+OUT_OF_SIGHT = 1e9
+"""An obstacle that is not known yet counts as so far to the north [m]."""
 HIGHEST_LEVEL = 1e30
 """Up to this reactive level products of the fields stay finite."""
 

@@ -13,6 +13,7 @@ from vfguide.flight.approach import Course, Planar
 from vfguide.flight.detour import Detour
 from vfguide.flight.hop import HOP_COLUMNS, Hop, hop_in, hop_row
 from vfguide.flight.leg import WAY, Leg, in_phase
+from vfguide.flight.passing import NO_LEVEL
 from vfguide.flight.roadmap import MOST_HOPS
 from vfguide.flight.shortest import length_of
 from vfguide.flight.state import FlightState
@@ -28,7 +29,10 @@ END, CLEARANCE, LOOKED, SOUGHT, SHIFTED = 5, 8, 9, 10, 11
 """Places: pose where the last hop ends (3); clearance that was found, negative: no way was [m];
 times of the last look along the way and of the last search [s]; 1 where the leg was changed since
 the last search."""
-ROWS = 12
+LEVEL, FALL = 12, 13
+"""Places: level at which things are passed over, down from the origin, infinite: none is kept;
+how long before the goal its height is flown to again [m]."""
+ROWS = 14
 """First of MOST_HOPS rows of HOP_COLUMNS."""
 DETOUR_NUMBERS = ROWS + MOST_HOPS * HOP_COLUMNS
 LOST = 0.7
@@ -43,7 +47,7 @@ def fresh_detour() -> DetourState:
     """No detour."""
     state = np.zeros(DETOUR_NUMBERS)
     state[LOOKED] = state[SOUGHT] = -math.inf
-    state[SHIFTED] = 1.0
+    state[SHIFTED], state[LEVEL] = 1.0, NO_LEVEL
     return state
 
 
@@ -51,6 +55,14 @@ def fresh_detour() -> DetourState:
 def is_on_detour(detour: DetourState) -> bool:
     """Whether a detour is flown."""
     return len(detour) > 0 and detour[COUNT] > 0.0
+
+
+@compiled
+def level_of(detour: DetourState) -> tuple[float, float]:
+    """Level at which things are passed over, infinite where there is none, and FALL [m]."""
+    if len(detour) == 0:
+        return NO_LEVEL, 0.0
+    return detour[LEVEL], detour[FALL]
 
 
 @compiled

@@ -6,12 +6,13 @@ import numpy as np
 
 from vfguide.field.rate_law import rate_law
 from vfguide.flight.attitude import attitude_for_lift
-from vfguide.flight.detour_leg import DetourState, detour_course, is_on_detour
+from vfguide.flight.detour_leg import DetourState, detour_course, is_on_detour, level_of
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.envelope import load_of, within_envelope
 from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
-from vfguide.flight.leg import keep_radius
+from vfguide.flight.leg import AWAY, keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
+from vfguide.flight.passing import aim_at
 from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vertical import (
@@ -77,9 +78,10 @@ def plan_flight(
         (state.wind_n[0], state.wind_n[1]),
         speed * math.cos(flown),
     )
+    level, fall = level_of(detour)
     slope = plan_slope(
         state,
-        target,
+        aim_at(level, fall, target, math.inf if leg.phase == AWAY else course.remaining),
         aircraft,
         gains.airspeed,
         course.remaining,

@@ -1,4 +1,4 @@
-"""When to look for a way round hazards, and what becomes of the leg then.
+"""When to look for a way round hazards, or over them, and what becomes of the leg then.
 
 The way that is flown is looked along several times a second; where something that is known comes
 too near to it, or where the flight law has changed it by itself, the coarse search finds another.
@@ -7,16 +7,17 @@ too near to it, or where the flight law has changed it by itself, the coarse sea
 import math
 from typing import NamedTuple
 
-from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Rows
 from vfguide.flight.approach import arc_to_goal
-from vfguide.flight.clearance import NOTHING
+from vfguide.flight.clearance import NOTHING, clearance_at
 from vfguide.flight.detour import CLEARANCES, find_detour
 from vfguide.flight.detour_leg import (
     CLEARANCE,
     COUNT,
+    FALL,
     INDEX,
     LEFT,
+    LEVEL,
     LOOKED,
     PIECE,
     SHIFTED,
@@ -27,15 +28,26 @@ from vfguide.flight.detour_leg import (
     hop_at,
     hops_left,
     is_on_detour,
+    level_of,
     vehicle_from,
 )
-from vfguide.flight.hop import HOP_COLUMNS, Hop, Piece, hop_row
+from vfguide.flight.hop import HOP_COLUMNS, Hop, Piece, hop_row, next_word
 from vfguide.flight.hop_check import Air, Task, check_piece, demand_of, way_is_clear
-from vfguide.flight.leg import FIELD, NEW, WAY, Leg, with_final
+from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, Leg, with_final
 from vfguide.flight.memory import Target
 from vfguide.flight.outlines import Outlines, hazards_of, joined
-from vfguide.flight.performance import Gains
-from vfguide.flight.shortest import Word
+from vfguide.flight.passing import (
+    NO_LEVEL,
+    Heights,
+    band_of,
+    cost_of,
+    heights_by,
+    heights_left,
+    left_in_way,
+    levels_for,
+)
+from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.shortest import Word, length_of
 from vfguide.flight.state import FlightState
 from vfguide.flight.way import TURN_IN, Pose
 from vfguide.geometry.compiled import compiled
@@ -53,6 +65,7 @@ class Journey(NamedTuple):
 
     state: FlightState
     target: Target
+    aircraft: Performance
     gains: Gains
 
 
@@ -63,6 +76,8 @@ class Scene(NamedTuple):
     """That are known."""
     fence: Outlines
     """To stay in or out of."""
+    highest: float
+    """Nothing is passed over above this, down from the origin [m]."""
     t: float
     """Now, on the clock of the obstacles [s]."""
 
@@ -76,7 +91,9 @@ def seek_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> L
     if leg.phase == NEW or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
         return leg
     detour[LOOKED], detour[SHIFTED] = t, 0.0
-    if is_clear(journey, leg, scene, detour):
+    drop_level(journey, leg, scene, detour)
+    heights = heights_of(journey, detour)
+    if is_clear(journey, leg, scene, detour, heights, tolerated(detour)):
         return leg
     if detour[CLEARANCE] < 0.0 and t - detour[SOUGHT] < SEEK:
         return leg
@@ -84,10 +101,16 @@ def seek_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> L
 
 
 @compiled
-def band_of(state: FlightState, target: Target) -> Band:
+def heights_of(journey: Journey, detour: DetourState) -> Heights:
     """Heights from here to the goal."""
-    z, goal = state.p_n[2], target.p_n[2]
-    return Band(min(z, goal), max(z, goal))
+    its, (level, fall) = journey, level_of(detour)
+    return heights_left(level, fall, its.state, its.target, its.aircraft, its.gains)
+
+
+@compiled
+def tolerated(detour: DetourState) -> float:
+    """Clearance with which a way is not given up yet [m]."""
+    return TOLERATED * (detour[CLEARANCE] if detour[CLEARANCE] > 0.0 else CLEARANCES[0])
 
 
 @compiled
@@ -113,11 +136,18 @@ def pose_of(state: FlightState, ahead: float) -> Pose:
 
 
 @compiled
-def is_clear(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> bool:
-    """Whether the rest of the way is clear."""
+def is_clear(
+    journey: Journey,
+    leg: Leg,
+    scene: Scene,
+    detour: DetourState,
+    heights: Heights,
+    wanted: float,
+) -> bool:
+    """Whether the rest of the way is clear by what is wanted [m]."""
     state, target = journey.state, journey.target
-    wanted = TOLERATED * (detour[CLEARANCE] if detour[CLEARANCE] > 0.0 else CLEARANCES[0])
-    hazards = joined(hazards_of(scene.obstacles, band_of(state, target), wanted), scene.fence)
+    obstacles = left_in_way(scene.obstacles, heights, wanted)
+    hazards = joined(hazards_of(obstacles, band_of(heights), wanted), scene.fence)
     here, entry = pose_of(state, 0.0), entry_of(target, leg.final)
     task = task_from(journey, here, entry_of(target, 0.0), leg.radius, scene.t)
     if is_on_detour(detour):
@@ -168,21 +198,70 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 
 @compiled
 def with_new_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> Leg:
-    """The leg along what the search finds; as it was where it finds nothing.
+    """The leg along what is found, or as it was: over what is in its way, or with nothing found.
 
-    Where there is no way to the beginning of the straight end, one to the goal itself is taken.
+    A level that is kept is kept on a new way too. Where there is no way to the beginning of the
+    straight end, one to the goal itself is taken.
     """
-    state, target = journey.state, journey.target
-    final = journey.gains.final * leg.radius
+    state, target, radius = journey.state, journey.target, leg.radius
+    heights, may_climb = heights_of(journey, detour), not is_on_detour(detour)
+    may_climb = may_climb and math.isinf(heights.level)
+    obstacles = left_in_way(scene.obstacles, heights, TOLERATED * CLEARANCES[0])
     detour[SOUGHT] = detour[LOOKED] = scene.t
     detour[COUNT], detour[CLEARANCE] = 0.0, -1.0
-    begin, band = pose_of(state, TURN_IN), band_of(state, target)
-    for end in (final, 0.0):
+    begin = pose_of(state, TURN_IN)
+    for end in (journey.gains.final * radius, 0.0):
         entry = entry_of(target, end)
-        task = task_from(journey, begin, entry, leg.radius, scene.t + TURN_IN)
-        found = find_detour(scene.obstacles, scene.fence, band, task)
+        task = task_from(journey, begin, entry, radius, scene.t + TURN_IN)
+        found = find_detour(obstacles, scene.fence, band_of(heights), task)
         if len(found.hops) > 0:
+            longer = found.length - radius * length_of(next_word(begin, entry, radius, -1.0))
+            if may_climb and finds_level(journey, leg, scene, detour, longer):
+                return leg
             detour[CLEARANCE] = found.clearance
-            begin_detour(detour, found, entry, leg.radius)
+            begin_detour(detour, found, entry, radius)
             return go_on_detour(detour, state, with_final(leg, end))
+    if may_climb:
+        finds_level(journey, leg, scene, detour, math.inf)
     return leg
+
+
+@compiled
+def finds_level(journey: Journey, leg: Leg, scene: Scene, detour: DetourState, most: float) -> bool:
+    """Whether the leg is clear at another height, for less than `most` [m]; fills `detour`."""
+    its, wanted = journey, CLEARANCES[0]
+    here, goal = its.state.p_n[2], its.target.p_n[2]
+    for level in levels_for(scene.obstacles, here, goal, scene.highest, wanted):
+        if cost_of(level, here, goal) >= most:
+            break
+        heights = heights_by(level, its.state, its.target, its.aircraft, its.gains)
+        if is_free(journey, leg, scene, detour, heights):
+            detour[LEVEL], detour[FALL], detour[CLEARANCE] = level, heights.fall, wanted
+            return True
+    return False
+
+
+@compiled
+def drop_level(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> None:
+    """Forget the level once the way is clear without it."""
+    if not math.isinf(detour[LEVEL]):
+        state, target = journey.state, journey.target
+        heights = Heights(state.p_n, target.p_n, NO_LEVEL, 0.0, 0.0)
+        if leg.phase != AWAY and is_free(journey, leg, scene, detour, heights):
+            detour[LEVEL] = NO_LEVEL
+
+
+@compiled
+def is_free(
+    journey: Journey, leg: Leg, scene: Scene, detour: DetourState, heights: Heights
+) -> bool:
+    """Whether the rest of the way has all the clearance, and so has the place where it begins.
+
+    Near a hazard less is asked for round the beginning, and none of it above one.
+    """
+    wanted, p_n = CLEARANCES[0], journey.state.p_n
+    obstacles = left_in_way(scene.obstacles, heights, wanted)
+    near = hazards_of(obstacles, band_of(heights), wanted)
+    if clearance_at(near, p_n[0], p_n[1], scene.t).distance < wanted:
+        return False
+    return is_clear(journey, leg, scene, detour, heights, wanted)

@@ -7,17 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.near import distance_bound
-from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.field.obstacle import OUT_OF_SIGHT, VISIBLE_FROM, Rows, obstacle_distance
 from vfguide.flight.detour import CLEARANCES
 from vfguide.flight.detour_leg import CLEARANCE, SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
 from vfguide.flight.horizontal import usable_bank
 from vfguide.flight.memory import Memory, Target, Wish, with_leg
 from vfguide.flight.outlines import Outlines, joined
+from vfguide.flight.passing import band_of
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vertical import ZOOM, allowed_path, path_limits
-from vfguide.flight.way_round import Journey, Scene, band_of, seek_way
+from vfguide.flight.way_round import Journey, Scene, heights_of, seek_way
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assurance, assure
@@ -39,8 +40,6 @@ NARROW, LEAST_ROOM = 1.25, 4.0
 down to the second [m]."""
 LASTING = 0.5
 """Part of the present rise or sink of the air that is expected to last while an escape is flown."""
-OUT_OF_SIGHT = 1e9
-"""An obstacle that is not known yet counts as so far away [m]."""
 
 
 class Watch(NamedTuple):
@@ -89,13 +88,14 @@ def guide_clear(
     hazards = in_sight(watch.hazards, guard, state.p_n, watch.time)
     leg = memory.leg
     if target.circle == 0.0:
-        shut = watch.fence
+        journey = Journey(state, target, aircraft, gains)
+        shut, highest = watch.fence, CLEARANCES[0] - hazards.ceiling
         if len(hazards.traffic) > 0:
-            band = band_of(state, target)
+            band = band_of(heights_of(journey, detour))
             moving = traffic_outlines(hazards.traffic, band, CLEARANCES[0], watch.time)
-            shut = joined(shut, moving)
-        scene = Scene(hazards.obstacles, shut, watch.time)
-        leg = seek_way(Journey(state, target, gains), leg, scene, detour)
+            shut, highest = joined(shut, moving), math.inf
+        scene = Scene(hazards.obstacles, shut, highest, watch.time)
+        leg = seek_way(journey, leg, scene, detour)
     with_way, above = with_leg(memory, leg), -state.p_n[2] - hazards.floor
     wish, planned = plan_flight(flown_in, target, aircraft, gains, with_way, detour, above)
     if planned.leg.phase != leg.phase or planned.leg.way.x != leg.way.x:

@@ -10,11 +10,18 @@ from collections.abc import Sequence
 import numpy as np
 
 from vfguide.field.footprint import Band
+from vfguide.field.obstacle import Rows
 from vfguide.flight.detour import CLEARANCES, find_detour
+from vfguide.flight.hop import next_word
 from vfguide.flight.hop_check import Air, Task
 from vfguide.flight.horizontal import radius_in
+from vfguide.flight.memory import Target
+from vfguide.flight.passing import band_of, heights_by, left_in_way, levels_for
 from vfguide.flight.performance import Gains, Performance
+from vfguide.flight.shortest import length_of
+from vfguide.flight.state import FlightState
 from vfguide.flight.way import Pose
+from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.assurance import Reason, assurance, assure, fresh_stored
@@ -129,6 +136,8 @@ def _check_way(
     rows = rows_of(_still(scenario).obstacles)
     if len(find_detour(rows, fence, band, task).hops) > 0:
         return []
+    if _passes_over(scenario, rows, begin[0], goal, flies, task):
+        return []
     if is_shut_in(rows, fence, band, begin[0][:2], goal.position_m[:2]):
         rule = "shut in, no way leads there at these heights; move it, or open a gap"
         raise source.error(at, rule, goal.position_m)
@@ -138,6 +147,27 @@ def _check_way(
         "widen the gaps"
     )
     return [_warning(source, at, rule)]
+
+
+def _passes_over(
+    scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, flies: Flies, task: Task
+) -> bool:
+    """Whether what stands in the shortest way is passed over, and seen early enough for it."""
+    (aircraft, gains), margin, fence = flies, CLEARANCES[0], scenario.fence
+    course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
+    state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
+    target = Target((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
+    highest = -math.inf if fence.ceiling_m is None else margin - fence.ceiling_m
+    seen_from = np.array([its.visible_from_m for its in _still(scenario).obstacles])
+    shortest = length_of(next_word(task.start, task.goal, task.radius, -1.0)) * task.radius
+    for level in levels_for(rows, begin[2], z, highest, margin).tolist():
+        heights = heights_by(level, state, target, aircraft, gains)
+        early = seen_from >= heights.rise + margin
+        left = np.vstack((left_in_way(rows[early], heights, margin), rows[~early]))
+        way = find_detour(left, outlines_of(fence), band_of(heights), task)
+        if way.clearance == margin and way.length <= (1.0 + 1e-6) * shortest:
+            return True
+    return False
 
 
 def _still(scenario: Scenario) -> Scenario:
