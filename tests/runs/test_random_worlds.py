@@ -6,7 +6,11 @@ The whole table is printed by tools/measure_avoidance.py.
 from argparse import Namespace
 
 import measure_avoidance
+import numpy as np
 import pytest
+
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.lockstep import fly_scenario
 
 KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning", "hills")
 
@@ -43,3 +47,12 @@ def test_the_floor_is_kept_where_the_air_sinks(kind, number):
 @pytest.mark.parametrize("number", range(3))
 def test_an_obstacle_that_is_seen_late_is_passed(number):
     assert fly("popup", number).clearance_m > 0.0
+
+
+def test_a_long_ridge_is_flown_over_in_a_side_wind(tmp_path):
+    flight = fly_scenario(load_scenario("avoidance/ridge"), tmp_path)
+    north, east, down = flight.records[0].p_n.T
+    over = np.abs(north - 700.0) < 40.0
+    assert over.any()
+    assert np.abs(east[over]).max() < 150.0
+    assert down[over] == pytest.approx(-125.0, abs=3.0)
