@@ -5,6 +5,7 @@ from closed_loop import blowing, flown, goal
 from flight_states import GAINS, LAW, is_within_limits, state
 
 from vfguide.flight.approach import Planar
+from vfguide.flight.begin import Paths
 from vfguide.flight.leg import AWAY, WAY, new_leg
 from vfguide.flight.memory import Target, fresh_memory
 from vfguide.flight.planner import fly_leg, leg_course
@@ -101,8 +102,8 @@ def test_on_the_way_for_height_the_goal_counts_as_near_so_that_the_path_is_steep
     leg = new_leg()._replace(phase=AWAY, radius=80.0, final=40.0)
     here = Planar(0.0, -80.0, 25.0, 0.0)
     assert leg_course(leg, here, 30.0).remaining == pytest.approx(80.0 + 40.0)
-    assert fly_leg(leg, here, 1000.0, GAINS).phase == AWAY
-    assert fly_leg(leg, here, 0.0, GAINS).phase == WAY
+    assert fly_leg(leg, here, Paths(1000.0, 1.0, 1000.0), GAINS).phase == AWAY
+    assert fly_leg(leg, here, Paths(0.0, 1.0, 0.0), GAINS).phase == WAY
 
 
 @pytest.mark.parametrize("v_n", [(0.0, 0.0, 0.0), (0.0, 0.0, 3.0)])

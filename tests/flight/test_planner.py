@@ -8,9 +8,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from vfguide.flight.approach import Planar
+from vfguide.flight.begin import BRIEF, ENDS, LEAP, SETTLING, Paths, begin_here
 from vfguide.flight.leg import AWAY, FIELD, NEW, WAY, keep_radius, new_leg, turn_radius
 from vfguide.flight.longer import best_away, best_end
-from vfguide.flight.planner import BREAK_OFF, SETTLING, fly_leg, leg_course
+from vfguide.flight.planner import BREAK_OFF, fly_leg, leg_course
 from vfguide.flight.shortest import FULL, is_hasty, length_of, shortest_word
 from vfguide.geometry.units import DEG, G0
 
@@ -33,15 +34,35 @@ def ahead(here, final):
     return here.x + final + 0.37 * here.vx, here.y + 0.37 * here.vy
 
 
+def needing(path):
+    """A change of height that takes so much path, and no faster descent."""
+    return Paths(path, 1.0, path)
+
+
 def begun(x, y, course=0.0, path_needed=0.0):
-    return fly_leg(leg(), at(x, y, course), path_needed, GAINS)
+    return fly_leg(leg(), at(x, y, course), needing(path_needed), GAINS)
+
+
+def begun_end(here, course):
+    """The straight end of the shortest way, and that way from there; no end where it leaps."""
+    final, word = FINAL, shortest_word(*ahead(here, FINAL), course, RADIUS)
+    ends = [max(FINAL, SETTLING * RADIUS) if is_hasty(word) else FINAL]
+    brief = min(BRIEF * RADIUS, FINAL)
+    ends += [ends[0] + (brief - ends[0]) * k / ENDS for k in range(1, ENDS + 1)]
+    least = math.inf
+    for end in ends:
+        tried = shortest_word(*ahead(here, end), course, RADIUS)
+        length = end + RADIUS * length_of(tried)
+        if length < least - LEAP * RADIUS:
+            final, word, least = end, tried, length
+    return final, word
 
 
 @given(PLACE, PLACE, COURSE, st.sampled_from([0.0, 300.0, 800.0, 5000.0]))
 def test_every_leg_leads_on(x, y, course, path_needed):
     here, after = at(x, y, course), leg()
     for _ in range(3):
-        after = fly_leg(after, here, path_needed, GAINS)
+        after = fly_leg(after, here, needing(path_needed), GAINS)
         wanted = leg_course(after, here, CORE)
         assert after.phase in (FIELD, WAY, AWAY)
         assert after.radius == RADIUS
@@ -73,31 +94,24 @@ def test_beside_the_straight_end_or_behind_it_a_new_approach_is_flown(where):
 
 
 def test_behind_the_goal_the_field_is_left():
-    assert fly_leg(leg(FIELD), at(-0.5, 0.0), 0.0, GAINS).phase == FIELD
-    assert fly_leg(leg(FIELD), at(0.5, 0.0), 0.0, GAINS).phase == WAY
+    assert fly_leg(leg(FIELD), at(-0.5, 0.0), needing(0.0), GAINS).phase == FIELD
+    assert fly_leg(leg(FIELD), at(0.5, 0.0), needing(0.0), GAINS).phase == WAY
 
 
 @given(PLACE, PLACE, COURSE)
 def test_a_way_is_as_long_as_the_shortest_word(x, y, course):
     after = begun(x, y, course)
     assume(after.phase == WAY)
-    here = at(x, y, course)
-    word, final = shortest_word(*ahead(here, FINAL), course, RADIUS), FINAL
-    if is_hasty(word):
-        final = SETTLING * RADIUS
-        word = shortest_word(*ahead(here, final), course, RADIUS)
-    assert after.final == final
+    final, word = begun_end(at(x, y, course), course)
+    assert after.final == pytest.approx(final)
     shortest = RADIUS * length_of(word) + final
     assert leg_course(after, at(x, y, course), CORE).remaining == pytest.approx(shortest)
 
 
 def longest_way(x, y, course, path_needed):
     """The shortest way, or with circles and what is the shorter for the rest, where it lacks."""
-    here, final = at(x, y, course), FINAL
-    word = shortest_word(*ahead(here, final), course, RADIUS)
-    if is_hasty(word):
-        final = SETTLING * RADIUS
-        word = shortest_word(*ahead(here, final), course, RADIUS)
+    here = at(x, y, course)
+    final, word = begun_end(here, course)
     shortest = RADIUS * length_of(word)
     if shortest + final >= path_needed:
         return shortest + final
@@ -132,19 +146,56 @@ def test_of_the_missing_path_only_what_is_no_full_circle_is_flown_away_from_the_
     away = begun(-500.0, 0.0, 0.0, needed)
     assert (away.phase, away.circles) == (AWAY, 1.0)
     short = 0.4 * FULL * RADIUS
-    assert fly_leg(away, here, needed - short, GAINS).phase == AWAY
+    assert fly_leg(away, here, needing(needed - short), GAINS).phase == AWAY
     short = 0.6 * FULL * RADIUS
-    after = fly_leg(away, here, needed - short, GAINS)
+    after = fly_leg(away, here, needing(needed - short), GAINS)
     assert after.phase == WAY
     assert after.way.word.arc >= FULL
 
 
 def test_a_path_that_became_too_short_for_the_height_is_planned_anew_but_not_close_to_the_goal():
     far, close = at(-300.0, 0.0), at(-100.0, 0.0)
-    assert fly_leg(leg(FIELD), far, 320.0 / BREAK_OFF, GAINS).phase == AWAY
-    assert fly_leg(leg(FIELD), far, 300.0, GAINS).phase == FIELD
-    assert fly_leg(leg(FIELD), close, 310.0, GAINS).phase == FIELD
+    assert fly_leg(leg(FIELD), far, needing(320.0 / BREAK_OFF), GAINS).phase == AWAY
+    assert fly_leg(leg(FIELD), far, needing(300.0), GAINS).phase == FIELD
+    assert fly_leg(leg(FIELD), close, needing(310.0), GAINS).phase == FIELD
     assert begun(-100.0, 0.0, 0.0, 310.0).phase == AWAY
+
+
+@given(PLACE, PLACE, COURSE, st.floats(0.0, 3000.0))
+def test_the_length_of_what_is_begun_is_that_of_its_path(x, y, course, path_needed):
+    """Or that of the way that follows where the vehicle first flies away from the goal."""
+    here, its = at(x, y, course), begin_here(leg(), at(x, y, course), path_needed, GAINS)
+    if its.leg.phase == AWAY:
+        assert its.length >= path_needed
+    else:
+        flown = leg_course(its.leg, here, CORE).remaining
+        assert its.length == pytest.approx(flown, abs=0.6 * RADIUS)
+
+
+@given(PLACE, PLACE, COURSE, st.floats(0.0, 3000.0), st.floats(0.5, 1.0))
+def test_turns_are_wider_only_where_the_descent_is_shorter_with_them(x, y, course, path, part):
+    here, wide = at(x, y, course), leg()._replace(radius=1.15 * RADIUS)
+    after = fly_leg(leg(), here, Paths(path, 1.15, part * path), GAINS)
+    level = begin_here(leg(), here, path, GAINS).length
+    descent = begin_here(wide, here, part * path, GAINS).length
+    assert (after.radius > RADIUS) == (descent < level and part < 1.0)
+
+
+def test_a_descent_that_takes_more_path_than_the_way_has_is_flown_in_wider_turns():
+    here = at(-200.0, 100.0, 2.0)
+    assert fly_leg(leg(), here, Paths(900.0, 1.15, 780.0), GAINS).radius == 1.15 * RADIUS
+    assert fly_leg(leg(), here, Paths(200.0, 1.15, 175.0), GAINS).radius == RADIUS
+
+
+def test_a_shorter_straight_end_is_flown_where_the_way_leaps_otherwise():
+    """From 150 m beside the goal it flew a circle more, for a third of a radius of straight."""
+    radius, here = 62.5, at(-75.4, -135.4, math.radians(81.0))
+    near = leg()._replace(radius=radius)
+    after = fly_leg(near, here, needing(0.0), GAINS)
+    assert BRIEF * radius <= after.final < GAINS.final * radius
+    length = leg_course(after, here, CORE).remaining
+    leapt = shortest_word(*ahead(here, GAINS.final * radius), math.radians(81.0), radius)
+    assert length < GAINS.final * radius + radius * (length_of(leapt) - 5.0)
 
 
 @pytest.mark.parametrize(

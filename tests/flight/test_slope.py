@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from flight_states import AEROSONDE, GOAL, state
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from vfguide.flight.performance import turn_length
@@ -23,6 +23,7 @@ from vfguide.flight.vertical import (
     SAFE,
     SLOPE_RATE,
     STANDOFF,
+    WIDER,
     ZOOM,
     airspeed_over_ground,
     allowed_path,
@@ -33,7 +34,9 @@ from vfguide.flight.vertical import (
     path_limits,
     plan_slope,
     profile_height,
+    steepest_descent,
     steepest_path,
+    widest,
 )
 from vfguide.geometry.units import DEG
 
@@ -87,14 +90,23 @@ def test_too_high_it_is_never_steeper_up(height, remaining, slope):
 @pytest.mark.parametrize("dt", [0.02, 0.1])
 def test_the_slope_changes_no_faster_than_its_rate(below, dt):
     here = state((-100.0, 0.0, GOAL.p_n[2] + below), 0.0)
-    after = plan_slope(here, GOAL, AEROSONDE, SPEED, 100.0, 25.0, 0.0, dt)
+    after = plan_slope(here, GOAL, AEROSONDE, SPEED, 100.0, 25.0, 1.0, 0.0, dt)
     assert after == pytest.approx(math.copysign(SLOPE_RATE / SPEED * dt, below))
 
 
-@given(st.floats(-300.0, 300.0), REMAINING, st.floats(-10.0, 45.0), st.floats(18.0, 32.0))
-def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, groundspeed, speed):
+@example(7.0, 0.0, -7.0, 24.0, 1.0)
+@given(
+    st.floats(-300.0, 300.0),
+    REMAINING,
+    st.floats(-10.0, 45.0),
+    st.floats(18.0, 32.0),
+    st.floats(1.0, 3.0),
+)
+def test_the_path_is_never_steeper_than_the_aircraft_flies(
+    height, remaining, groundspeed, speed, wider
+):
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)._replace(airspeed=speed)
-    slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, 0.0, 100.0)
+    slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, wider, 0.0, 100.0)
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
     limits = path_limits(speed, SPEED, math.inf, AEROSONDE)
@@ -106,7 +118,7 @@ def test_the_path_is_never_steeper_than_the_aircraft_flies(height, remaining, gr
 def test_on_a_loiter_height_comes_back_over_its_horizon(height):
     circle = GOAL._replace(circle=1.0, radius=100.0, slope=0.0)
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)
-    slope = plan_slope(here, circle, AEROSONDE, SPEED, math.inf, 25.0, 0.0, 100.0)
+    slope = plan_slope(here, circle, AEROSONDE, SPEED, math.inf, 25.0, 1.0, 0.0, 100.0)
     up, down = math.sin(10.0 * DEG), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
     wanted = max(-down, min(up, -2.0 * height / (LOITER_HORIZON * UNIT)))
     assert slope == pytest.approx(wanted)
@@ -152,7 +164,21 @@ def test_a_descent_is_no_steeper_than_the_glide_in_a_turn_unless_the_goal_asks_f
     assert descent_at_airspeed(AEROSONDE, 0.15) == pytest.approx(glide)
     assert descent_at_airspeed(AEROSONDE, -math.tan(9.0 * DEG)) == pytest.approx(9.0 * DEG)
     assert descent_at_airspeed(AEROSONDE, -1.0) == AEROSONDE.descent_max
-    assert steepest_path(-0.1, 0.0, AEROSONDE) == pytest.approx(math.sin(glide))
+    assert steepest_path(-0.1, 1.0, 0.0, AEROSONDE) == pytest.approx(math.sin(glide))
+
+
+def test_in_wider_turns_a_descent_is_steeper_as_far_as_the_aircraft_flies():
+    glide = math.sin(descent_at_airspeed(AEROSONDE, 0.0))
+    assert steepest_descent(AEROSONDE, 1.0, 0.0) == pytest.approx(math.asin(glide))
+    assert steepest_descent(AEROSONDE, 1.15, 0.0) == pytest.approx(math.asin(1.15 * glide))
+    assert steepest_descent(AEROSONDE, 9.0, 0.0) == AEROSONDE.descent_max
+    goal = -math.tan(9.0 * DEG)
+    assert steepest_descent(AEROSONDE, 1.15, goal) == pytest.approx(9.0 * DEG)
+    assert widest(AEROSONDE) == WIDER
+    gentle = AEROSONDE._replace(descent_max=math.asin(1.05 * glide))
+    assert widest(gentle) == pytest.approx(1.05)
+    assert widest(AEROSONDE._replace(descent_max=0.5 * math.asin(glide))) == 1.0
+    assert widest(AEROSONDE._replace(airspeed_max=1.02 * AEROSONDE.airspeed_cruise)) == 1.0
 
 
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])
@@ -164,7 +190,7 @@ def test_the_ratio_of_the_speeds_is_bounded(airspeed, groundspeed):
 @pytest.mark.parametrize("airspeed", [11.0, 25.0, 45.0])
 def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspeed):
     here = state((-100.0, 0.0, GOAL.p_n[2] + 50.0), 0.0)
-    after = plan_slope(here, GOAL, AEROSONDE, airspeed, 100.0, airspeed, 0.0, 0.02)
+    after = plan_slope(here, GOAL, AEROSONDE, airspeed, 100.0, airspeed, 1.0, 0.0, 0.02)
     assert after * airspeed / 0.02 == pytest.approx(2.5)
 
 

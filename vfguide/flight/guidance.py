@@ -9,7 +9,13 @@ from vfguide.flight.attitude import attitude_for_lift
 from vfguide.flight.detour_leg import DetourState, detour_course, is_on_detour, level_of
 from vfguide.flight.energy import integrate_error, thrust_for
 from vfguide.flight.envelope import load_of, within_envelope
-from vfguide.flight.horizontal import flyable_radius, plan_course, plan_turn, usable_bank
+from vfguide.flight.horizontal import (
+    flyable_radius,
+    plan_course,
+    plan_turn,
+    usable_bank,
+    wider_by,
+)
 from vfguide.flight.leg import AWAY, keep_radius
 from vfguide.flight.memory import Memory, Target, Wish
 from vfguide.flight.passing import aim_at
@@ -86,6 +92,7 @@ def plan_flight(
         gains.airspeed,
         course.remaining,
         heading.groundspeed,
+        wider_by(leg, state, aircraft, gains),
         memory.slope,
         time_since(memory, state),
     )

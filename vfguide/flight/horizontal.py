@@ -4,12 +4,13 @@ import math
 
 from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, lift_for_turn
+from vfguide.flight.begin import Paths
 from vfguide.flight.leg import Leg, turn_radius
 from vfguide.flight.memory import Target
 from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.planner import fly_leg, leg_course
 from vfguide.flight.state import FlightState
-from vfguide.flight.vertical import descent_at_airspeed, path_needed
+from vfguide.flight.vertical import path_needed, steepest_descent, widest
 from vfguide.flight.wind import Heading
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
@@ -72,16 +73,38 @@ def plan_course(
     at = in_goal_plane(state, target)
     if target.circle != 0.0:
         return leg, loiter(at, target, leg)
+    now, most = wider_by(leg, state, aircraft, gains), widest(aircraft)
+    needed = path_for_height(state, target, aircraft, gains, now, slope)
+    needed_wide = path_for_height(state, target, aircraft, gains, most, slope)
+    leg = fly_leg(leg, at, Paths(needed, most / now, needed_wide), gains)
+    core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
+    return leg, leg_course(leg, at, core)
+
+
+@compiled
+def wider_by(leg: Leg, state: FlightState, aircraft: Performance, gains: Gains) -> float:
+    """By which the turns of the leg are wider than those of level flight, as far as it helps."""
+    level = flyable_radius(state, usable_bank(aircraft, gains, gains.airspeed), gains)
+    return max(1.0, min(widest(aircraft), leg.radius / level))
+
+
+@compiled
+def path_for_height(
+    state: FlightState,
+    target: Target,
+    aircraft: Performance,
+    gains: Gains,
+    wider: float,
+    slope: float,
+) -> float:
+    """Path over ground that the rest of the change of height takes [m]; arguments as above."""
     height = target.p_n[2] - state.p_n[2]
-    descent = descent_at_airspeed(aircraft, target.slope)
+    descent = steepest_descent(aircraft, wider, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
     tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
     most = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
-    distance = math.hypot(at.x, at.y)
-    needed = path_needed(height, distance, target.slope, max(most, 1e-6), unit, slope)
-    leg = fly_leg(leg, at, needed, gains)
-    core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
-    return leg, leg_course(leg, at, core)
+    distance = math.hypot(state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1])
+    return path_needed(height, distance, target.slope, max(most, 1e-6), unit, slope)
 
 
 @compiled

@@ -66,6 +66,12 @@ def in_phase(leg: Leg, phase: int, way: Way) -> Leg:
 
 
 @compiled
+def with_radius(leg: Leg, radius: float) -> Leg:
+    """The leg with turns of another radius [m]."""
+    return Leg(leg.phase, radius, leg.final, leg.away, leg.circles, leg.way)
+
+
+@compiled
 def with_final(leg: Leg, final: float) -> Leg:
     """The leg with another length of its straight end [m]."""
     return Leg(leg.phase, leg.radius, final, leg.away, leg.circles, leg.way)

@@ -38,6 +38,8 @@ AIRSPEED_BAND = 0.12
 """... all of it so much of the cruise airspeed above."""
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
+WIDER = 1.15
+"""Turns that are wider by this allow a faster and steeper descent."""
 SLOPE_RATE = 2.5
 """Fastest change of the wanted slope times the airspeed to fly [m/s^2], ..."""
 RAMP = 0.8
@@ -52,6 +54,7 @@ def plan_slope(
     airspeed: float,
     remaining: float,
     groundspeed: float,
+    wider: float,
     before: float,
     dt: float,
 ) -> float:
@@ -64,6 +67,7 @@ def plan_slope(
         airspeed: true airspeed to fly [m/s]; distances and rates scale with it.
         remaining: path over ground to the target [m].
         groundspeed: along the course [m/s].
+        wider: by which turns are wider than in level flight, see `steepest_descent`.
         before: the slope of the step before.
         dt: time since then [s].
     """
@@ -73,7 +77,7 @@ def plan_slope(
     else:
         wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    steepest = steepest_path(wanted, target.slope, aircraft)
+    steepest = steepest_path(wanted, wider, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     change = SLOPE_RATE / airspeed * dt
     return max(before - change, min(before + change, wanted))
@@ -92,11 +96,31 @@ def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
 
 
 @compiled
-def steepest_path(slope: float, goal_slope: float, aircraft: Performance) -> float:
+def steepest_descent(aircraft: Performance, wider: float, goal_slope: float) -> float:
+    """The same where turns are wider by a factor [rad].
+
+    They are flown at a larger airspeed then. Its square is in proportion to both the radius, at the
+    same bank, and the drag.
+    """
+    faster = math.asin(min(wider * math.sin(descent_at_airspeed(aircraft, 0.0)), 1.0))
+    return min(aircraft.descent_max, max(faster, descent_at_airspeed(aircraft, goal_slope)))
+
+
+@compiled
+def widest(aircraft: Performance) -> float:
+    """By which turns are widened for a steeper descent: not for more than the aircraft flies."""
+    angle = max(descent_at_airspeed(aircraft, 0.0), 1e-3)
+    fastest = FASTEST_DESCENT * aircraft.airspeed_max / max(aircraft.airspeed_cruise, 1e-3)
+    most = min(math.sin(aircraft.descent_max) / math.sin(angle), fastest * fastest / IDLE)
+    return max(1.0, min(WIDER, most))
+
+
+@compiled
+def steepest_path(slope: float, wider: float, goal_slope: float, aircraft: Performance) -> float:
     """Largest sine of the path angle up or down, as the sign of `slope` says."""
     if slope > 0.0:
         return math.sin(aircraft.climb_max)
-    return math.sin(descent_at_airspeed(aircraft, goal_slope))
+    return math.sin(steepest_descent(aircraft, wider, goal_slope))
 
 
 @compiled
@@ -167,8 +191,12 @@ def path_angle(
     wind_down: float,
     airspeed: float,
 ) -> float:
-    """Path angle through the air that makes good the slope over ground [rad], not limited."""
-    return math.asin(max(-1.0, min(1.0, (slope * groundspeed + wind_down) / airspeed)))
+    """Path angle through the air that makes good the slope over ground [rad], not limited.
+
+    Level over ground where the wind blows the vehicle back: no slope is made good there.
+    """
+    climb = slope * max(groundspeed, 0.0) + wind_down
+    return math.asin(max(-1.0, min(1.0, climb / airspeed)))
 
 
 @compiled
