@@ -13,7 +13,9 @@ from vfguide.field.footprint import Band
 from vfguide.field.obstacle import OUT_OF_SIGHT, Obstacle, obstacle_rows
 from vfguide.flight.passing import (
     COST,
+    MOST_LEVELS,
     NO_LEVEL,
+    UNDER,
     Heights,
     aim_at,
     band_of,
@@ -22,6 +24,7 @@ from vfguide.flight.passing import (
     distance_beside,
     heights_by,
     heights_left,
+    is_passed,
     left_in_way,
     levels_for,
 )
@@ -107,7 +110,23 @@ def test_levels_are_those_that_pass_something_under_the_ceiling():
     rows = obstacle_rows([ridge(700.0), ridge(900.0, top=150.0, bottom=120.0)])
     assert levels_for(rows, -70.0, -80.0, -210.0, MARGIN).tolist() == [-70.0, -80.0, -135.0, -175.0]
     assert levels_for(rows, -70.0, -80.0, -174.0, MARGIN).tolist() == [-70.0, -80.0, -135.0]
-    assert levels_for(rows, -70.0, -80.0, math.inf, MARGIN).tolist() == []
+    assert levels_for(rows, -70.0, -80.0, math.inf, MARGIN).tolist() == [-70.0]  # as high as it is
+
+
+def test_equal_levels_are_tried_once_and_the_costliest_always():
+    tops = [140.0] * 20 + [150.0 + k for k in range(20)]
+    rows = obstacle_rows([ridge(700.0, top=top) for top in tops])
+    levels = levels_for(rows, -70.0, -80.0, OPEN, MARGIN).tolist()
+    assert len(levels) == len(set(levels)) == MOST_LEVELS
+    assert levels[:3] == [-70.0, -80.0, -140.0 - MARGIN]
+    assert levels[-1] == -169.0 - MARGIN
+
+
+@pytest.mark.parametrize(("up", "passed"), [(UNDER + 0.1, True), (UNDER - 0.1, False)])
+def test_what_is_under_the_vehicle_already_is_passed_by_a_level_that_is_no_lower(up, passed):
+    here = (700.0, 0.0, -110.0 - up)
+    heights = by(-110.0 - MARGIN, here=here, there=(3000.0, 0.0, -70.0))
+    assert is_passed(obstacle_rows([ridge(700.0)]), 0, heights, MARGIN) == passed
 
 
 def test_no_level_is_below_both_ends():

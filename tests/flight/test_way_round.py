@@ -8,14 +8,14 @@ import pytest
 from closed_loop import STILL, blowing, goal, plan_of
 from point_mass import fly, level
 
-from vfguide.companion.route_memory import DETOUR, GUARD, packed_memory
+from vfguide.companion.route_memory import DETOUR, GUARD, packed_memory, take_over
 from vfguide.field import shape
 from vfguide.field.obstacle import VISIBLE_FROM, Obstacle, obstacle_distance, obstacle_rows
-from vfguide.flight.detour_leg import COUNT, LEVEL
+from vfguide.flight.detour_leg import COUNT, LEVEL, LOOKED
 from vfguide.safety.assurance import Reason
 from vfguide.safety.fence import Zone, fence_distance, fences
 from vfguide.safety.guard import REASON
-from vfguide.safety.hazards import Hazards, traffic_rows
+from vfguide.safety.hazards import Hazards, Intruder, traffic_rows
 from vfguide.scenario.fence import ZoneEntry
 from vfguide.scenario.hazards import Fence, outlines_of
 
@@ -268,3 +268,100 @@ def test_what_comes_into_sight_behind_a_ridge_is_passed_too():
     tower = Obstacle(shape.cylinder(30.0, 400.0), (700.0, 0.0, HEIGHT))
     flown = flown_far([ridge(), tower], seen=900.0)
     assert least_distance(flown, [ridge(), tower]) > 12.0
+
+
+def mast(x, y, top, radius=8.0):
+    return Obstacle(shape.cylinder(radius, top), (x, y, -0.5 * top))
+
+
+@pytest.mark.parametrize("at_goal", [mast(500.0, 0.0, 137.0), mast(500.0, -23.0, 300.0)])
+@pytest.mark.parametrize("in_way", [mast(-100.0, 0.0, 300.0), mast(-100.0, 62.0, 300.0, 50.0)])
+def test_what_is_near_the_goal_does_not_make_the_look_along_the_way_blind(at_goal, in_way):
+    """The clearance at the goal was enough along a straight way as a whole: 12 to 15 m."""
+    flown = flown_among([in_way, at_goal])
+    assert least_distance(flown, [in_way]) > 25.0
+    assert not acted(flown)
+
+
+def test_the_level_is_kept_where_the_goal_lies_over_something():
+    """It was dropped before the ridge, and the assurance flew over it by 12 m."""
+    hall = Obstacle(shape.box((120.0, 120.0, 138.0)), (1400.0, 0.0, -69.0))
+    plan = among(plan_of([goal(1400.0, 0.0)]), [ridge(), hall])
+    flown = fly(start(), plan, STILL, 300.0, arrived)
+    assert arrived(flown[-1])
+    assert least_distance(flown, [ridge()]) > 20.0
+    assert not acted(flown)
+
+
+def long_plateau():
+    """So long that a leg begins and ends over it."""
+    return Obstacle(shape.box((1200.0, 1600.0, 180.0)), (760.0, 0.0, -90.0))
+
+
+def over_the_plateau(flown):
+    return min(-at.state.p_n[2] - 180.0 for at in flown if 160.0 < at.state.p_n[0] < 1360.0)
+
+
+@pytest.mark.parametrize("sunk", [0.0, 0.5, 2.0])
+def test_a_level_is_found_again_when_the_autopilot_follows_again(sunk):
+    """A level is come to from below: it was 1 cm short of it, and no level began there."""
+    plan = among(plan_of([goal(2300.0, 0.0)]), [long_plateau()])
+    flown = fly(start(), plan, STILL, 300.0, lambda at: at.state.p_n[0] > 300.0)
+    at = flown[-1]
+    x, y, z = at.state.p_n
+    body = level((x, y, z + sunk), 0.0, 25.0, plan.aircraft)._replace(time=at.state.time)
+    after = fly(body, plan, STILL, 300.0, arrived, take_over(at.route))
+    assert arrived(after[-1])
+    assert over_the_plateau(after) > 24.5 - sunk
+    assert not acted(after)
+
+
+TRAFFIC = (Intruder((0.0, 9000.0, -150.0), (0.0, 0.1, 0.0), 0.0, 50.0, 30.0, 0.0, 0.0),)
+
+
+@pytest.mark.parametrize(
+    ("up", "ceiling", "traffic"),
+    [
+        (30.0, math.inf, ()),
+        (30.0, math.inf, TRAFFIC),
+        (30.0, 228.0, ()),
+        (24.0, math.inf, ()),
+        (20.0, math.inf, ()),
+    ],
+)
+def test_over_a_plateau_the_next_goal_is_not_descended_to_at_once(up, ceiling, traffic):
+    """Whoever is there keeps the height, also where no climb would begin: 5 and 11 m were left."""
+    goals = [goal(400.0, 0.0, z=-180.0 - up), goal(2300.0, 0.0)]
+    plan = among(plan_of(goals), [long_plateau()], heights=(20.0, ceiling))
+    plan = replace(plan, hazards=plan.hazards._replace(traffic=traffic_rows(traffic)))
+    body = level((-700.0, 0.0, -180.0 - up), 0.0, 25.0, plan.aircraft)
+    flown = fly(body, plan, STILL, 300.0, lambda at: at.route.goal == 2)
+    assert flown[-1].route.goal == 2
+    assert over_the_plateau(flown) > min(up, 25.0) - 3.0
+    assert not acted(flown)
+
+
+@pytest.mark.parametrize("masts", [9, 14])
+def test_many_obstacles_beside_the_way_leave_a_level_over_the_one_in_it(masts):
+    """Ten of one height took all places: it flew 800 m round."""
+    beside_way = [mast(1000.0 + 40.0 * i, 600.0, 140.0, 5.0) for i in range(masts)]
+    flown = flown_far([ridge(), *beside_way], seen=5000.0)
+    assert beside(flown) < 50.0
+    assert least_distance(flown, [ridge()]) > 20.0
+
+
+def test_a_detour_is_looked_along_after_the_wind_has_changed():
+    """The leg under it wanted another radius and counted as new: nobody looked for 30 s."""
+    tower = Obstacle(shape.cylinder(50.0, 400.0), (-100.0, 0.0, HEIGHT))
+    late = Obstacle(shape.cylinder(40.0, 400.0), (-180.0, -185.0, HEIGHT))
+    blocks = [tower, wall((200.0, -300.0), (200.0, 500.0)), late]
+    plan = with_sight(among(plan_of([goal(1500.0, 0.0)]), blocks), 2000.0, 2000.0, 250.0)
+    body = level((-700.0, 0.0, HEIGHT), math.radians(120.0), 25.0, plan.aircraft)
+    at = fly(body, plan, STILL, 3.0, arrived)[-1]
+    heading = math.atan2(at.state.v_n[1], at.state.v_n[0])
+    body = level(at.state.p_n, heading, 25.0, plan.aircraft)._replace(time=at.state.time)
+    flown = fly(body, plan, (9.0, 0.0, 0.0), 200.0, arrived, at.route)
+    assert arrived(flown[-1])
+    assert least_distance(flown, blocks) > 25.0
+    looked = [packed_memory(at.route)[DETOUR + LOOKED] for at in flown[:-1]]
+    assert max(at.state.time - t for at, t in zip(flown[:-1], looked, strict=True)) < 1.0

@@ -131,6 +131,16 @@ def test_a_dam_across_a_fence_is_no_hindrance_where_there_is_room_over_it(
     assert bool(found) == told
 
 
+def test_a_dam_that_is_passed_over_is_told_of_where_other_aircraft_forbid_the_climb(
+    tmp_path: Path,
+) -> None:
+    far = MINIMAL.replace("[-500, 0, -100]", "[-1500, 0, -100]").replace("[0, 0,", "[1000, 0,")
+    dam = CORRIDOR.format(ceiling=300) + box([-400, 0, -63.5], [60, 420, 127], FAR)
+    heard = dam + "[avoidance]\ntraffic = true\n"
+    assert not any("leads over" in told for told in warnings_of(tmp_path, far + dam))
+    assert any("leads over" in told for told in warnings_of(tmp_path, far + heard))
+
+
 def test_without_hazards_nothing_is_looked_at(tmp_path: Path) -> None:
     kinematic = MINIMAL.replace(HEAD, f'plant = "kinematic"\n\n{HEAD}')
     assert warnings_of(tmp_path, kinematic) == []

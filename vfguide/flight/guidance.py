@@ -72,10 +72,11 @@ def plan_flight(
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     steady = usable_bank(aircraft, gains, gains.airspeed)
-    leg = keep_radius(memory.leg, flyable_radius(state, steady, gains))
+    leg = memory.leg
     if is_on_detour(detour) and target.circle == 0.0:
         course = detour_course(detour, soon(state, gains), leg, target.course)
     else:
+        leg = keep_radius(leg, flyable_radius(state, steady, gains))
         leg, course = plan_course(soon(state, gains), target, aircraft, gains, leg, memory.slope)
     flown = path_of(air, speed)
     heading = heading_for_course(

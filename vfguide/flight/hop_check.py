@@ -47,6 +47,8 @@ class Demand(NamedTuple):
     """Clearance that there is [m]."""
     step: float
     """Between two looks at the hazards [m]; half of it comes on top of the clearance."""
+    around: float
+    """As near as this to an end its clearance is enough [m]."""
 
 
 class Check(NamedTuple):
@@ -71,9 +73,9 @@ def ground_speed(air: Air, course: float) -> float:
 def wanted_at(task: Task, demand: Demand, x: float, y: float) -> float:
     """Clearance that is wanted at a place [m]."""
     wanted = demand.wanted
-    if demand.at_start < wanted and math.hypot(x - task.start.x, y - task.start.y) < task.radius:
+    if demand.at_start < wanted and math.hypot(x - task.start.x, y - task.start.y) < demand.around:
         wanted = demand.at_start
-    if demand.at_goal < wanted and math.hypot(x - task.goal.x, y - task.goal.y) < task.radius:
+    if demand.at_goal < wanted and math.hypot(x - task.goal.x, y - task.goal.y) < demand.around:
         wanted = demand.at_goal
     return wanted
 
@@ -132,7 +134,8 @@ def demand_of(hazards: Outlines, task: Task, wanted: float) -> Demand:
     start, goal = task.start, task.goal
     at_start = clearance_at(hazards, start.x, start.y, task.t).distance - slack
     at_goal = clearance_at(hazards, goal.x, goal.y, task.t).distance - slack
-    return Demand(wanted, min(wanted, at_start), min(wanted, at_goal), SHORTEST_STEP * wanted)
+    at_start, at_goal = min(wanted, at_start), min(wanted, at_goal)
+    return Demand(wanted, at_start, at_goal, SHORTEST_STEP * wanted, task.radius)
 
 
 @compiled

@@ -30,9 +30,12 @@ COST = 1.0
 """A metre of height more, up or down, counts as so many metres of way: what is climbed comes back
 in the descent, but for the losses of the propeller."""
 MOST_LEVELS = 12
-"""Heights that are tried at once."""
+"""No more heights are tried."""
 NO_LEVEL = math.inf
-"""Down from the origin [m]."""
+"""Stands for a level where none is kept: as low as nothing is [m]."""
+UNDER = 15.0
+"""What is so far below the vehicle already is passed by a level that is no lower, however near it
+is [m]."""
 
 
 class Heights(NamedTuple):
@@ -106,8 +109,10 @@ def is_passed(obstacles: Rows, i: int, heights: Heights, margin: float) -> bool:
     """Whether row `i` is below the way wherever on it the vehicle may meet it."""
     if not is_above(obstacles, i, heights.level, margin) or not stands_still(obstacles, i):
         return False
-    for end, length in ((heights.here, heights.rise), (heights.goal, heights.fall)):
-        above = is_above(obstacles, i, end[2], margin)
+    here = min(margin, UNDER) if heights.level <= heights.here[2] else margin
+    ends = ((heights.here, heights.rise, here), (heights.goal, heights.fall, margin))
+    for end, length, over in ends:
+        above = is_above(obstacles, i, end[2], over)
         if not above and distance_beside(obstacles, i, end) < length + margin:
             return False
     return True
@@ -141,15 +146,16 @@ def left_in_way(obstacles: Rows, heights: Heights, margin: float) -> Rows:
 def levels_for(
     obstacles: Rows, here: float, goal: float, highest: float, margin: float
 ) -> NDArray[np.float64]:
-    """Levels that pass over one of the obstacles by the margin, the cheapest first, (N,) [m].
+    """Levels to try, the cheapest first, (N,) [m].
 
-    None is below both ends: nobody knows of the ground.
+    The heights of both ends, and those over one of the obstacles by the margin: MOST_LEVELS that
+    differ, the costliest among them. None is below both ends: nobody knows of the ground.
 
     Args:
         obstacles: rows of `obstacle_rows`.
         here: height, down from the origin [m].
         goal: its height [m].
-        highest: no level is above this [m].
+        highest: no level is above this [m], but for the height that the vehicle has.
         margin: over what is passed [m].
     """
     levels = np.full(len(obstacles) + 2, math.inf)
@@ -157,11 +163,24 @@ def levels_for(
     for i in range(len(obstacles)):
         if stands_still(obstacles, i) and obstacles[i, 1] < OUT_OF_SIGHT:
             levels[i + 2] = obstacles[i, 3] - obstacles[i, 11] - margin
-    levels = levels[(levels >= highest) & (levels <= max(here, goal))]
+    allowed = (levels >= min(highest, here)) & (levels <= max(here, goal))
+    levels = distinct(levels[allowed])
     costs = np.empty(len(levels))
     for k in range(len(levels)):
         costs[k] = cost_of(levels[k], here, goal)
-    return levels[np.argsort(costs, kind="mergesort")][:MOST_LEVELS]
+    levels = levels[np.argsort(costs, kind="mergesort")]
+    if len(levels) > MOST_LEVELS:
+        levels[MOST_LEVELS - 1] = levels[-1]
+    return levels[:MOST_LEVELS]
+
+
+@compiled
+def distinct(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The values, each where it comes first, (N,)."""
+    first = np.ones(len(values), dtype=np.bool_)
+    for k in range(1, len(values)):
+        first[k] = not np.any(values[:k] == values[k])
+    return values[first]
 
 
 @compiled

@@ -88,7 +88,8 @@ def seek_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> L
     t = scene.t
     if is_on_detour(detour):
         leg = go_on_detour(detour, journey.state, leg)
-    if leg.phase == NEW or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
+    is_unplanned = leg.phase == NEW and not is_on_detour(detour)
+    if is_unplanned or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
         return leg
     detour[LOOKED], detour[SHIFTED] = t, 0.0
     drop_level(journey, leg, scene, detour)

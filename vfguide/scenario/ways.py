@@ -21,6 +21,7 @@ from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.shortest import length_of
 from vfguide.flight.state import FlightState
 from vfguide.flight.way import Pose
+from vfguide.flight.way_round import LOOK
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
@@ -34,6 +35,7 @@ from vfguide.scenario.resolved import Goal, Scenario, Vehicle
 from vfguide.scenario.shut_in import is_shut_in
 from vfguide.scenario.source import Location, Source, dotted
 from vfguide.scenario.tables import in_words
+from vfguide.scenario.traffic import avoids_traffic
 
 Flies = tuple[Performance, Gains]
 """An aircraft and how it is guided."""
@@ -137,7 +139,13 @@ def _check_way(
     if len(find_detour(rows, fence, band, task).hops) > 0:
         return []
     if _passes_over(scenario, rows, begin[0], goal, flies, task):
-        return []
+        if not avoids_traffic(scenario):
+            return []
+        rule = (
+            "the way there leads over what is in it, and no climb over something begins while "
+            "other aircraft are known; open a gap, or start higher"
+        )
+        return [_warning(source, at, rule)]
     if is_shut_in(rows, fence, band, begin[0][:2], goal.position_m[:2]):
         rule = "shut in, no way leads there at these heights; move it, or open a gap"
         raise source.error(at, rule, goal.position_m)
@@ -159,10 +167,11 @@ def _passes_over(
     target = Target((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
     highest = -math.inf if fence.ceiling_m is None else margin - fence.ceiling_m
     seen_from = np.array([its.visible_from_m for its in _still(scenario).obstacles])
+    unseen = 2.0 * LOOK * (gains.airspeed + math.hypot(wind_n[0], wind_n[1]))
     shortest = length_of(next_word(task.start, task.goal, task.radius, -1.0)) * task.radius
     for level in levels_for(rows, begin[2], z, highest, margin).tolist():
         heights = heights_by(level, state, target, aircraft, gains)
-        early = seen_from >= heights.rise + margin
+        early = seen_from >= heights.rise + margin + unseen
         left = np.vstack((left_in_way(rows[early], heights, margin), rows[~early]))
         way = find_detour(left, outlines_of(fence), band_of(heights), task)
         if way.clearance == margin and way.length <= (1.0 + 1e-6) * shortest:
