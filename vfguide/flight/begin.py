@@ -105,7 +105,7 @@ def longest_end(begin: Planar, radius: float, final: float, longest: float) -> f
         begin: of the way, the origin where a straight end of length `final` begins.
         radius: of the turns [m].
         final: [m].
-        longest: to begin with [m].
+        longest: that is tried [m].
     """
     chosen, shortest = longest, math.inf
     for k in range(ENDS + 1):

@@ -97,7 +97,10 @@ def path_for_height(
     wider: float,
     slope: float,
 ) -> float:
-    """Path over ground that the rest of the change of height takes [m]; arguments as above."""
+    """Path over ground that the rest of the change of height takes [m].
+
+    `wider` is that of `steepest_descent`, `slope` the one that was wanted at the step before.
+    """
     height = target.p_n[2] - state.p_n[2]
     descent = steepest_descent(aircraft, wider, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
