@@ -10,7 +10,17 @@ from typing import NamedTuple
 
 from vfguide.flight.approach import Planar
 from vfguide.flight.field_phase import begins_in_field, is_lined_up
-from vfguide.flight.leg import AWAY, FIELD, WAY, Leg, before_end, in_phase, with_final, with_radius
+from vfguide.flight.leg import (
+    AWAY,
+    FIELD,
+    WAY,
+    Leg,
+    before_end,
+    in_phase,
+    moved,
+    with_final,
+    with_radius,
+)
 from vfguide.flight.longer import best_away, best_end
 from vfguide.flight.performance import Gains
 from vfguide.flight.shortest import FULL, Word, is_hasty, length_of, shortest_word
@@ -115,12 +125,6 @@ def longest_end(begin: Planar, radius: float, final: float, longest: float) -> f
         if length < shortest - LEAP * radius:
             chosen, shortest = end, length
     return chosen
-
-
-@compiled
-def moved(at: Planar, farther: float) -> Planar:
-    """The vehicle, seen from so much before the origin [m]."""
-    return Planar(at.x + farther, at.y, at.vx, at.vy)
 
 
 @compiled

@@ -56,7 +56,7 @@ def keep_radius(leg: Leg, radius: float) -> Leg:
     if leg.radius < change * radius and radius <= change * leg.radius:
         return leg
     phase = NEW if leg.phase == WAY else leg.phase
-    return Leg(phase, radius, leg.final, leg.away, leg.circles, leg.way)
+    return with_radius(in_phase(leg, phase, leg.way), radius)
 
 
 @compiled
@@ -80,4 +80,10 @@ def with_final(leg: Leg, final: float) -> Leg:
 @compiled
 def before_end(leg: Leg, at: Planar) -> Planar:
     """The vehicle in the plane whose origin is the beginning of the straight end."""
-    return Planar(at.x + leg.final, at.y, at.vx, at.vy)
+    return moved(at, leg.final)
+
+
+@compiled
+def moved(at: Planar, farther: float) -> Planar:
+    """The vehicle, seen from so much before the origin [m]."""
+    return Planar(at.x + farther, at.y, at.vx, at.vy)
