@@ -1,0 +1,219 @@
+"""Records as rows of numbers, by the names of their fields: no place in a row is written by hand.
+
+A record is a `NamedTuple` whose fields are floats, ints, bools, records, tuples of these, and
+arrays of a fixed shape (`Annotated[NDArray[np.float64], Shape(6, 6)]`). Its row holds all its
+numbers in the order of the fields, a bool as 0 or 1. Rows cross from Python into compiled code
+and back in a fraction of the time that records take, and many rows are a table.
+
+`reader`, `writer` and `replacing` write the source of a function from the type and compile it:
+the machine code is that of a function written by hand.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_origin, get_type_hints
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+Row = NDArray[np.float64]
+"""The numbers of one record, (width,)."""
+Table = NDArray[np.float64]
+"""The numbers of N records of one type, (N, width)."""
+
+T = TypeVar("T")
+
+njit: Any = numba.njit
+"""The compiler, without the types that numba gives it."""
+
+
+class Shape(tuple[int, ...]):
+    """The shape of an array that is a field of a record: `Shape(6, 6)`."""
+
+    __slots__ = ()
+
+    def __new__(cls, *sizes: int) -> "Shape":
+        """The shape of so many numbers along each axis."""
+        return super().__new__(cls, sizes)
+
+
+class Leaf(NamedTuple):
+    """A number of a record, or an array."""
+
+    kind: Any
+    """`float`, `int`, `bool`, or the `Shape` of an array."""
+    name: str
+    """Dotted, as `leg.path.radius` or `p_n.0`."""
+    expression: str
+    """The source that takes it from a record `r`."""
+
+    @property
+    def size(self) -> int:
+        """How many numbers it has."""
+        return math.prod(self.kind) if isinstance(self.kind, Shape) else 1
+
+
+def fields_of(kind: Any) -> dict[str, Any]:
+    """The types of a record's fields by their names, with the shapes of arrays."""
+    return get_type_hints(kind, include_extras=True)
+
+
+def leaves(kind: Any, name: str = "", expression: str = "r") -> Iterator[Leaf]:
+    """The numbers and arrays of a record type in the order of its row.
+
+    Raises:
+        TypeError: a field is neither a number nor a record, a tuple or an array of a fixed shape.
+    """
+    if kind in (float, int, bool):
+        yield Leaf(kind, name, expression)
+    elif get_origin(kind) is Annotated:
+        yield Leaf(next(its for its in get_args(kind) if isinstance(its, Shape)), name, expression)
+    elif get_origin(kind) is tuple:
+        for index, part in enumerate(get_args(kind)):
+            yield from leaves(part, joined(name, str(index)), f"{expression}[{index}]")
+    elif isinstance(kind, type) and issubclass(kind, tuple) and hasattr(kind, "_fields"):
+        for field, part in fields_of(kind).items():
+            yield from leaves(part, joined(name, field), f"{expression}.{field}")
+    else:
+        raise TypeError(f"{name}: a row cannot hold {kind}")
+
+
+def joined(name: str, part: str) -> str:
+    """The dotted name of a part."""
+    return f"{name}.{part}" if name else part
+
+
+def width(kind: Any) -> int:
+    """How many numbers the row of a record type has."""
+    return sum(leaf.size for leaf in leaves(kind))
+
+
+def place(kind: Any, name: str) -> slice:
+    """Where in a row the numbers of one field are, by its dotted name.
+
+    Raises:
+        KeyError: the record type has no such field.
+    """
+    begin, found = 0, slice(0, 0)
+    for leaf in leaves(kind):
+        if leaf.name == name or leaf.name.startswith(f"{name}."):
+            found = slice(begin if found.stop == 0 else found.start, begin + leaf.size)
+        begin += leaf.size
+    if found.stop == 0:
+        raise KeyError(f"{kind.__name__} has no field {name}")
+    return found
+
+
+def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
+    """A Python function that gives the numbers of a record in the order of its row."""
+    parts = (
+        f"*{leaf.expression}.ravel()" if isinstance(leaf.kind, Shape) else leaf.expression
+        for leaf in leaves(kind)
+    )
+    return source_function(f"def numbers(r):\n    return ({', '.join(parts)},)", "numbers", {})
+
+
+def row_of(record: Any) -> Row:
+    """The row of a record."""
+    return np.array(flattener(type(record))(record), dtype=float)
+
+
+def table_of(kind: type[T], records: Iterable[T]) -> Table:
+    """The rows of records of one type, (N, width); (0, width) for none."""
+    numbers = flattener(kind)
+    rows = [numbers(record) for record in records]
+    return np.array(rows, dtype=float).reshape(-1, width(kind))
+
+
+def columns(kind: type[T], table: Table) -> T:
+    """The record of a table's columns: each number becomes (N,), each vector (N, 3), and so on."""
+    return cast("T", _columns(kind, table)[0])
+
+
+def _columns(kind: Any, table: Table) -> tuple[Any, Table]:
+    """The columns of one field, and the table of those that follow."""
+    if isinstance(kind, type) and hasattr(kind, "_fields"):
+        parts: list[Any] = []
+        for part in fields_of(kind).values():
+            value, table = _columns(part, table)
+            parts.append(value)
+        return kind(*parts), table
+    here, rest = np.split(table, [width(kind)], axis=1)
+    return here.reshape(-1, *array_shape(kind)), rest
+
+
+def array_shape(kind: Any) -> tuple[int, ...]:
+    """The shape of a field as an array: () of a number, (3, 3) of a matrix.
+
+    A record in a tuple counts as a vector of its numbers.
+
+    Raises:
+        TypeError: the parts of a tuple differ.
+    """
+    if kind in (float, int, bool):
+        return ()
+    if get_origin(kind) is Annotated:
+        return tuple(next(leaves(kind)).kind)
+    if hasattr(kind, "_fields"):
+        return (width(kind),)
+    shapes = {array_shape(part) for part in get_args(kind)}
+    if len(shapes) != 1:
+        raise TypeError(f"{kind} is no array")
+    return (len(get_args(kind)), *shapes.pop())
+
+
+def reader(kind: type[T]) -> Callable[[Row], T]:
+    """A compiled function that makes the record of a row; its arrays are views of the row."""
+    scope: dict[str, Any] = {}
+    source = _reading(kind, scope, [0])
+    return njit(source_function(f"def read(a):\n    return {source}", "read", scope))
+
+
+def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
+    """The source that makes a field from row `a`, from the place `begin` on, which moves on."""
+    at = begin[0]
+    if kind in (float, int, bool):
+        begin[0] += 1
+        return {float: f"a[{at}]", int: f"int(a[{at}])", bool: f"a[{at}] != 0.0"}[kind]
+    if get_origin(kind) is Annotated:
+        begin[0] += width(kind)
+        return f"a[{at}:{begin[0]}].reshape({array_shape(kind)})"
+    if get_origin(kind) is tuple:
+        return f"({', '.join(_reading(part, scope, begin) for part in get_args(kind))},)"
+    scope[kind.__name__] = kind
+    parts = (_reading(part, scope, begin) for part in fields_of(kind).values())
+    return f"{kind.__name__}({', '.join(parts)})"
+
+
+def writer(kind: type[T]) -> Callable[[T, Row], None]:
+    """A compiled function that writes a record into a row."""
+    lines, at = ["def write(r, a):"], 0
+    for leaf in leaves(kind):
+        if isinstance(leaf.kind, Shape):
+            there = f"a[{at}:{at + leaf.size}].reshape({tuple(leaf.kind)})"
+            lines.append(f"    {there}[:] = {leaf.expression}")
+        else:
+            lines.append(f"    a[{at}] = {leaf.expression}")
+        at += leaf.size
+    return njit(source_function("\n".join(lines), "write", {}))
+
+
+def replacing(kind: type[T], *names: str) -> Callable[..., T]:
+    """A compiled function of a record and new values for the named fields, in that order.
+
+    Raises:
+        KeyError: the record type has no such field.
+    """
+    fields = list(fields_of(kind))
+    if unknown := set(names) - set(fields):
+        raise KeyError(f"{kind.__name__} has no field {', '.join(sorted(unknown))}")
+    values = (name if name in names else f"r.{name}" for name in fields)
+    source = f"def replace(r, {', '.join(names)}):\n    return {kind.__name__}({', '.join(values)})"
+    return njit(source_function(source, "replace", {kind.__name__: kind}))
+
+
+def source_function(source: str, name: str, scope: dict[str, Any]) -> Any:
+    """The function `name` that `source` defines in `scope`."""
+    exec(compile(source, f"<{name}>", "exec"), scope)
+    return scope[name]
