@@ -6,9 +6,11 @@ from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import (
+    OPEN,
     Shape,
     columns,
     flattener,
+    getter,
     place,
     reader,
     replacing,
@@ -96,6 +98,37 @@ def test_no_records_make_an_empty_table():
 )
 def test_place_of_a_name(name: str, there: slice):
     assert place(Cart, name) == there
+
+
+class Train(NamedTuple):
+    speed: float
+    wagons: Annotated[NDArray[np.float64], OPEN]
+
+
+read_train, write_train = reader(Train), writer(Train)
+
+
+@compiled
+def one_more(row: NDArray[np.float64]) -> NDArray[np.float64]:
+    after = np.empty(len(row))
+    train = read_train(row)
+    write_train(Train(train.speed, train.wagons + 1.0), after)
+    return after
+
+
+def test_the_last_array_may_take_the_rest_of_the_row():
+    row = row_of(Train(3.0, np.array([1.0, 2.0, 4.0])))
+    assert width(Train) == 1
+    assert list(one_more(row)) == [3.0, 2.0, 3.0, 5.0]
+    assert list(getter(Train, "wagons")(row)) == [1.0, 2.0, 4.0]
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("p_n", (1.0, 2.0, 3.0)), ("p_n.1", 2.0), ("wheels.1", Wheel(0.4, False)), ("seats", 2)],
+)
+def test_one_field_of_a_row(name: str, value: object):
+    assert getter(Cart, name)(row_of(a_cart())) == value
 
 
 def test_unknown_names_are_refused():

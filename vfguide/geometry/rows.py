@@ -38,6 +38,11 @@ class Shape(tuple[int, ...]):
         return super().__new__(cls, sizes)
 
 
+OPEN = Shape(-1)
+"""Of an array that takes the rest of the row: of the last field alone. The width of a record type
+does not count it."""
+
+
 class Leaf(NamedTuple):
     """A number of a record, or an array."""
 
@@ -51,7 +56,15 @@ class Leaf(NamedTuple):
     @property
     def size(self) -> int:
         """How many numbers it has."""
-        return math.prod(self.kind) if isinstance(self.kind, Shape) else 1
+        return max(math.prod(self.kind), 0) if isinstance(self.kind, Shape) else 1
+
+    def source(self, row: str, begin: int) -> str:
+        """The source of its place in a row where it begins."""
+        if self.kind == OPEN:
+            return f"{row}[{begin}:]"
+        if isinstance(self.kind, Shape):
+            return f"{row}[{begin}:{begin + self.size}].reshape({tuple(self.kind)})"
+        return f"{row}[{begin}]"
 
 
 def fields_of(kind: Any) -> dict[str, Any]:
@@ -95,14 +108,27 @@ def place(kind: Any, name: str) -> slice:
     Raises:
         KeyError: the record type has no such field.
     """
-    begin, found = 0, slice(0, 0)
+    begin, places = 0, list[slice]()
     for leaf in leaves(kind):
         if leaf.name == name or leaf.name.startswith(f"{name}."):
-            found = slice(begin if found.stop == 0 else found.start, begin + leaf.size)
+            places.append(slice(begin, None if leaf.kind == OPEN else begin + leaf.size))
         begin += leaf.size
-    if found.stop == 0:
+    if not places:
         raise KeyError(f"{kind.__name__} has no field {name}")
-    return found
+    return slice(places[0].start, places[-1].stop)
+
+
+def getter(kind: Any, name: str) -> Callable[[Row], Any]:
+    """A Python function that takes one field out of a row, by its dotted name.
+
+    Raises:
+        KeyError: the record type has no such field.
+    """
+    there, part = place(kind, name), kind
+    for field in name.split("."):
+        part = get_args(part)[int(field)] if field.isdigit() else fields_of(part)[field]
+    read = python_reader(part)
+    return lambda row: read(row[there])
 
 
 def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
@@ -165,9 +191,14 @@ def array_shape(kind: Any) -> tuple[int, ...]:
 
 def reader(kind: type[T]) -> Callable[[Row], T]:
     """A compiled function that makes the record of a row; its arrays are views of the row."""
+    return njit(python_reader(kind))
+
+
+def python_reader(kind: type[T]) -> Callable[[Row], T]:
+    """The same, not compiled."""
     scope: dict[str, Any] = {}
     source = _reading(kind, scope, [0])
-    return njit(source_function(f"def read(a):\n    return {source}", "read", scope))
+    return source_function(f"def read(a):\n    return {source}", "read", scope)
 
 
 def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
@@ -178,7 +209,7 @@ def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
         return {float: f"a[{at}]", int: f"int(a[{at}])", bool: f"a[{at}] != 0.0"}[kind]
     if get_origin(kind) is Annotated:
         begin[0] += width(kind)
-        return f"a[{at}:{begin[0]}].reshape({array_shape(kind)})"
+        return next(leaves(kind)).source("a", at)
     if get_origin(kind) is tuple:
         return f"({', '.join(_reading(part, scope, begin) for part in get_args(kind))},)"
     scope[kind.__name__] = kind
@@ -190,11 +221,8 @@ def writer(kind: type[T]) -> Callable[[T, Row], None]:
     """A compiled function that writes a record into a row."""
     lines, at = ["def write(r, a):"], 0
     for leaf in leaves(kind):
-        if isinstance(leaf.kind, Shape):
-            there = f"a[{at}:{at + leaf.size}].reshape({tuple(leaf.kind)})"
-            lines.append(f"    {there}[:] = {leaf.expression}")
-        else:
-            lines.append(f"    a[{at}] = {leaf.expression}")
+        whole = "[:]" if isinstance(leaf.kind, Shape) else ""
+        lines.append(f"    {leaf.source('a', at)}{whole} = {leaf.expression}")
         at += leaf.size
     return njit(source_function("\n".join(lines), "write", {}))
 
