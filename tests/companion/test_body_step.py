@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vfguide.companion.body_step import step_body
-from vfguide.companion.legs import Goal, leg_rows
+from vfguide.loop.legs import Goal, leg_rows
 from vfguide.companion.route_memory import fresh_route, packed_memory, unpacked_memory
 from vfguide.flight.performance import Gains, packed
 from vfguide.geometry.angles import wrap

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.companion.jump import (
+from vfguide.estimation.jump import (
     BOUND,
     LEAST,
     LONGEST,

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, observe
-from vfguide.companion.place import extrapolated, place_state
+from vfguide.estimation.place import extrapolated, place_state
 from vfguide.geometry.projection import project
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, DEG_E7, MM

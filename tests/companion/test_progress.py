@@ -5,9 +5,9 @@ from itertools import pairwise
 
 import pytest
 
-from vfguide.companion.legs import Goal, leg_rows
+from vfguide.loop.legs import Goal, leg_rows
 from vfguide.companion.notes import progress_notes
-from vfguide.companion.progress import MARGIN, after_step, fresh_progress
+from vfguide.loop.progress import MARGIN, after_step, fresh_progress
 from vfguide.companion.route_memory import fresh_route, packed_memory
 from vfguide.companion.step import step
 from vfguide.flight.leg import AWAY, FIELD, WAY, new_leg

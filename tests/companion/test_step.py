@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from vfguide.companion.legs import Goal, goal_of, leg_rows, target_of
+from vfguide.loop.legs import Goal, goal_of, leg_rows, target_of
 from vfguide.companion.notes import passage_note
-from vfguide.companion.place import place_state
+from vfguide.estimation.place import place_state
 from vfguide.companion.route_memory import (
     ALARMED,
     HOLDS,
@@ -18,7 +18,7 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import note_passage, passage_of, passage_since, step, step_on
-from vfguide.companion.tries import Tries, no_tries
+from vfguide.loop.attempts import Tries, no_tries
 from vfguide.flight.leg import FIELD, WAY, new_leg
 from vfguide.flight.outlines import NO_FENCE
 from vfguide.flight.performance import Gains, packed

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from point_mass import UPDATE, Moment, fly, level
 
-from vfguide.companion.legs import Goal
+from vfguide.loop.legs import Goal
 from vfguide.companion.plan import Plan
 from vfguide.flight.performance import Gains
 from vfguide.geometry.angles import wrap

@@ -3,8 +3,8 @@
 import math
 from typing import Any, NamedTuple
 
-from vfguide.companion.place import Heard
 from vfguide.companion.plausible import is_plausible
+from vfguide.estimation.place import Measurement
 from vfguide.geometry.units import DEG_E7, MM, MS, US
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -73,7 +73,7 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
     return Knowledge._make(after)
 
 
-def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
+def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
     """What `place_state` makes the flight state of; None while anything is missing or old.
 
     Airspeed and wind that are not told, or not any more, are not a number. `lead`: how long after
@@ -88,17 +88,17 @@ def heard(known: Knowledge, lead: float = 0.0) -> Heard | None:
     wind, now = known.wind, attitude.time_boot_ms
     if wind is not None and abs(elapsed(known.wind_time, now)) > WIND_STALE:
         wind = None
-    return (
+    return Measurement(
         attitude.time_boot_ms * MS,
         (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
-        position[1:4],
-        position[4:7],
+        (position.x, position.y, position.z),
+        (position.vx, position.vy, position.vz),
         ahead,
-        attitude[1:5],
+        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
         hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
         hud.alt,
-        UNKNOWN if wind is None else wind[1:4],
-        attitude[5:8],
+        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
         lead,
     )
 

@@ -3,20 +3,13 @@
 import math
 from itertools import pairwise
 
+from vfguide.companion.loop_report import decision_of_row, goal_of_row, route_of_row
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import DETOUR, GUARD, PackedMemory, decision_in, goal_in
-from vfguide.flight.detour_leg import (
-    CLEARANCE,
-    COUNT,
-    INDEX,
-    LEVEL,
-    LOOKED,
-    RADIUS,
-    ROWS,
-    SOUGHT,
-)
-from vfguide.flight.hop import HOP_COLUMNS
+from vfguide.flight.detour_leg import RouteState
+from vfguide.flight.hop import hop_in
+from vfguide.flight.shortest import Word, length_of
 from vfguide.flight.way_round import LOOK, SEEK
+from vfguide.geometry.rows import Row
 from vfguide.safety.assurance import Reason
 
 QUIET = 1.0
@@ -40,7 +33,7 @@ class Lookout:
         self._lost: int | None = None
         """The goal to which no way was found."""
 
-    def notes(self, after: PackedMemory, now: float) -> list[str]:
+    def notes(self, after: Row, now: float) -> list[str]:
         """What is new with a step, which left the memory `after` at `now`.
 
         Times are on the clock of the obstacles [s].
@@ -49,33 +42,33 @@ class Lookout:
             return []
         return [*self._assurance(after, now), *self._ways(after, now)]
 
-    def _assurance(self, after: PackedMemory, now: float) -> list[str]:
-        reason, _, conflict, hazard = decision_in(after)
-        if reason == Reason.CLEAR:
+    def _assurance(self, after: Row, now: float) -> list[str]:
+        decision = decision_of_row(after)
+        if decision.reason == Reason.CLEAR:
             if self._acted is None or abs(now - self._acted) < QUIET:
                 return []
             self._acted = None
             return [BACK]
         new, self._acted = self._acted is None, now
-        what = conflict_note(conflict, int(hazard), self._plan.hazard_names)
-        if reason == Reason.LEAST_BAD:
+        what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
+        if decision.reason == Reason.LEAST_BAD:
             return self._tell("nothing", NOTHING_CLEAR.format(what=what), now)
         return self._tell("escape", f"escape: {what}", now) if new else []
 
-    def _ways(self, after: PackedMemory, now: float) -> list[str]:
-        detour, goal = after[DETOUR:GUARD], goal_in(after)
+    def _ways(self, after: Row, now: float) -> list[str]:
+        route, goal = route_of_row(after), goal_of_row(after)
         if self._lost is not None and self._lost != goal:
             self._lost = None
-        sought = float(detour[SOUGHT])
+        sought = route.sought
         if sought != self._sought and math.isfinite(sought):
             self._sought = sought
-            if detour[CLEARANCE] > 0.0:
+            if route.clearance > 0.0:
                 self._lost = None
-                return self._tell("way", way_note(detour), now)
+                return self._tell("way", way_note(route), now)
             if self._lost is None:
                 self._lost = goal
                 return self._tell("no way", NO_WAY.format(goal=goal + 1), now)
-        elif self._lost is not None and detour[LOOKED] - sought > SEEK + LOOK:
+        elif self._lost is not None and route.looked - sought > SEEK + LOOK:
             self._lost = None  # it was looked along without need to search
             return [WAY_AGAIN.format(goal=goal + 1)]
         return []
@@ -95,19 +88,19 @@ def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
 
 
-def way_note(detour: PackedMemory) -> str:
+def way_note(route: RouteState) -> str:
     """How the way round winds, and how long it is; or how high it is over what is in it."""
-    if math.isfinite(detour[LEVEL]) and detour[COUNT] == 0.0:
-        return f"over what is in the way, at {-detour[LEVEL]:.0f} m"
-    hops = int(detour[COUNT]) or int(detour[INDEX]) + 1  # the last one flies as the leg's own
-    words = detour[ROWS : ROWS + hops * HOP_COLUMNS].reshape(hops, HOP_COLUMNS)[:, 3:]
+    if math.isfinite(route.level) and route.length == 0:
+        return f"over what is in the way, at {-route.level:.0f} m"
+    hops = route.length or route.present + 1  # the last one flies as the leg's own
+    words = [hop_in(route.hops, i).word for i in range(hops)]
     sides = [side for word in words for side in sides_of(word)]
     turns = sum(one != other for one, other in pairwise((0.0, *sides)) if other != 0.0)
-    length = float(detour[RADIUS] * words[:, 1::2].sum())
+    length = route.radius * sum(length_of(word) for word in words)
     return f"a way round: {turns} turn{'s' if turns != 1 else ''}, {length:.0f} m"
 
 
-def sides_of(word: PackedMemory) -> list[float]:
+def sides_of(word: Word) -> list[float]:
     """To which side each part of a word that is longer than a degree turns, 0 for a straight."""
-    parts = ((word[0], word[1]), (word[2], word[3]), (word[4], word[5]))
-    return [float(side) for side, length in parts if length > 0.0175]
+    parts = ((word.first, word.arc), (word.middle, word.reach), (word.last, word.end))
+    return [side for side, length in parts if length > 0.0175]

@@ -1,25 +1,15 @@
 """What the operator should read, in plain words."""
 
 from vfguide.companion.engagement import Phase
+from vfguide.companion.loop_report import is_alarmed, trusts_sensor_of_row
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import (
-    AIR_TIME,
-    ALARMED,
-    JUMP_SIZE,
-    JUMPS,
-    LEAST,
-    RATIO,
-    PackedMemory,
-    given_up_in,
-    goal_in,
-    holds_in,
-    missed_in,
-    settled_in,
-    trusts_sensor_in,
-)
+from vfguide.estimation.jump import settled
+from vfguide.flight.air_state import TIME
 from vfguide.flight.identification import Identified
+from vfguide.geometry.rows import Row
 from vfguide.link.messages import GpsGlobalOrigin
 from vfguide.link.px4 import Px4Mode
+from vfguide.loop.state import LoopState, state_of_row
 
 SILENT_UNTIL_CHANGE = (
     "the autopilot already follows somebody's setpoints: silent until it flies another mode"
@@ -71,14 +61,15 @@ def route_note(goal: int, plan: Plan) -> str:
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
-def passage_note(before: PackedMemory, after: PackedMemory, miss: float, plan: Plan) -> str:
-    """A goal was passed with a `miss` [m]; the memory before and after."""
-    goal = goal_in(before) + 1
-    if given_up_in(after) > given_up_in(before):
-        return f"goal {goal} missed {times(missed_in(before) + 1)}: {onward(goal, plan)}"
-    if goal_in(after) == goal_in(before):
+def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
+    """A goal was passed with a `miss` [m]; the states of the loop before and after."""
+    was, now = state_of_row(before).mission, state_of_row(after).mission
+    goal = was.goal + 1
+    if now.attempts.given_up > was.attempts.given_up:
+        return f"goal {goal} missed {times(was.attempts.missed + 1)}: {onward(goal, plan)}"
+    if now.goal == was.goal:
         return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
-    return f"goal {goal} reached, {miss:.1f} m off; {route_note(goal_in(after), plan)}"
+    return f"goal {goal} reached, {miss:.1f} m off; {route_note(now.goal, plan)}"
 
 
 def onward(passed: int, plan: Plan) -> str:
@@ -126,22 +117,25 @@ def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) 
     return [ORIGIN_MOVED]
 
 
-def progress_notes(before: PackedMemory, after: PackedMemory) -> list[str]:
+def progress_notes(before: Row, after: Row) -> list[str]:
     """A leg has begun to come to no end."""
-    if after[ALARMED] <= before[ALARMED]:
+    if is_alarmed(before) or not is_alarmed(after):
         return []
-    return [NO_PROGRESS.format(goal=goal_in(after) + 1, least=after[LEAST])]
+    s = state_of_row(after)
+    return [NO_PROGRESS.format(goal=s.mission.goal + 1, least=s.progress.least)]
 
 
-def air_notes(before: PackedMemory, after: PackedMemory, plan: Plan) -> list[str]:
+def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
     """What has changed in a step about the air and the autopilot's place."""
-    notes: list[str] = []
-    if trusts_sensor_in(after) != trusts_sensor_in(before) or before[AIR_TIME] < 0.0:
-        notes += sensor_notes(trusts_sensor_in(after), begins=before[AIR_TIME] < 0.0)
-    if after[JUMPS] != before[JUMPS] and not settled_in(after):
-        notes.append(JUMPED.format(size=after[JUMP_SIZE]))
-    if holds_in(after) != holds_in(before):
-        notes.append(wind_note(after, plan))
+    was, now, notes = state_of_row(before), state_of_row(after), list[str]()
+    trusted, begins = trusts_sensor_of_row(after), was.estimation.air[TIME] < 0.0
+    if trusted != trusts_sensor_of_row(before) or begins:
+        notes += sensor_notes(trusted, begins=bool(begins))
+    resets = now.estimation.resets
+    if resets.number != was.estimation.resets.number and not settled(resets):
+        notes.append(JUMPED.format(size=resets.size))
+    if now.mission.wind_hold.holds != was.mission.wind_hold.holds:
+        notes.append(wind_note(now, plan))
     return notes
 
 
@@ -152,11 +146,11 @@ def sensor_notes(trusted: bool, *, begins: bool) -> list[str]:
     return [f"{NO_SENSOR if begins else SENSOR_LOST}: {ESTIMATED}"]
 
 
-def wind_note(memory: PackedMemory, plan: Plan) -> str:
+def wind_note(s: LoopState, plan: Plan) -> str:
     """A goal cannot be reached in this wind, or can again."""
-    goal = goal_in(memory)
-    if not holds_in(memory):
+    goal, hold = s.mission.goal, s.mission.wind_hold
+    if not hold.holds:
         return f"{WEAK_AGAIN}: {route_note(goal, plan)}"
     what = f"goal {goal + 1} unreachable" if goal < len(plan.goals) else "no circle"
     speed = plan.gains.airspeed
-    return f"{what} now: wind {memory[RATIO] * speed:.0f} of {speed:.0f} m/s, holding against it"
+    return f"{what} now: wind {hold.ratio * speed:.0f} of {speed:.0f} m/s, holding against it"

@@ -2,12 +2,17 @@
 
 from dataclasses import dataclass, field
 
-from vfguide.companion.legs import Goal, Legs, leg_rows
+import numpy as np
+
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.flight.outlines import NO_FENCE, Outlines
-from vfguide.flight.performance import Gains, Law, Performance, packed
+from vfguide.flight.performance import Gains, Performance
 from vfguide.flight.response import FAST, suited
+from vfguide.flight.vehicle import Vehicle, vehicle_numbers
+from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
+from vfguide.guidance.laws import FLIGHT, Law
+from vfguide.loop.legs import Goal, Legs, leg_rows
 from vfguide.safety.hazards import Hazards
 
 
@@ -44,16 +49,24 @@ class Plan:
     """To keep out of around other aircraft."""
     own_icao: int = 0
     """Address of the own transponder; 0: there is none."""
+    law: Law = FLIGHT
+    """That guides."""
+    is_point: bool = False
+    """Whether the vehicle is the paper's rigid body."""
     legs: Legs = field(init=False, compare=False)
     """Goals and circle, of `leg_rows`."""
     tuned: Gains = field(init=False, compare=False)
     """The gains that suit the roll response."""
-    law: Law = field(init=False, compare=False)
-    """Aircraft and those gains, `packed`."""
+    vehicle: Vehicle = field(init=False, compare=False)
+    """The aircraft with those gains."""
+    vehicle_row: Row = field(init=False, compare=False)
+    """The same as a row."""
 
     def __post_init__(self) -> None:
         legs = leg_rows(self.goals, self.loiter_side, self.loiter_radius)
         object.__setattr__(self, "legs", legs)
         tuned = suited(self.gains, self.roll_time, self.aircraft.rate_max[0])
         object.__setattr__(self, "tuned", tuned)
-        object.__setattr__(self, "law", packed(self.aircraft, tuned))
+        vehicle = Vehicle(self.aircraft, tuned, self.is_point)
+        object.__setattr__(self, "vehicle", vehicle)
+        object.__setattr__(self, "vehicle_row", np.array(vehicle_numbers(vehicle)))

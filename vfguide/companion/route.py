@@ -2,8 +2,21 @@
 
 import math
 
+import numpy as np
+
+from vfguide.airspace.detection import Airspace, in_sight
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.lookout import Lookout
+from vfguide.companion.loop_report import (
+    Noted,
+    air_report,
+    decision_of_row,
+    goal_of_row,
+    has_news,
+    noted_numbers,
+    number_of_resets,
+    trusts_sensor_of_row,
+)
 from vfguide.companion.notes import (
     BROKEN_OFF,
     NO_ROOM,
@@ -14,42 +27,37 @@ from vfguide.companion.notes import (
     progress_notes,
     route_note,
 )
-from vfguide.companion.place import Heard, place_state
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import (
-    JUMPS,
-    Noted,
-    air_in,
-    begin_leg,
-    begin_route,
-    decision_in,
-    forget_learned,
-    fresh_route,
-    goal_in,
-    has_news,
-    leave_goal,
-    noted_in,
-    packed_memory,
-    take_over,
-    trusts_sensor_in,
-    unpacked_memory,
-)
-from vfguide.companion.step import step_on
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Own, Picture
 from vfguide.companion.trial import Trial
-from vfguide.companion.tries import no_tries
+from vfguide.estimation.place import Measurement, measurement_numbers, place_state
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.identification import Identified
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.messages import AdsbVehicle
+from vfguide.loop.attempts import no_attempts
+from vfguide.loop.rows import step_measured
+from vfguide.loop.state import (
+    begin_leg,
+    begin_mission,
+    forget_learned,
+    fresh_state,
+    leave_goal,
+    row_of_state,
+    state_of_row,
+    take_over,
+)
 from vfguide.safety.assurance import Reason
-from vfguide.safety.guard import in_sight
 from vfguide.safety.hazards import Hazards
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
 its own middle, half because the reference's turning is known for the period before."""
+
+GUST = 1.0
+"""Speed of the gusts that tracks are predicted for, one standard deviation [m/s]: nothing tells the
+true one."""
 
 
 class Route:
@@ -62,7 +70,7 @@ class Route:
         """The aircraft as a test flight has shown it."""
         self._trial = Trial(plan) if plan.identify else None
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
-        self._memory = packed_memory(fresh_route(obstacles))
+        self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._lookout = Lookout(plan)
@@ -80,12 +88,12 @@ class Route:
     @property
     def air(self) -> AirReport:
         """What is believed of the air."""
-        return air_in(self._memory)
+        return air_report(self._state)
 
     @property
     def noted(self) -> Noted:
         """What records keep of the last step."""
-        return noted_in(self._memory)
+        return Noted(*noted_numbers(self._state))
 
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
@@ -111,26 +119,27 @@ class Route:
         if follows and not self._follows:
             self._begin_leg(state, hazards, t)
         self._follows = follows
-        plan, before = self.plan, self._memory
-        omega_b, thrust, q_nb, after, miss = step_on(
-            state,
+        plan, before = self.plan, self._state
+        omega_b, thrust, q_nb, after, miss = step_measured(
+            np.array(measurement_numbers(state)),
             plan.origin,
-            plan.legs,
-            plan.law if self._trial is None else self._trial.law(goal_in(before)),
             before,
-            hazards,
-            plan.fence,
-            t,
+            plan.legs,
+            None if hazards is None else Airspace(hazards, plan.fence, t, GUST),
+            plan.law,
+            plan.vehicle_row
+            if self._trial is None
+            else self._trial.vehicle_row(goal_of_row(before)),
         )
         if follows:
-            self._memory = after
+            self._state = after
             if has_news(before, after):
                 self.notes += air_notes(before, after, plan)
-                self._jumped |= bool(after[JUMPS] != before[JUMPS])
+                self._jumped |= number_of_resets(after) != number_of_resets(before)
             self.notes += self._lookout.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._trial is not None:
-            self._trial.take(state, setpoint, delay, trusts_sensor_in(after))
+            self._trial.take(state, setpoint, delay, trusts_sensor_of_row(after))
             self._test(self._trial)
         elif follows:
             self.notes += progress_notes(before, after)
@@ -152,17 +161,17 @@ class Route:
         """The autopilot does not follow now, or nobody knows."""
         self._follows = False
 
-    def _begin_leg(self, state: Heard, hazards: Hazards | None, t: float) -> None:
+    def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
-        memory = unpacked_memory(self._memory)
+        before = state_of_row(self._state)
         if self._trial is None:
-            self._memory = packed_memory(take_over(memory))
-            self.notes.append(route_note(goal_in(self._memory), self.plan))
+            self._state = row_of_state(take_over(before))
+            self.notes.append(route_note(before.mission.goal, self.plan))
             return
-        self._memory = packed_memory(begin_route(memory))
+        self._state = row_of_state(begin_mission(before))
         if hazards is not None:
             p_n = place_state(state, self.plan.origin).p_n
-            hazards = in_sight(hazards, memory.guard.copy(), p_n, t)
+            hazards = in_sight(hazards, before.detection.known.copy(), p_n, t)
         if name := self._trial.begin(state, hazards, t):
             self.notes.append(TESTING.format(what=name))
             self.plan = self._trial.plan
@@ -171,14 +180,15 @@ class Route:
 
     def _test(self, trial: Trial) -> None:
         """Go on with the test flight; after it the goals are flown to with what it has shown."""
-        if decision_in(self._memory)[0] != Reason.CLEAR.value:
+        if decision_of_row(self._state).reason != Reason.CLEAR:
             self._end_test(trial, BROKEN_OFF)
             return
-        if trial.is_stuck(goal_in(self._memory)):
-            self._memory = packed_memory(leave_goal(unpacked_memory(self._memory)))
-        if name := trial.enters(goal_in(self._memory)):
+        if trial.is_stuck(goal_of_row(self._state)):
+            self._state = row_of_state(leave_goal(state_of_row(self._state)))
+        leg = goal_of_row(self._state)
+        if name := trial.enters(leg):
             self.notes.append(TESTING.format(what=name))
-        if trial.is_over(goal_in(self._memory)):
+        if trial.is_over(leg):
             self.identified = trial.identify()
             self._end_test(trial, *identified_notes(self.identified))
 
@@ -186,9 +196,8 @@ class Route:
         """Fly to the goals, with what the test flight has shown if it has."""
         before, after = self.plan.aircraft, trial.plan_after(self.identified)
         self._trial, self.plan, self._lookout = None, after, Lookout(after)
-        memory = unpacked_memory(self._memory)
-        memory = forget_learned(memory, before, after.aircraft)
-        self._memory = packed_memory(begin_leg(0, no_tries(), memory))
+        s = forget_learned(state_of_row(self._state), before, after.aircraft)
+        self._state = row_of_state(begin_leg(s, 0, no_attempts()))
         self.notes += (*notes, route_note(0, after))
 
     def _due(self, time_boot_ms: int) -> bool:

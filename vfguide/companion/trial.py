@@ -11,18 +11,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.companion.legs import Goal
-from vfguide.companion.place import Heard, place_told
+from vfguide.airspace.detection import in_sight
 from vfguide.companion.plan import Plan
+from vfguide.estimation.place import Measurement, place_told
 from vfguide.flight.fit import Array
 from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.identification import Identified, identify
-from vfguide.flight.performance import AIRSPEED_GAIN, Law
 from vfguide.flight.samples import Samples
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.vehicle import Vehicle, vehicle_numbers
+from vfguide.geometry.rows import Row
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.guard import fresh_guard, in_sight
+from vfguide.loop.legs import Goal
 from vfguide.safety.hazards import Hazards, hazard_count, hazard_distance
 
 BANK = 30.0 * DEG
@@ -75,16 +76,16 @@ class Trial:
         self._known = plan
         self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL), identify=False)
         self._legs: tuple[Manoeuvre, ...] = ()
-        self._laws: tuple[Law, ...] = ()
+        self._vehicles: tuple[Row, ...] = ()
         self._rows: list[tuple[float, ...]] = []
         self._leg, self._began = 0, 0.0
         # Compiled on the ground, not in flight:
         identify(nothing_flown(), plan.aircraft, plan.roll_time)
         if plan.hazards is not None:
-            unknown = fresh_guard(len(plan.hazards.obstacles))
+            unknown = np.zeros(len(plan.hazards.obstacles))
             room((0.0, 0.0, 0.0), in_sight(plan.hazards, unknown, (0.0, 0.0, 0.0), 0.0), 0.0)
 
-    def begin(self, heard: Heard, hazards: Hazards | None, t: float) -> str | None:
+    def begin(self, heard: Measurement, hazards: Hazards | None, t: float) -> str | None:
         """Lay out the legs from where the vehicle is; returns what is flown first.
 
         The turns go to the side with more room among what is known of the `hazards` at the time
@@ -97,16 +98,17 @@ class Trial:
             return None
         self._legs = layouts[rooms.index(max(rooms))]
         self.plan = replace(wide, goals=tuple(leg.goal for leg in self._legs))
-        self._laws = tuple(at_airspeed(self.plan.law, leg.airspeed) for leg in self._legs)
+        self._vehicles = tuple(at_airspeed(self.plan.vehicle, leg.airspeed) for leg in self._legs)
         self._rows.clear()
         self._leg, self._began = 0, state.time
         return self._legs[0].name
 
-    def law(self, leg: int) -> Law:
+    def vehicle_row(self, leg: int) -> Row:
         """Aircraft and gains of a leg."""
-        return self._laws[min(leg, len(self._laws) - 1)] if self._laws else self.plan.law
+        rows = self._vehicles
+        return rows[min(leg, len(rows) - 1)] if rows else self.plan.vehicle_row
 
-    def take(self, heard: Heard, setpoint: RateSetpoint, delay: float, trusts: bool) -> None:
+    def take(self, heard: Measurement, setpoint: RateSetpoint, delay: float, trusts: bool) -> None:
         """Note a state and the setpoint that answers it, which acts `delay` [s] later.
 
         The airspeed counts only if the companion `trusts` its sensor.
@@ -114,7 +116,7 @@ class Trial:
         told = place_told(heard, self._then.origin)
         attitude = (*told.R_nb[0], *told.R_nb[1], *told.R_nb[2])
         airspeed = told.airspeed if trusts else math.nan
-        asked = (heard[9][0], setpoint.omega_b[0], setpoint.thrust, delay)
+        asked = (heard.omega_b[0], setpoint.omega_b[0], setpoint.thrust, delay)
         self._rows.append((told.time, *attitude, *told.v_n, airspeed, *asked))
 
     def enters(self, leg: int) -> str | None:
@@ -240,8 +242,7 @@ def moved(p_n: Vec3, course: float, ahead: float, right: float, up: float) -> Ve
     return (p_n[0] + c * ahead - s * right, p_n[1] + s * ahead + c * right, p_n[2] - up)
 
 
-def at_airspeed(law: Law, airspeed: float) -> Law:
-    """The same law at another airspeed [m/s]."""
-    other = law.copy()
-    other[AIRSPEED_GAIN] = airspeed
-    return other
+def at_airspeed(vehicle: Vehicle, airspeed: float) -> Row:
+    """The row of the same vehicle at another airspeed [m/s]."""
+    gains = vehicle.gains._replace(airspeed=airspeed)
+    return np.array(vehicle_numbers(vehicle._replace(gains=gains)))

@@ -21,10 +21,9 @@ from vfguide.flight.air_state import (
     TRUST,
     AirState,
     X,
-    sigma,
     trusts_sensor,
 )
-from vfguide.flight.performance import AIRSPEED_GAIN, BANK_GAIN, Law, Performance
+from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.flight.wind_estimate import (
     begin,
@@ -114,21 +113,3 @@ def doubt_sensor(air: AirState, told: float, dt: float) -> None:
         air[TRUST] = 0.0
     elif air[DOUBT] < -RECOVERED and air[SAME] < FROZEN_TIME:
         air[TRUST] = 1.0
-
-
-@compiled
-def cautious(law: Law, air: AirState, aircraft: Performance) -> Law:
-    """The law to fly by: faster and with less bank where the airspeed is only estimated.
-
-    Twice the standard deviation stays between the airspeed and what the wing needs.
-    """
-    if trusts_sensor(air):
-        return law
-    unsure = 2.0 * sigma(air, AIRSPEED)
-    least = max(air[X + AIRSPEED] - unsure, aircraft.airspeed_min)
-    load = max(1.05, (least / aircraft.airspeed_min) ** 2)
-    careful = law.copy()
-    fast = min(SLOWEST * aircraft.airspeed_min + unsure, 0.95 * aircraft.airspeed_max)
-    careful[AIRSPEED_GAIN] = max(law[AIRSPEED_GAIN], fast)
-    careful[BANK_GAIN] = min(law[BANK_GAIN], math.acos(1.0 / load))
-    return careful

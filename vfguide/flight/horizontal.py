@@ -4,17 +4,16 @@ import math
 
 from vfguide.flight.approach import Course, Planar, loiter_course
 from vfguide.flight.attitude import Lift, lift_for_turn
-from vfguide.flight.begin import Paths
 from vfguide.flight.leg import Leg, turn_radius
 from vfguide.flight.memory import Target
 from vfguide.flight.performance import Gains, Performance, turn_length
-from vfguide.flight.planner import fly_leg, leg_course
+from vfguide.flight.planner import leg_course
 from vfguide.flight.state import FlightState
 from vfguide.flight.vertical import path_needed, steepest_descent, widest
 from vfguide.flight.wind import Heading
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, add, scale
 
 LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
@@ -58,27 +57,22 @@ def in_goal_plane(state: FlightState, target: Target) -> Planar:
 
 
 @compiled
-def plan_course(
-    state: FlightState,
-    target: Target,
-    aircraft: Performance,
-    gains: Gains,
-    leg: Leg,
-    slope: float,
-) -> tuple[Leg, Course]:
-    """Memory of the leg, and the course over ground relative to the target's.
+def soon(state: FlightState, gains: Gains) -> FlightState:
+    """The state with the position half a roll response later, when a turn will have begun."""
+    p_n = add(state.p_n, scale(0.5 * gains.sluggish, state.v_n))
+    return FlightState(state.time, p_n, state.v_n, state.R_nb, state.airspeed, state.wind_n)
 
-    `slope` is the one that was wanted at the step before.
-    """
+
+@compiled
+def target_course(
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
+) -> Course:
+    """The course over ground of a leg, or round a circle, relative to the target's."""
     at = in_goal_plane(state, target)
     if target.circle != 0.0:
-        return leg, loiter(at, target, leg)
-    now, most = wider_by(leg, state, aircraft, gains), widest(aircraft)
-    needed = path_for_height(state, target, aircraft, gains, now, slope)
-    needed_wide = path_for_height(state, target, aircraft, gains, most, slope)
-    leg = fly_leg(leg, at, Paths(needed, most / now, needed_wide), gains)
+        return loiter(at, target, leg)
     core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
-    return leg, leg_course(leg, at, core)
+    return leg_course(leg, at, core)
 
 
 @compiled

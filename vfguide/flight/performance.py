@@ -2,9 +2,6 @@
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 
@@ -80,27 +77,3 @@ def turn_length(airspeed: float) -> float:
     63.7 m for the Aerosonde at 25 m/s, with which the multiples of it were measured.
     """
     return airspeed * airspeed / G0
-
-
-Law = NDArray[np.float64]
-"""Performance and gains as one array, (29,): compiled code that is called from Python checks every
-field of a record at every call, an array at once."""
-AIRSPEED_GAIN = 18
-BANK_GAIN = 23
-"""Places of the airspeed to fly and of the largest bank in a Law."""
-
-
-def packed(aircraft: Performance, gains: Gains) -> Law:
-    """Both as one array."""
-    return np.hstack([*aircraft, *gains])
-
-
-@compiled
-def unpacked(a: Law) -> tuple[Performance, Gains]:
-    """What `packed` packed."""
-    speeds = (a[0], a[1], a[2])
-    limits = (a[3], a[4], a[5], a[6], a[7], (a[8], a[9], a[10]))
-    lift = (a[11], a[12])
-    thrust = (a[13], a[14], a[15], a[16], a[17])
-    gains = (a[18], a[19], a[20], a[21], a[22], a[23], a[24], a[25], a[26], a[27], a[28])
-    return Performance(*(speeds + limits + lift + thrust)), Gains(*gains)

@@ -12,24 +12,17 @@ from vfguide.flight.approach import arc_to_goal
 from vfguide.flight.clearance import NOTHING, clearance_at
 from vfguide.flight.detour import CLEARANCES, find_detour
 from vfguide.flight.detour_leg import (
-    CLEARANCE,
-    COUNT,
-    FALL,
-    INDEX,
-    LEFT,
-    LEVEL,
-    LOOKED,
-    PIECE,
-    SHIFTED,
-    SOUGHT,
-    DetourState,
-    begin_detour,
-    go_on_detour,
+    RouteState,
+    begin_route,
+    follow_route,
     hop_at,
-    hops_left,
-    is_on_detour,
-    level_of,
+    hops_of,
+    is_on_route,
     vehicle_from,
+    with_level,
+    with_look,
+    with_overflight,
+    with_search,
 )
 from vfguide.flight.hop import HOP_COLUMNS, Hop, Piece, hop_row, next_word
 from vfguide.flight.hop_check import Air, Task, check_piece, demand_of, way_is_clear
@@ -83,35 +76,34 @@ class Scene(NamedTuple):
 
 
 @compiled
-def seek_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> Leg:
-    """The leg with a way that keeps clear of the hazards, if it needs another; fills `detour`."""
+def seek_way(journey: Journey, leg: Leg, scene: Scene, route: RouteState) -> tuple[Leg, RouteState]:
+    """The leg with a way that keeps clear of the hazards, if it needs another."""
     t = scene.t
-    if is_on_detour(detour):
-        leg = go_on_detour(detour, journey.state, leg)
-    is_unplanned = leg.phase == NEW and not is_on_detour(detour)
-    if is_unplanned or (detour[SHIFTED] == 0.0 and t - detour[LOOKED] < LOOK):
-        return leg
-    detour[LOOKED], detour[SHIFTED] = t, 0.0
-    drop_level(journey, leg, scene, detour)
-    heights = heights_of(journey, detour)
-    if is_clear(journey, leg, scene, detour, heights, tolerated(detour)):
-        return leg
-    if detour[CLEARANCE] < 0.0 and t - detour[SOUGHT] < SEEK:
-        return leg
-    return with_new_way(journey, leg, scene, detour)
+    if is_on_route(route):
+        route, leg = follow_route(route, journey.state, leg)
+    is_unplanned = leg.phase == NEW and not is_on_route(route)
+    if is_unplanned or (not route.shifted and t - route.looked < LOOK):
+        return leg, route
+    route = drop_level(journey, leg, scene, with_look(route, t, False))
+    heights = heights_of(journey, route)
+    if is_clear(journey, leg, scene, route, heights, tolerated(route)):
+        return leg, route
+    if route.clearance < 0.0 and t - route.sought < SEEK:
+        return leg, route
+    return with_new_way(journey, leg, scene, route)
 
 
 @compiled
-def heights_of(journey: Journey, detour: DetourState) -> Heights:
+def heights_of(journey: Journey, route: RouteState) -> Heights:
     """Heights from here to the goal."""
-    its, (level, fall) = journey, level_of(detour)
-    return heights_left(level, fall, its.state, its.target, its.aircraft, its.gains)
+    j = journey
+    return heights_left(route.level, route.fall, j.state, j.target, j.aircraft, j.gains)
 
 
 @compiled
-def tolerated(detour: DetourState) -> float:
+def tolerated(route: RouteState) -> float:
     """Clearance with which a way is not given up yet [m]."""
-    return TOLERATED * (detour[CLEARANCE] if detour[CLEARANCE] > 0.0 else CLEARANCES[0])
+    return TOLERATED * (route.clearance if route.clearance > 0.0 else CLEARANCES[0])
 
 
 @compiled
@@ -141,7 +133,7 @@ def is_clear(
     journey: Journey,
     leg: Leg,
     scene: Scene,
-    detour: DetourState,
+    route: RouteState,
     heights: Heights,
     wanted: float,
 ) -> bool:
@@ -151,10 +143,9 @@ def is_clear(
     hazards = joined(hazards_of(obstacles, band_of(heights), wanted), scene.fence)
     here, entry = pose_of(state, 0.0), entry_of(target, leg.final)
     task = task_from(journey, here, entry_of(target, 0.0), leg.radius, scene.t)
-    if is_on_detour(detour):
-        index, piece = int(detour[INDEX]), int(detour[PIECE])
-        gone = gone_in(hop_at(detour, index).word, piece, detour[LEFT], leg.radius)
-        return way_is_clear(hazards, task, wanted, hops_left(detour), index, piece, gone)
+    if is_on_route(route):
+        gone = gone_in(hop_at(route, route.present).word, route.piece, route.left, leg.radius)
+        return way_is_clear(hazards, task, wanted, hops_of(route), route.present, route.piece, gone)
     if leg.phase == WAY:
         way = leg.way
         hop = Hop(placed(entry, Pose(way.x, way.y, way.course)), way.word)
@@ -198,18 +189,19 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 
 
 @compiled
-def with_new_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> Leg:
+def with_new_way(
+    journey: Journey, leg: Leg, scene: Scene, route: RouteState
+) -> tuple[Leg, RouteState]:
     """The leg along what is found, or as it was: over what is in its way, or with nothing found.
 
     A level that is kept is kept on a new way too. Where there is no way to the beginning of the
     straight end, one to the goal itself is taken.
     """
     state, target, radius = journey.state, journey.target, leg.radius
-    heights, may_climb = heights_of(journey, detour), not is_on_detour(detour)
+    heights, may_climb = heights_of(journey, route), not is_on_route(route)
     may_climb = may_climb and math.isinf(heights.level)
     obstacles = left_in_way(scene.obstacles, heights, TOLERATED * CLEARANCES[0])
-    detour[SOUGHT] = detour[LOOKED] = scene.t
-    detour[COUNT], detour[CLEARANCE] = 0.0, -1.0
+    route = with_search(route, scene.t, scene.t, 0, -1.0)
     begin = pose_of(state, TURN_IN)
     for end in (journey.gains.final * radius, 0.0):
         entry = entry_of(target, end)
@@ -217,45 +209,50 @@ def with_new_way(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) 
         found = find_detour(obstacles, scene.fence, band_of(heights), task)
         if len(found.hops) > 0:
             longer = found.length - radius * length_of(next_word(begin, entry, radius, -1.0))
-            if may_climb and finds_level(journey, leg, scene, detour, longer):
-                return leg
-            detour[CLEARANCE] = found.clearance
-            begin_detour(detour, found, entry, radius)
-            return go_on_detour(detour, state, with_final(leg, end))
+            if may_climb:
+                over = seek_level(journey, leg, scene, route, longer)
+                if over.clearance > 0.0:
+                    return leg, over
+            route = begin_route(route, found, entry, radius)
+            route, leg = follow_route(route, state, with_final(leg, end))
+            return leg, route
     if may_climb:
-        finds_level(journey, leg, scene, detour, math.inf)
-    return leg
+        route = seek_level(journey, leg, scene, route, math.inf)
+    return leg, route
 
 
 @compiled
-def finds_level(journey: Journey, leg: Leg, scene: Scene, detour: DetourState, most: float) -> bool:
-    """Whether the leg is clear at another height, for less than `most` [m]; fills `detour`."""
+def seek_level(
+    journey: Journey, leg: Leg, scene: Scene, route: RouteState, most: float
+) -> RouteState:
+    """The route over what is in the way, where the leg is clear at another height.
+
+    That has to cost less than `most` [m]; where nothing is found the route is as it was.
+    """
     its, wanted = journey, CLEARANCES[0]
     here, goal = its.state.p_n[2], its.target.p_n[2]
     for level in levels_for(scene.obstacles, here, goal, scene.highest, wanted):
         if cost_of(level, here, goal) >= most:
             break
         heights = heights_by(level, its.state, its.target, its.aircraft, its.gains)
-        if is_free(journey, leg, scene, detour, heights):
-            detour[LEVEL], detour[FALL], detour[CLEARANCE] = level, heights.fall, wanted
-            return True
-    return False
+        if is_free(journey, leg, scene, route, heights):
+            return with_overflight(route, level, heights.fall, wanted)
+    return route
 
 
 @compiled
-def drop_level(journey: Journey, leg: Leg, scene: Scene, detour: DetourState) -> None:
-    """Forget the level once the way is clear without it."""
-    if not math.isinf(detour[LEVEL]):
+def drop_level(journey: Journey, leg: Leg, scene: Scene, route: RouteState) -> RouteState:
+    """The route without a level once the way is clear without it."""
+    if not math.isinf(route.level):
         state, target = journey.state, journey.target
         heights = Heights(state.p_n, target.p_n, NO_LEVEL, 0.0, 0.0)
-        if leg.phase != AWAY and is_free(journey, leg, scene, detour, heights):
-            detour[LEVEL] = NO_LEVEL
+        if leg.phase != AWAY and is_free(journey, leg, scene, route, heights):
+            return with_level(route, NO_LEVEL)
+    return route
 
 
 @compiled
-def is_free(
-    journey: Journey, leg: Leg, scene: Scene, detour: DetourState, heights: Heights
-) -> bool:
+def is_free(journey: Journey, leg: Leg, scene: Scene, route: RouteState, heights: Heights) -> bool:
     """Whether the rest of the way has all the clearance, and so has the place where it begins.
 
     Near a hazard less is asked for round the beginning, and none of it above one.
@@ -265,4 +262,4 @@ def is_free(
     near = hazards_of(obstacles, band_of(heights), wanted)
     if clearance_at(near, p_n[0], p_n[1], scene.t).distance < wanted:
         return False
-    return is_clear(journey, leg, scene, detour, heights, wanted)
+    return is_clear(journey, leg, scene, route, heights, wanted)

@@ -8,13 +8,16 @@ from functools import partial
 from pathlib import Path
 from statistics import median
 
+import numpy as np
+
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import fresh_route, packed_memory
-from vfguide.companion.step import step_on
+from vfguide.estimation.place import Measurement, measurement_numbers
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
+from vfguide.loop.rows import step_measured
+from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
@@ -27,7 +30,9 @@ REPEATS = 7
 """Every figure is the median of this many, taken in turn, so that a slow spell hits them all."""
 GUIDANCE_STEPS = 500
 MESSAGES = 1000
-HEARD = (
+MEASURED = Measurement(
+    0.0,
+    (0.0, 0.0, 0.0),
     (-300.0, 50.0, -120.0),
     (25.0, 2.0, 0.0),
     0.0,
@@ -38,7 +43,7 @@ HEARD = (
     (0.1, 0.02, 0.03),
     0.02,
 )
-"""What the autopilot says, after its time and its origin."""
+"""What the autopilot says, but for its time and its origin."""
 SETPOINT = SetAttitudeTarget(
     1000, 1, 1, AttitudeTypeMask.ATTITUDE_IGNORE, (1.0, 0.0, 0.0, 0.0), 0.1, 0.02, 0.03, 0.4
 )
@@ -103,11 +108,11 @@ def seconds(work: Callable[[], None]) -> float:
 
 def guide_often(plan: Plan) -> None:
     """Guidance steps in flight, each with the memory of the one before."""
-    memory = packed_memory(fresh_route())
+    state, told = row_of_state(fresh_state()), MEASURED._replace(origin=plan.origin)
     for k in range(GUIDANCE_STEPS):
-        said = (0.02 * k, plan.origin, *HEARD)
-        *_, memory, _ = step_on(
-            said, plan.origin, plan.legs, plan.law, memory, plan.hazards, plan.fence, 0.02 * k
+        measured = np.array(measurement_numbers(told._replace(time=0.02 * k)))
+        *_, state, _ = step_measured(
+            measured, plan.origin, state, plan.legs, None, plan.law, plan.vehicle_row
         )
 
 

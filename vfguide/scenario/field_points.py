@@ -14,16 +14,16 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.companion.legs import target_of
 from vfguide.companion.plan import Plan
+from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
-from vfguide.flight.memory import fresh_memory
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale, sub, transpose
-from vfguide.safety.limits import guide_within_limits
+from vfguide.loop.state import fresh_state
+from vfguide.loop.step import step
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
@@ -187,7 +187,6 @@ def flight_reference(plan: Plan, p_n: Vec3, v_n: Vec3, time: float) -> tuple[flo
     """Azimuth and path angle wanted through the air [rad], and the reference attitude."""
     level = from_euler(0.0, 0.0, math.atan2(v_n[1], v_n[0]))
     state = FlightState(time, p_n, v_n, level, plan.gains.airspeed, (0.0, 0.0, 0.0))
-    setpoint, _, wish = guide_within_limits(
-        state, target_of(plan.legs, 0), plan.law, fresh_memory()
-    )
-    return wish.azimuth, wish.gamma, from_quaternion(setpoint.q_nb)
+    inputs = Inputs(state, state, True)
+    setpoint, _, told = step(inputs, fresh_state(), plan.legs, None, plan.law, plan.vehicle)
+    return told.command.azimuth, told.command.gamma, from_quaternion(setpoint.q_nb)

@@ -4,10 +4,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.companion.tries import NEAR
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.loop.attempts import NEAR
 from vfguide.scenario.resolved import Goal
 
 

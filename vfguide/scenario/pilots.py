@@ -1,16 +1,17 @@
 """What steers the rigid bodies of plant `kinematic`: law `paper` or law `flight`."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
-from vfguide.companion.body_step import step_body
-from vfguide.companion.route_memory import fresh_route, packed_memory
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import goal_rows
 from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.loop.rows import step_body
+from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
@@ -69,8 +70,9 @@ class FlightPilot:
     """Law `flight`: every body flies its own way at its airspeed."""
 
     def __init__(self, loaded: LoadedScenario, vehicles: Sequence[Vehicle]) -> None:
-        self._plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
-        self._memories = [packed_memory(fresh_route()) for _ in vehicles]
+        plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
+        self._plans = [replace(plan, is_point=True) for plan in plans]
+        self._states = [row_of_state(fresh_state()) for _ in vehicles]
         self._speed = np.array([plan.gains.airspeed for plan in self._plans])
 
     def courses(self, bodies: Bodies) -> Rows:
@@ -81,7 +83,13 @@ class FlightPilot:
         """The wanted airspeeds, and body rates towards the wanted directions of flight."""
         omega_b = np.empty_like(bodies.p_n)
         for i, plan in enumerate(self._plans):
-            omega_b[i], self._memories[i] = step_body(
-                time, bodies.p_n[i], bodies.R_nb[i], plan.legs, plan.law, self._memories[i]
+            omega_b[i], self._states[i] = step_body(
+                time,
+                bodies.p_n[i],
+                bodies.R_nb[i],
+                self._states[i],
+                plan.legs,
+                plan.law,
+                plan.vehicle_row,
             )
         return Commands(self._speed, omega_b)

@@ -1,10 +1,10 @@
 """From a scenario to what its companions are asked to do."""
 
-from vfguide.companion.legs import Goal
 from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
+from vfguide.loop.legs import Goal
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazard_names, hazards_of, outlines_of
 from vfguide.scenario.load import LoadedScenario

@@ -1,13 +1,26 @@
-"""What the software autopilot flies by itself: level circles."""
+"""What the software autopilot flies by itself: level circles.
+
+It flies them with the stages of the companion's loop, without estimation, mission and assurance.
+"""
 
 import math
+from typing import NamedTuple
 
-from vfguide.flight.memory import Memory, Target, fresh_memory
-from vfguide.flight.performance import Gains, Performance, packed, turn_length
+from vfguide.control import control, limits
+from vfguide.control.control import ControlState, fresh_control
+from vfguide.estimation.estimation import known_state
+from vfguide.flight.memory import Target
+from vfguide.flight.performance import Gains, Performance, turn_length
 from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.vehicle import Vehicle
+from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.geometry.so3 import from_euler
-from vfguide.safety.limits import guide_within_limits
+from vfguide.guidance import flight_law
+from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
+from vfguide.planning import planning
+from vfguide.planning.objective import objective_at
+from vfguide.planning.planning import Route, fresh_route
 from vfguide.sim.estimate import Estimate, Origin
 
 RADIUS = 1.57
@@ -15,16 +28,44 @@ RADIUS = 1.57
 the operator sets NAV_LOITER_RAD for his aircraft."""
 
 
+class HoldState(NamedTuple):
+    """What one step of the hold leaves for the next."""
+
+    time: float
+    """Of the step before [s]; negative before the first."""
+    route: Route
+    guidance: GuidanceState
+    control: ControlState
+
+
+@compiled
+def fresh_hold() -> HoldState:
+    """Nothing is flown yet."""
+    return HoldState(-1.0, fresh_route(), fresh_guidance(), fresh_control())
+
+
+@compiled
+def step_hold(
+    state: FlightState, target: Target, vehicle: Vehicle, s: HoldState
+) -> tuple[RateSetpoint, HoldState]:
+    """Body rates and thrust that fly the circle of a target."""
+    nav, goal = known_state(state, s.time), objective_at(target, state)
+    route = planning.update(nav, goal, None, True, s.route, s.guidance.slope, vehicle)
+    command, guidance = flight_law.update(nav, goal, route, None, s.guidance, vehicle)
+    asked, controlled = control.update(nav, command, s.control, vehicle)
+    return limits.apply(asked, vehicle), HoldState(state.time, route, guidance, controlled)
+
+
 class Hold:
     """A level right-hand circle."""
 
     def __init__(self, aircraft: Performance, airspeed: float) -> None:
         """A hold for `aircraft` at the true `airspeed` [m/s]."""
-        self._law = packed(aircraft, Gains(airspeed))
+        self._vehicle = Vehicle(aircraft, Gains(airspeed))
         self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
         self._radius = RADIUS * turn_length(airspeed)
         self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
-        self._memory: Memory = fresh_memory()
+        self._state: HoldState = fresh_hold()
 
     def begin_here(self, estimate: Estimate) -> None:
         """Turn off the present path to the right, at this height."""
@@ -46,7 +87,7 @@ class Hold:
     ) -> None:
         self._plane = tangent_plane(*place)
         self._target = Target(p_n, course, 0.0, 1.0, self._radius)
-        self._memory = fresh_memory()
+        self._state = fresh_hold()
 
     def step(self, estimate: Estimate) -> RateSetpoint:
         """Body rates and thrust for the next while."""
@@ -59,5 +100,5 @@ class Hold:
             estimate.true_airspeed,
             estimate.wind_n,
         )
-        wanted, self._memory, _ = guide_within_limits(state, self._target, self._law, self._memory)
-        return wanted
+        setpoint, self._state = step_hold(state, self._target, self._vehicle, self._state)
+        return setpoint

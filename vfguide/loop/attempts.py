@@ -2,14 +2,14 @@
 
 from typing import NamedTuple
 
-from vfguide.companion.legs import Goal
 from vfguide.geometry.compiled import compiled
+from vfguide.loop.legs import Goal
 
 NEAR = 50.0
 """A pass by more than this is no try at the goal, unless its tolerance is larger [m]."""
 
 
-class Tries(NamedTuple):
+class Attempts(NamedTuple):
     """What is remembered of missed passes."""
 
     missed: int
@@ -19,24 +19,24 @@ class Tries(NamedTuple):
 
 
 @compiled
-def no_tries() -> Tries:
+def no_attempts() -> Attempts:
     """Nothing was missed."""
-    return Tries(0, 0)
+    return Attempts(0, 0)
 
 
 @compiled
-def once_more(tries: Tries) -> Tries:
+def once_more(attempts: Attempts) -> Attempts:
     """The present goal was missed again."""
-    return Tries(tries.missed + 1, tries.given_up)
+    return Attempts(attempts.missed + 1, attempts.given_up)
 
 
 @compiled
-def gives_up(tries: Tries, goal: Goal) -> bool:
+def gives_up(attempts: Attempts, goal: Goal) -> bool:
     """Whether the goal was missed as often as it may be; without a number it never is."""
-    return 0 < goal.attempts <= tries.missed
+    return 0 < goal.attempts <= attempts.missed
 
 
 @compiled
-def at_next(tries: Tries, given_up: bool) -> Tries:
+def at_next(attempts: Attempts, given_up: bool) -> Attempts:
     """At the next goal, after one that was reached or `given_up`."""
-    return Tries(0, tries.given_up + 1 if given_up else tries.given_up)
+    return Attempts(0, attempts.given_up + 1 if given_up else attempts.given_up)

@@ -3,9 +3,11 @@
 import math
 from typing import NamedTuple
 
+from vfguide.estimation.estimation import NavState
 from vfguide.flight.leg import AWAY, Leg
 from vfguide.geometry.angles import TURN
 from vfguide.geometry.compiled import compiled
+from vfguide.planning.objective import Objective
 
 MARGIN = 5.0
 """A path that is shorter by less than this is no progress [m]."""
@@ -31,8 +33,27 @@ def fresh_progress() -> Progress:
 
 
 @compiled
-def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> Progress:
+def update(nav: NavState, goal: Objective, leg: Leg, remaining: float, s: Progress) -> Progress:
     """Progress after one step; an alarm stays until the leg is over.
+
+    Args:
+        nav: the vehicle, and where it was at the step before.
+        goal: what is flown to.
+        leg: that is flown.
+        remaining: length of the path to the goal [m].
+        s: what the step before left.
+    """
+    if goal.begins:
+        return fresh_progress()
+    if not goal.is_goal or not nav.is_continuous:
+        return s
+    before, now = nav.p_n_before, nav.state.p_n
+    return after_step(s, remaining, leg, math.hypot(now[0] - before[0], now[1] - before[1]))
+
+
+@compiled
+def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> Progress:
+    """Progress on a leg that goes on.
 
     Args:
         progress: after the step before.

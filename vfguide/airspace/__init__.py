@@ -1,0 +1,1 @@
+"""What is in the air and around it: obstacles, traffic, fence."""

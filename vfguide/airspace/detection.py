@@ -1,0 +1,73 @@
+"""The stage of detection: which of the obstacles are known by now."""
+
+from typing import Annotated, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.estimation.estimation import NavState
+from vfguide.field.near import distance_bound
+from vfguide.field.obstacle import OUT_OF_SIGHT, VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.flight.outlines import Outlines
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import OPEN
+from vfguide.geometry.vector import Vec3
+from vfguide.safety.hazards import Hazards
+
+Known = NDArray[np.float64]
+"""(M,), one number for each obstacle: 1 once it is known, else 0."""
+
+
+class Airspace(NamedTuple):
+    """What to keep clear of at one step."""
+
+    hazards: Hazards
+    """Before detection all of the plan, after it those that are known."""
+    zones: Outlines
+    """The fence as the search for ways takes it."""
+    time: float
+    """On the clock of the obstacles [s]."""
+    gust: float
+    """Speed of the gusts, one standard deviation [m/s]."""
+
+
+class DetectionState(NamedTuple):
+    """What one step leaves for the next."""
+
+    known: Annotated[Known, OPEN]
+
+
+@compiled
+def update(
+    nav: NavState, airspace: Airspace | None, s: DetectionState
+) -> tuple[Airspace | None, DetectionState]:
+    """The airspace without the obstacles that nobody has seen yet; None compiles to nothing."""
+    if airspace is None:
+        return None, s
+    known = s.known.copy()
+    seen = in_sight(airspace.hazards, known, nav.state.p_n, airspace.time)
+    return Airspace(seen, airspace.zones, airspace.time, airspace.gust), DetectionState(known)
+
+
+@compiled
+def in_sight(hazards: Hazards, known: Known, p_n: Vec3, t: float) -> Hazards:
+    """The hazards with every obstacle that is not known yet out of the way; once known stays so."""
+    obstacles = hazards.obstacles
+    if len(obstacles) == 0:
+        return hazards
+    seen = obstacles.copy()
+    for i in range(len(obstacles)):
+        if known[i] == 0.0 and comes_into_sight(obstacles, i, p_n, t):
+            known[i] = 1.0
+        if known[i] == 0.0:
+            seen[i, 1] = OUT_OF_SIGHT
+    return Hazards(seen, hazards.traffic, hazards.fences, hazards.floor, hazards.ceiling)
+
+
+@compiled
+def comes_into_sight(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
+    """Whether obstacle `i` is near enough to be seen from `p_n` (NED)."""
+    visible_from = obstacles[i, VISIBLE_FROM]
+    if distance_bound(obstacles, i, p_n, t) > visible_from:
+        return False
+    return obstacle_distance(obstacles, i, p_n, t) <= visible_from

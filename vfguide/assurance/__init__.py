@@ -1,0 +1,1 @@
+"""Run-time assurance: what is flown leaves a way out; it knows nothing of what it guards."""

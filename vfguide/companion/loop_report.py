@@ -1,0 +1,78 @@
+"""What displays, logs and notes take from the state of the loop."""
+
+from typing import NamedTuple
+
+from vfguide.flight.air_state import TIME, AirReport, report_air, trusts_sensor
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row, getter
+from vfguide.loop.state import LoopState, read_state
+
+goal_of_row = getter(LoopState, "mission.goal")
+"""Index of the goal that is flown to."""
+decision_of_row = getter(LoopState, "assurance.decision")
+"""What the assurance decided last."""
+route_of_row = getter(LoopState, "planning.detour")
+"""The route round hazards."""
+number_of_resets = getter(LoopState, "estimation.resets.number")
+"""How often the position has jumped."""
+is_alarmed = getter(LoopState, "progress.alarmed")
+"""Whether there is no progress on the leg."""
+air_of_row = getter(LoopState, "estimation.air")
+
+
+class Noted(NamedTuple):
+    """What records keep of one step."""
+
+    wind_north: float
+    wind_east: float
+    wind_sigma: float
+    """Wind, the direction it blows toward, and its standard deviation [m/s]."""
+    airspeed: float
+    airspeed_sigma: float
+    """True airspeed and its standard deviation [m/s]."""
+    reason: float
+    margin: float
+    conflict: float
+    hazard: float
+    """Of the assurance's `Decision`."""
+
+
+def air_report(row: Row) -> AirReport:
+    """What is believed of the air."""
+    return report_air(air_of_row(row))
+
+
+def trusts_sensor_of_row(row: Row) -> bool:
+    """Whether the airspeed sensor is flown on."""
+    return trusts_sensor(air_of_row(row))
+
+
+@compiled
+def noted_numbers(row: Row) -> tuple[float, ...]:
+    """The numbers of `Noted`: one call of compiled code, and no names, for each update."""
+    s = read_state(row)
+    air, decision = report_air(s.estimation.air), s.assurance.decision
+    return (
+        air.wind_north,
+        air.wind_east,
+        air.wind_sigma,
+        air.airspeed,
+        air.airspeed_sigma,
+        float(decision.reason),
+        decision.margin,
+        decision.conflict,
+        float(decision.hazard),
+    )
+
+
+@compiled
+def has_news(before: Row, after: Row) -> bool:
+    """Whether a step changed what the operator reads of air, jumps and progress."""
+    was, now = read_state(before), read_state(after)
+    return (
+        was.estimation.air[TIME] < 0.0
+        or now.estimation.resets.number != was.estimation.resets.number
+        or now.mission.wind_hold.holds != was.mission.wind_hold.holds
+        or now.progress.alarmed != was.progress.alarmed
+        or trusts_sensor(now.estimation.air) != trusts_sensor(was.estimation.air)
+    )

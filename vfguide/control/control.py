@@ -1,0 +1,110 @@
+"""The stage of control: body rates and thrust that fly a bank, load factor and path angle.
+
+The attitude reference flies the air velocity's azimuth, so that the turn is coordinated; Lemma 4
+of the paper leads the attitude to it, and the rates keep bank and load factor in their limits.
+"""
+
+from typing import NamedTuple
+
+from vfguide.estimation.estimation import NavState
+from vfguide.field.rate_law import rate_law
+from vfguide.flight.attitude import attitude_for_lift
+from vfguide.flight.energy import integrate_error, thrust_for
+from vfguide.flight.envelope import load_of, within_envelope
+from vfguide.flight.memory import Wish
+from vfguide.flight.motion_angles import azimuth_of, path_of
+from vfguide.flight.performance import Gains
+from vfguide.flight.state import RateSetpoint
+from vfguide.flight.vehicle import Vehicle
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.so3 import from_euler, log, to_quaternion
+from vfguide.geometry.vector import Mat3, Vec3, add, matmul, norm, scale, sub, transpose
+from vfguide.guidance.guidance_state import SHORTEST_STEP, step_time
+
+REFERENCE_RATE = 1.5
+"""The reference attitude's angular velocity is not taken above this [rad/s]."""
+
+
+class ControlState(NamedTuple):
+    """What one step leaves for the next."""
+
+    R_na: Mat3
+    """Reference attitude of the last step."""
+    omega_a: Vec3
+    """Its angular velocity, smoothed [rad/s]."""
+    thrust_integral: float
+    """Of the error of the airspeed, in setpoint of thrust."""
+    alpha_bias: float
+    """Learned correction of the angle of attack [rad]."""
+
+
+@compiled
+def fresh_control() -> ControlState:
+    """Memory before the first step."""
+    level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    return ControlState(level, (0.0, 0.0, 0.0), 0.0, 0.0)
+
+
+@compiled
+def update(
+    nav: NavState, command: Wish, s: ControlState, vehicle: Vehicle
+) -> tuple[RateSetpoint, ControlState]:
+    """Body rates and thrust for a command, not limited yet."""
+    if vehicle.is_point:
+        return point_nose(nav, command, s, vehicle)
+    state, (aircraft, gains, _) = nav.state, vehicle
+    air, dt = sub(state.v_n, state.wind_n), step_time(nav)
+    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    climbing = command.gamma - path_of(air, speed)
+    alpha_bias = learn_alpha(s.alpha_bias, climbing, gains, dt)
+    alpha = aircraft.alpha_zero + aircraft.alpha_load * command.load / speed**2 + alpha_bias
+    elevation = command.gamma + gains.k_elevation * climbing
+    R_na = attitude_for_lift(azimuth_of(air), elevation, command.bank, alpha)
+    omega_a = (0.0, 0.0, 0.0)
+    if not nav.is_first:
+        omega_a = reference_rate(s, R_na, gains.smoothing, dt)
+    omega = rate_law(state.R_nb, R_na, omega_a, gains.k_w)
+    load = load_of(state.R_nb, air, speed, aircraft)
+    omega = within_envelope(omega, state.R_nb, load, speed, gains.bank_max, aircraft)
+
+    error = gains.airspeed - state.airspeed
+    thrust = thrust_for(aircraft, error, command.climb, command.load, s.thrust_integral)
+    integral = integrate_error(aircraft, error, thrust, s.thrust_integral, dt)
+    setpoint = RateSetpoint(omega, thrust, to_quaternion(R_na))
+    return setpoint, ControlState(R_na, omega_a, integral, alpha_bias)
+
+
+@compiled
+def point_nose(
+    nav: NavState, command: Wish, s: ControlState, vehicle: Vehicle
+) -> tuple[RateSetpoint, ControlState]:
+    """The same for a body without weight: its x axis leads, R_na = Rz(azimuth) Ry(gamma) Rx(bank).
+
+    An aeroplane turns because its lift is tilted, so that its attitude follows from the turn. Here
+    it is the other way round; the body is banked as the aeroplane would be.
+    """
+    gains = vehicle.gains
+    R_na = from_euler(command.bank, command.gamma, command.azimuth)
+    omega_a = (0.0, 0.0, 0.0)
+    if not nav.is_first:
+        omega_a = reference_rate(s, R_na, gains.smoothing, max(nav.elapsed, SHORTEST_STEP))
+    omega = rate_law(nav.state.R_nb, R_na, omega_a, gains.k_w)
+    setpoint = RateSetpoint(omega, 0.0, to_quaternion(R_na))
+    return setpoint, ControlState(R_na, omega_a, s.thrust_integral, s.alpha_bias)
+
+
+@compiled
+def learn_alpha(bias: float, error: float, gains: Gains, dt: float) -> float:
+    """Next correction of the angle of attack from the error of the path angle [rad]."""
+    return max(-0.05, min(0.05, bias + gains.k_alpha * error * dt))
+
+
+@compiled
+def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> Vec3:
+    """Angular velocity of the reference attitude, body axes, smoothed [rad/s]."""
+    turned = scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na)))
+    size = norm(turned)
+    if size > REFERENCE_RATE:
+        turned = scale(REFERENCE_RATE / size, turned)
+    blend = dt / (smoothing + dt)
+    return add(s.omega_a, scale(blend, sub(turned, s.omega_a)))

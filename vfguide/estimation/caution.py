@@ -1,0 +1,30 @@
+"""Caution where the airspeed is only estimated: faster flight with less bank."""
+
+import math
+
+from vfguide.estimation.estimation import NavState
+from vfguide.flight.air_data import SLOWEST
+from vfguide.flight.performance import Gains
+from vfguide.flight.vehicle import Vehicle
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+
+with_gains = replacing(Vehicle, "gains")
+with_airspeed_and_bank = replacing(Gains, "airspeed", "bank_max")
+
+
+@compiled
+def cautious(nav: NavState, vehicle: Vehicle) -> Vehicle:
+    """The vehicle as it is to be flown now.
+
+    Twice the standard deviation stays between the airspeed and what the wing needs.
+    """
+    if nav.trusts_sensor:
+        return vehicle
+    aircraft, gains, _ = vehicle
+    unsure = 2.0 * nav.airspeed_sigma
+    least = max(nav.airspeed - unsure, aircraft.airspeed_min)
+    load = max(1.05, (least / aircraft.airspeed_min) ** 2)
+    fast = min(SLOWEST * aircraft.airspeed_min + unsure, 0.95 * aircraft.airspeed_max)
+    airspeed, bank_max = max(gains.airspeed, fast), min(gains.bank_max, math.acos(1.0 / load))
+    return with_gains(vehicle, with_airspeed_and_bank(gains, airspeed, bank_max))

@@ -1,0 +1,18 @@
+"""Azimuth and path angle of a velocity."""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+
+
+@compiled
+def azimuth_of(air: Vec3) -> float:
+    """Azimuth of the velocity through the air, NED [rad]."""
+    return math.atan2(air[1], air[0])
+
+
+@compiled
+def path_of(air: Vec3, speed: float) -> float:
+    """Path angle of a velocity, NED, at the `speed` through the air [m/s]; up positive [rad]."""
+    return math.asin(max(-1.0, min(1.0, -air[2] / speed)))

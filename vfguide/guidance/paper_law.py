@@ -1,0 +1,121 @@
+"""Law `paper`: an aeroplane along the paper's composite field as printed, its errors corrected.
+
+The field's direction and its exact turning are flown at the aircraft's own speed, in the wind and
+within its limits: obstacles (F_OA) and, with priority, traffic (F_CA). After the last goal, of
+which the paper says nothing, the circle is flown.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.airspace.detection import Airspace
+from vfguide.estimation.estimation import NavState
+from vfguide.field.avoidance import avoidance_field, no_deflection
+from vfguide.field.composite import deflect_by_obstacles, deflect_by_robot, free_field
+from vfguide.field.dual import Dual3
+from vfguide.field.goal_frame import goal_frame
+from vfguide.field.robots import Spacing
+from vfguide.flight.horizontal import plan_turn, usable_bank
+from vfguide.flight.memory import Target, Wish
+from vfguide.flight.motion_angles import azimuth_of, path_of
+from vfguide.flight.state import FlightState
+from vfguide.flight.vehicle import Vehicle
+from vfguide.flight.vertical import allowed_path, path_angle, path_limits
+from vfguide.flight.wind import heading_for_course
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import norm, sub
+from vfguide.guidance import flight_law
+from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.planning.objective import Objective
+from vfguide.planning.planning import Route
+
+SIGHT = 300.0
+"""r_d: the paper's robots see each other from here on, the default of a scenario [m]."""
+FASTEST = 1.0
+"""The turning of the field is fed forward up to this [rad/s]."""
+STEEPEST = 1.2
+"""Its direction is flown up to this angle to the horizon [rad]."""
+
+
+@compiled
+def update(
+    nav: NavState,
+    goal: Objective,
+    route: Route,
+    airspace: Airspace | None,
+    s: GuidanceState,
+    vehicle: Vehicle,
+) -> tuple[Wish, GuidanceState]:
+    """Bank, load factor and path angle that fly the field."""
+    if goal.target.circle != 0.0:
+        return flight_law.update(nav, goal, route, airspace, s, vehicle)
+    state, (aircraft, gains, _) = nav.state, vehicle
+    course, turning, climb = field_direction(state, goal.target, airspace)
+    air = sub(state.v_n, state.wind_n)
+    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    flown = path_of(air, speed)
+    wind = (state.wind_n[0], state.wind_n[1])
+    heading = heading_for_course(course, turning, wind, speed * math.cos(flown))
+    bank_max = usable_bank(aircraft, gains, speed)
+    lift, side = plan_turn(
+        heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, s.turning
+    )
+    slope = math.tan(climb)
+    limits = path_limits(norm(air), gains.airspeed, math.inf, aircraft)
+    asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
+    gamma, thrust_climb = allowed_path(asked, limits)
+    wish = Wish(
+        course,
+        heading.psi,
+        gamma,
+        thrust_climb,
+        lift.bank,
+        lift.load,
+        norm(sub(goal.target.p_n, state.p_n)),
+        route.leg.phase,
+        route.leg.radius,
+    )
+    return wish, GuidanceState(slope, side)
+
+
+@compiled
+def field_direction(
+    state: FlightState, target: Target, airspace: Airspace | None
+) -> tuple[float, float, float]:
+    """Course of the composite field, how fast it turns [rad/s], and its climb [rad]."""
+    F = composite_field(state, target, airspace)
+    x, y, z = F.value
+    flat = x * x + y * y
+    if flat == 0.0:
+        return math.atan2(state.v_n[1], state.v_n[0]), 0.0, 0.0
+    turning = (x * F.rate[1] - y * F.rate[0]) / flat
+    climb = max(-STEEPEST, min(STEEPEST, math.atan2(-z, math.sqrt(flat))))
+    return math.atan2(y, x), max(-FASTEST, min(FASTEST, turning)), climb
+
+
+@compiled
+def composite_field(state: FlightState, target: Target, airspace: Airspace | None) -> Dual3:
+    """F_OA or F_CA (Theorem 3, Algorithm 1) and its rate, NED."""
+    goal = goal_frame(target.p_n, target.course, math.atan(target.slope))
+    p = Dual3(state.p_n, state.v_n)
+    free = free_field(goal, p)
+    by = no_deflection()
+    if airspace is not None:
+        hazards, t = airspace.hazards, airspace.time
+        chi = np.empty(len(hazards.obstacles))
+        by = deflect_by_obstacles(by, free, p, t, hazards.obstacles, chi)
+        for row in hazards.traffic:
+            by = deflect_by_robot(by, free, p, robot_at(row, t), Spacing(0.5 * row[7], SIGHT))
+    return avoidance_field(free, by)
+
+
+@compiled
+def robot_at(row: NDArray[np.float64], t: float) -> NDArray[np.float64]:
+    """An intruder's position and velocity as the paper's field takes a robot, (6,)."""
+    robot = np.empty(6)
+    for k in range(3):
+        robot[k] = row[k] + (t - row[6]) * row[3 + k]
+        robot[3 + k] = row[3 + k]
+    return robot

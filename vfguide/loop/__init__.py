@@ -1,0 +1,1 @@
+"""The control loop: one step, written once, and what it remembers."""

@@ -1,0 +1,123 @@
+"""The stage of the mission: which goal is flown to, and when the next one is."""
+
+import math
+from typing import NamedTuple
+
+from vfguide.estimation.estimation import NavState
+from vfguide.flight.leg import FIELD
+from vfguide.flight.strong_wind import Stand, in_air_frame, into_wind, new_stand, stand_against
+from vfguide.flight.vehicle import Vehicle
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
+from vfguide.loop.attempts import NEAR, Attempts, at_next, gives_up, no_attempts, once_more
+from vfguide.loop.legs import Goal, Legs, goal_of, target_of
+from vfguide.planning.objective import Objective
+
+
+class Passage(NamedTuple):
+    """How a goal was passed between two steps; infinite where it was not."""
+
+    miss: float
+    """Where the distance was least [m]."""
+    angle: float
+    """The larger error of course and climb of the ground velocity [rad]."""
+
+
+NO_PASSAGE = Passage(math.inf, math.inf)
+
+
+class MissionState(NamedTuple):
+    """What one step leaves for the next."""
+
+    goal: int
+    """Index of the goal that is flown to; the number of goals: all are behind it."""
+    attempts: Attempts
+    wind_hold: Stand
+
+
+with_wind_hold = replacing(MissionState, "wind_hold")
+
+
+@compiled
+def fresh_mission() -> MissionState:
+    """At the first goal."""
+    return MissionState(0, no_attempts(), new_stand())
+
+
+@compiled
+def update(
+    nav: NavState, s: MissionState, phase: int, legs: Legs, vehicle: Vehicle
+) -> tuple[Objective, MissionState, Passage]:
+    """What is flown to now, and how the goal before was passed.
+
+    Args:
+        nav: the vehicle.
+        s: what the step before left.
+        phase: in which the leg was at the step before.
+        legs: of the mission.
+        vehicle: the airspeed to fly.
+    """
+    since = nav.elapsed if nav.is_continuous else 0.0
+    hold = stand_against(s.wind_hold, nav.state, vehicle.gains.airspeed, since)
+    passage = passage_since(nav, s.goal, phase, legs)
+    if hold.holds or not nav.is_settled:
+        passage = NO_PASSAGE
+    after = with_wind_hold(note_passage(passage, legs, s), hold)
+    begins = not math.isinf(passage.miss) or (s.wind_hold.holds and not hold.holds)
+    if hold.holds:
+        target, state = into_wind(hold, nav.state), in_air_frame(nav.state)
+    else:
+        target, state = target_of(legs, after.goal), nav.state
+    is_goal = not hold.holds and after.goal < len(legs) - 1
+    return Objective(target, state, begins, is_goal), after, passage
+
+
+@compiled
+def note_passage(passage: Passage, legs: Legs, s: MissionState) -> MissionState:
+    """Go on when the goal was reached or is given up, try again when it was missed."""
+    if math.isinf(passage.miss):
+        return s
+    goal = goal_of(legs, s.goal)
+    if is_reached(passage, goal):
+        return MissionState(s.goal + 1, at_next(s.attempts, False), s.wind_hold)
+    attempts = once_more(s.attempts)
+    if gives_up(attempts, goal):
+        return MissionState(s.goal + 1, at_next(s.attempts, True), s.wind_hold)
+    return MissionState(s.goal, attempts, s.wind_hold)
+
+
+@compiled
+def is_reached(passage: Passage, goal: Goal) -> bool:
+    """Whether the goal counts as reached."""
+    return passage.miss <= goal.tolerance and passage.angle <= goal.tolerance_angle
+
+
+@compiled
+def passage_since(nav: NavState, index: int, phase: int, legs: Legs) -> Passage:
+    """How the goal that is flown to was passed since the last step.
+
+    A vehicle that is still on its way there, or far off, passes it only by reaching it.
+    """
+    if not nav.is_continuous or index == len(legs) - 1:
+        return NO_PASSAGE
+    goal, state = goal_of(legs, index), nav.state
+    passage = passage_of(goal, (nav.p_n_before, nav.v_n_before), (state.p_n, state.v_n))
+    attempts = phase == FIELD and passage.miss <= max(NEAR, goal.tolerance)
+    return passage if attempts or is_reached(passage, goal) else NO_PASSAGE
+
+
+@compiled
+def passage_of(goal: Goal, before: tuple[Vec3, Vec3], after: tuple[Vec3, Vec3]) -> Passage:
+    """How a goal was passed between two instants, each a position [m] and a velocity [m/s]."""
+    p_n, v_n = after
+    p_before, v_before = before
+    opening = dot(sub(p_n, goal.p_n), v_n)
+    if not (dot(sub(p_before, goal.p_n), v_before) < 0.0 <= opening):
+        return NO_PASSAGE
+    late = opening / max(dot(v_n, v_n), 1e-6)
+    course_error = wrap(math.atan2(v_n[1], v_n[0]) - goal.course)
+    climb_error = math.atan2(-v_n[2], math.hypot(v_n[0], v_n[1])) - goal.climb
+    miss = norm(sub(sub(p_n, goal.p_n), scale(late, v_n)))
+    return Passage(miss, max(abs(course_error), abs(climb_error)))

@@ -1,0 +1,81 @@
+"""The step over rows of numbers: what crosses from Python into compiled code, and back."""
+
+import numpy as np
+
+from vfguide.airspace.detection import Airspace
+from vfguide.estimation.estimation import Inputs
+from vfguide.estimation.place import Quaternion, place_state, place_told, read_measurement
+from vfguide.field.obstacle import Rows
+from vfguide.flight.state import FlightState
+from vfguide.flight.vehicle import read_vehicle
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row
+from vfguide.geometry.vector import Vec3, mat3, matvec
+from vfguide.guidance.laws import Law
+from vfguide.loop.legs import Legs
+from vfguide.loop.state import read_state, write_state
+from vfguide.loop.step import step
+
+CALM = (0.0, 0.0, 0.0)
+
+
+@compiled
+def step_measured(
+    measured: Row,
+    origin: Vec3,
+    before: Row,
+    legs: Legs,
+    airspace: Airspace | None,
+    law: Law,
+    vehicle: Row,
+) -> tuple[Vec3, float, Quaternion, Row, float]:
+    """A step for what an autopilot told.
+
+    Args:
+        measured: a `Measurement`.
+        origin: latitude, longitude [rad] and altitude [m] where the plan's frame touches.
+        before: a `LoopState`.
+        legs: of the mission.
+        airspace: what to keep clear of, or None.
+        law: that guides.
+        vehicle: a `Vehicle`.
+
+    Returns:
+        Body rates [rad/s], thrust, reference attitude, the next state, and the miss of a goal
+        that was passed [m].
+    """
+    told = read_measurement(measured)
+    inputs = Inputs(place_state(told, origin), place_told(told, origin), False)
+    state, aircraft = read_state(before), read_vehicle(vehicle)
+    setpoint, left, outcome = step(inputs, state, legs, airspace, law, aircraft)
+    after = np.empty(len(before))
+    write_state(left, after)
+    return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, after, outcome.passage.miss
+
+
+@compiled
+def step_body(
+    time: float, p: Rows, R: Rows, before: Row, legs: Legs, law: Law, vehicle: Row
+) -> tuple[Vec3, Row]:
+    """A step for a rigid body whose state is known: body rates [rad/s], and the next state.
+
+    It flies at the airspeed of its gains, where its nose points.
+
+    Args:
+        time: [s].
+        p: position (3,), NED [m].
+        R: attitude (3, 3), body to NED.
+        before: a `LoopState`.
+        legs: of the mission.
+        law: that guides.
+        vehicle: a `Vehicle` that is a point.
+    """
+    body, R_nb = read_vehicle(vehicle), mat3(R)
+    speed = body.gains.airspeed
+    v_n = matvec(R_nb, (speed, 0.0, 0.0))
+    state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, CALM)
+    inputs = Inputs(state, state, True)
+    setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
+    after = np.empty(len(before))
+    write_state(left, after)
+    return setpoint.omega_b, after

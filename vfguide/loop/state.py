@@ -1,0 +1,109 @@
+"""What one step of the loop leaves for the next: one record, with a branch for each stage.
+
+As a row it crosses from Python into compiled code and back in a fraction of the time.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vfguide.airspace.detection import DetectionState
+from vfguide.assurance.assurance import AssuranceState, fresh_assurance
+from vfguide.control.control import ControlState, fresh_control
+from vfguide.estimation.estimation import EstimationState, fresh_estimation
+from vfguide.flight.air_state import AIRSPEED, MODEL, PUSH, X
+from vfguide.flight.performance import Performance
+from vfguide.geometry.rows import Row, flattener, python_reader, reader, width, writer
+from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
+from vfguide.loop.attempts import Attempts, at_next, no_attempts
+from vfguide.loop.mission import MissionState, fresh_mission
+from vfguide.loop.progress import Progress, fresh_progress
+from vfguide.planning.planning import Route, fresh_route
+
+
+class LoopState(NamedTuple):
+    """What the stages remember."""
+
+    estimation: EstimationState
+    mission: MissionState
+    planning: Route
+    guidance: GuidanceState
+    assurance: AssuranceState
+    control: ControlState
+    thrust: float
+    """Setpoint of the last step, 0 to 1."""
+    progress: Progress
+    detection: DetectionState
+
+
+read_state, write_state = reader(LoopState), writer(LoopState)
+state_of_row = python_reader(LoopState)
+"""The same as `read_state` in Python; its arrays are views of the row."""
+STATE_WIDTH = width(LoopState)
+"""Numbers of the row of a state; the obstacles follow, one number each."""
+_numbers = flattener(LoopState)
+
+
+def row_of_state(s: LoopState) -> Row:
+    """The row of a state."""
+    return np.array(_numbers(s))
+
+
+def fresh_state(obstacles: int = 0) -> LoopState:
+    """The state of a vehicle that has not begun, among so many obstacles."""
+    return LoopState(
+        fresh_estimation(),
+        fresh_mission(),
+        fresh_route(),
+        fresh_guidance(),
+        fresh_assurance(),
+        fresh_control(),
+        0.0,
+        fresh_progress(),
+        DetectionState(np.zeros(obstacles)),
+    )
+
+
+def begin_leg(s: LoopState, goal: int, attempts: Attempts) -> LoopState:
+    """The state at the beginning of a leg; what was learned in flight stays."""
+    return s._replace(
+        estimation=s.estimation._replace(is_continuous=False),
+        mission=s.mission._replace(goal=goal, attempts=attempts),
+        planning=fresh_route(),
+        progress=fresh_progress(),
+    )
+
+
+def leave_goal(s: LoopState) -> LoopState:
+    """The state at the beginning of the next leg, the goal of the present one given up."""
+    return begin_leg(s, s.mission.goal + 1, at_next(s.mission.attempts, True))
+
+
+def take_over(s: LoopState) -> LoopState:
+    """The state when the autopilot begins to follow: only mission and air are remembered."""
+    estimation = fresh_estimation()._replace(air=s.estimation.air)
+    return s._replace(
+        estimation=estimation,
+        planning=fresh_route(),
+        guidance=fresh_guidance(),
+        control=fresh_control(),
+        progress=fresh_progress(),
+    )
+
+
+def begin_mission(s: LoopState) -> LoopState:
+    """The state at the beginning of another mission; what is known of the air stays."""
+    return take_over(begin_leg(s, 0, no_attempts()))
+
+
+def forget_learned(s: LoopState, before: Performance, after: Performance) -> LoopState:
+    """The state without the corrections of what is known better now of the aircraft."""
+    if before == after:
+        return s
+    control, air = s.control, s.estimation.air.copy()
+    air[X + PUSH], air[MODEL] = 0.0, air[X + AIRSPEED]
+    if (after.alpha_zero, after.alpha_load) != (before.alpha_zero, before.alpha_load):
+        control = control._replace(alpha_bias=0.0)
+    if after.thrust_trim != before.thrust_trim:
+        control = control._replace(thrust_integral=0.0)
+    return s._replace(estimation=s.estimation._replace(air=air), control=control)
