@@ -14,7 +14,7 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assure, fresh_stored
 from vfguide.safety.fence import fence_distance
-from vfguide.safety.hazards import Hazards
+from vfguide.safety.hazards import INTRUDER_WIDTH, Hazards
 from vfguide.safety.motion import Dynamics, Motion, advance
 
 ROLLING = 1.15
@@ -123,6 +123,13 @@ def slowed(limits: Dynamics) -> Dynamics:
 
 
 @compiled
+def hazards_among(world: World, rows: Rows) -> Hazards:
+    """These obstacles and the fence, without traffic."""
+    nobody = np.zeros((0, INTRUDER_WIDTH))
+    return Hazards(rows, nobody, world.fences, world.floor, world.ceiling)
+
+
+@compiled
 def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
     """The whole flight, a tick every 0.05 s; `log` (ticks, 24) takes what was decided."""
     rows, motion, goal = world.rows.copy(), world.start, world.goal
@@ -133,9 +140,7 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         t = k * TICK
         move_obstacles(rows, world.turning, t)
         come_in_sight(rows, motion.p_n, t, known)
-        hazards = Hazards(
-            rows[known > 0.0], np.zeros((0, 11)), world.fences, world.floor, world.ceiling
-        )
+        hazards = hazards_among(world, rows[known > 0.0])
         wish = wish_for(motion, goal, limits)
         log[k, 16:20] = np.array(stored)
         log[k, 20:22] = np.array(wish)
@@ -173,7 +178,7 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
 @compiled
 def repeat_decision(world: World, aircraft: Assurance, row: Rows, times: int) -> float:
     """Take the decision of one row of a log so many times; everything is known and stands."""
-    hazards = Hazards(world.rows, np.zeros((0, 11)), world.fences, world.floor, world.ceiling)
+    hazards = hazards_among(world, world.rows)
     motion = Motion((row[1], row[2], row[3]), row[4], row[5], row[6], world.start.airspeed)
     stored = Stored(row[16], row[17], row[18], row[19])
     total = 0.0

@@ -32,7 +32,7 @@ from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import norm, sub
 from vfguide.safety.guard import GuardState, Watch, guide_clear, in_sight
-from vfguide.safety.hazards import Hazards
+from vfguide.safety.hazards import Hazards, Intruder, read_intruder
 from vfguide.safety.limits import limit_setpoint
 
 SIGHT = 300.0
@@ -152,7 +152,9 @@ def printed_direction(
     chi = np.empty(len(hazards.obstacles))
     by = deflect_by_obstacles(no_deflection(), free, p, t, hazards.obstacles, chi)
     for row in hazards.traffic:
-        by = deflect_by_robot(by, free, p, robot_at(row, t), Spacing(0.5 * row[7], SIGHT))
+        intruder = read_intruder(row)
+        spacing = Spacing(0.5 * intruder.radius, SIGHT)
+        by = deflect_by_robot(by, free, p, robot_at(intruder, t), spacing)
     F = avoidance_field(free, by)
     x, y, z = F.value
     flat = x * x + y * y
@@ -164,10 +166,10 @@ def printed_direction(
 
 
 @compiled
-def robot_at(row: np.ndarray, t: float) -> np.ndarray:
+def robot_at(intruder: Intruder, t: float) -> np.ndarray:
     """An intruder's position and velocity as the paper's field takes a robot, (6,)."""
     robot = np.empty(6)
     for k in range(3):
-        robot[k] = row[k] + (t - row[6]) * row[3 + k]
-        robot[3 + k] = row[3 + k]
+        robot[k] = intruder.p_n[k] + (t - intruder.time) * intruder.v_n[k]
+        robot[3 + k] = intruder.v_n[k]
     return robot

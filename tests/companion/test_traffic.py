@@ -21,11 +21,12 @@ from vfguide.companion.traffic import (
 )
 from vfguide.field.obstacle import obstacle_rows
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.geometry.rows import columns, width
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.safety.fence import fences
-from vfguide.safety.hazards import Hazards, traffic_rows
+from vfguide.safety.hazards import Hazards, Intruder, traffic_rows
 from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
@@ -184,8 +185,8 @@ def test_an_echo_flies_where_and_as_the_own_vehicle_does(p_n, v_n, echo):
 
 def test_rows_tell_the_time_of_the_report_on_the_clock_of_the_obstacles():
     rows = rows_of([report(said(tslc=2))], 6000, 100.0)
-    assert rows.shape == (1, 11)
-    assert rows[0, 6] == pytest.approx(97.0)
+    assert rows.shape == (1, width(Intruder))
+    assert columns(Intruder, rows).time == pytest.approx([97.0])
 
 
 def test_only_the_nearest_in_reach_are_for_the_step():
@@ -195,16 +196,17 @@ def test_only_the_nearest_in_reach_are_for_the_step():
         seen.hear(said((200.0 * number, 0.0, -150.0), icao=number), 5000)
     own = Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0))
     assert seen.is_due(5000)
-    assert seen.rows(5000, 0.0).shape == (0, 11)
+    assert seen.rows(5000, 0.0).shape == (0, width(Intruder))
     seen.look(own)
     assert not seen.is_due(5400)
     assert seen.is_due(5500)
     rows = seen.rows(5000, 0.0)
-    assert rows.shape == (NEAREST, 11)
+    assert rows.shape == (NEAREST, width(Intruder))
     nearest = [200.0 * number for number in range(1, NEAREST + 1)]
-    assert rows[:, 0] == pytest.approx(nearest, abs=0.02)  # the wire has 1e-7 deg
+    norths = columns(Intruder, rows).p_n[:, 0]
+    assert norths == pytest.approx(nearest, abs=0.02)  # the wire has 1e-7 deg
     seen.look(FAR_AWAY._replace(time_ms=6000))
-    assert seen.rows(6000, 1.0).shape == (0, 11)
+    assert seen.rows(6000, 1.0).shape == (0, width(Intruder))
 
 
 def test_hazards_get_the_others_in_reach_as_traffic_and_stay_themselves_without():
@@ -215,7 +217,7 @@ def test_hazards_get_the_others_in_reach_as_traffic_and_stay_themselves_without(
     seen.look(Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0)))
     among = seen.among(hazards, 5000, 7.0)
     np.testing.assert_array_equal(among.traffic, seen.rows(5000, 7.0))
-    assert among.traffic.shape == (1, 11)
+    assert among.traffic.shape == (1, width(Intruder))
     assert among[2:] == hazards[2:]
     seen.look(FAR_AWAY._replace(time_ms=6000))
     assert seen.among(hazards, 6000, 8.0) is hazards

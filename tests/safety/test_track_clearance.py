@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from assurance_samples import FLOWN, SMALL, ball, hazards, motion, random_field
 
+from vfguide.geometry.rows import width
 from vfguide.safety.fence import Zone
 from vfguide.safety.hazards import (
     Intruder,
@@ -94,4 +95,4 @@ def test_traffic_grows_with_its_age():
     assert traffic_distance(rows, 0, (0.0, 0.0, -100.0), 5.0) == pytest.approx(70.0)
     assert traffic_distance(rows, 0, (0.0, 0.0, -104.0), 9.0) == pytest.approx(140.0 - 38.0)
     assert traffic_distance(rows, 0, (140.0, 0.0, -154.0), 9.0) == pytest.approx(50.0 - 12.0)
-    assert traffic_rows([]).shape == (0, 11)
+    assert traffic_rows([]).shape == (0, width(Intruder))

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from vfguide.field.footprint import Band
-from vfguide.flight.clearance import hazard_distance
-from vfguide.flight.outlines import SINCE, UNTIL
+from vfguide.flight.clearance import outline_distance
+from vfguide.flight.outlines import Outline, read_outline
+from vfguide.geometry.rows import width
 from vfguide.safety.hazards import AHEAD, Intruder, traffic_outlines, traffic_rows
 
 BAND = Band(-120.0, -100.0)
@@ -23,7 +24,9 @@ def test_a_circle_that_moves_with_it(t):
     seen = outlines()
     x, y = 100.0 + 10.0 * (t - 40.0), 200.0 - 30.0 * (t - 40.0)
     radius = 50.0 + 3.0 * (2.0 + AHEAD)
-    assert hazard_distance(seen, 0, x + 200.0, y, t, math.inf) == pytest.approx(200.0 - radius)
+    at = (x + 200.0, y, t, math.inf)
+    distance = outline_distance(read_outline(seen.table[0]), seen.sides, *at)
+    assert distance == pytest.approx(200.0 - radius)
 
 
 @pytest.mark.parametrize(("z", "there"), [(-171.0, 0), (-169.0, 1), (-51.0, 1), (-49.0, 0)])
@@ -33,10 +36,11 @@ def test_only_what_reaches_into_the_band(z, there):
 
 def test_one_that_climbs_through_the_band_is_there_for_a_while():
     seen = outlines((0.0, 30.0, -2.0), z=-10.0, t=40.0)
-    assert seen.table[0, [SINCE, UNTIL]] == pytest.approx([60.0, 120.0])
+    outline = read_outline(seen.table[0])
+    assert (outline.since, outline.until) == pytest.approx((60.0, 120.0))
 
 
 def test_nobody():
     nobody = traffic_outlines(traffic_rows([]), BAND, 20.0, 0.0)
-    assert nobody.table.shape == (0, 12)
+    assert nobody.table.shape == (0, width(Outline))
     assert np.size(nobody.sides) == 0

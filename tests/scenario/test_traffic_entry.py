@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from vfguide.geometry.rows import width
+from vfguide.safety.hazards import Intruder
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import load_scenario
@@ -52,7 +54,7 @@ def test_traffic_makes_the_companion_heed_reports(tmp_path):
     alone, among = load(tmp_path, BASE), load(tmp_path, BASE + ONE)
     asked = load(tmp_path, BASE, "avoidance.traffic=true")
     assert hazards_of(alone.scenario) is None
-    assert hazards_of(among.scenario).traffic.shape == (0, 11)
+    assert hazards_of(among.scenario).traffic.shape == (0, width(Intruder))
     assert hazards_of(asked.scenario) is not None
 
 

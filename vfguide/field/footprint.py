@@ -15,6 +15,7 @@ from vfguide.field.level import TIP
 from vfguide.field.obstacle import Rows, obstacle_shape
 from vfguide.field.shape import EDGED, Kind, Shape
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, width, writer
 
 SIDES = 16
 """Of the polygon round a section that is no circle."""
@@ -42,6 +43,24 @@ class Section(NamedTuple):
     b: float
     p: float
     q: float
+
+
+class Side(NamedTuple):
+    """A side of a polygon about its centre."""
+
+    nx: float
+    ny: float
+    """Outward unit normal, NED."""
+    distance: float
+    """Of the side from the centre [m]."""
+    x: float
+    y: float
+    """The corner where it meets the side before, about the centre, NED [m]."""
+
+
+SIDE_WIDTH = width(Side)
+"""How many numbers the row of a side has."""
+read_side, write_side = reader(Side), writer(Side)
 
 
 @compiled

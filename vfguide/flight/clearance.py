@@ -3,24 +3,9 @@
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from vfguide.flight.outlines import (
-    BALL,
-    CONVEX,
-    COUNT,
-    FIRST,
-    SIGN,
-    SINCE,
-    SPEED,
-    UNTIL,
-    VX,
-    VY,
-    Outlines,
-    X,
-    Y,
-)
+from vfguide.field.footprint import read_side
+from vfguide.field.obstacle import Rows
+from vfguide.flight.outlines import KEEP_IN, KEEP_OUT, Outline, Outlines, read_outline
 from vfguide.geometry.compiled import compiled
 
 NOTHING = -1
@@ -39,13 +24,14 @@ class Nearest(NamedTuple):
 
 
 @compiled
-def polygon_distance(sides: NDArray[np.float64], x: float, y: float) -> float:
+def polygon_distance(sides: Rows, x: float, y: float) -> float:
     """Distance of (x, y) from the border of any polygon [m], negative inside."""
     least, inside = math.inf, False
-    x1, y1 = sides[0, 3], sides[0, 4]
+    side = read_side(sides[0])
     for k in range(len(sides) - 1, -1, -1):
-        x0, y0 = x1, y1
-        x1, y1 = sides[k, 3], sides[k, 4]
+        x0, y0 = side.x, side.y
+        side = read_side(sides[k])
+        x1, y1 = side.x, side.y
         ex, ey, dx, dy = x1 - x0, y1 - y0, x - x0, y - y0
         length = ex * ex + ey * ey
         part = (dx * ex + dy * ey) / length if length > 0.0 else 0.0
@@ -58,35 +44,33 @@ def polygon_distance(sides: NDArray[np.float64], x: float, y: float) -> float:
 
 
 @compiled
-def sides_distance(sides: NDArray[np.float64], x: float, y: float) -> float:
+def sides_distance(sides: Rows, x: float, y: float) -> float:
     """The same of a convex polygon; off its corners less by up to what half their turn loses."""
     most = -math.inf
     for k in range(len(sides)):
-        most = max(most, sides[k, 0] * x + sides[k, 1] * y - sides[k, 2])
+        side = read_side(sides[k])
+        most = max(most, side.nx * x + side.ny * y - side.distance)
     return most
 
 
 @compiled
-def hazard_distance(
-    hazards: Outlines, i: int, x: float, y: float, t: float, enough: float
+def outline_distance(
+    outline: Outline, sides: Rows, x: float, y: float, t: float, enough: float
 ) -> float:
-    """Distance of (x, y) from the place of row `i` at time `t` [m], negative where one may not be.
+    """Distance of (x, y) from an outline at time `t` [m], negative where one may not be.
 
     Where it is more than `enough`, a lower bound of it that is more, too.
     """
-    row = hazards.table[i]
-    dx, dy = x - row[X] - t * row[VX], y - row[Y] - t * row[VY]
-    ball = math.hypot(dx, dy) - row[BALL]
-    count = int(row[COUNT])
-    if count == 0:
-        return row[SIGN] * ball
-    if row[SIGN] > 0.0 and ball > enough:
-        return ball
-    first = int(row[FIRST])
-    sides = hazards.sides[first : first + count]
-    if row[CONVEX] == 1.0:
-        return row[SIGN] * sides_distance(sides, dx, dy)
-    return row[SIGN] * polygon_distance(sides, dx, dy)
+    dx, dy = x - outline.x - t * outline.vx, y - outline.y - t * outline.vy
+    beyond = math.hypot(dx, dy) - outline.bounding_radius
+    if outline.sides == 0:
+        return outline.sign * beyond
+    if outline.sign == KEEP_OUT and beyond > enough:
+        return beyond
+    own = sides[outline.first_side : outline.first_side + outline.sides]
+    if outline.is_convex:
+        return outline.sign * sides_distance(own, dx, dy)
+    return outline.sign * polygon_distance(own, dx, dy)
 
 
 @compiled
@@ -94,9 +78,10 @@ def clearance_at(hazards: Outlines, x: float, y: float, t: float) -> Nearest:
     """Distance of (x, y), NED [m], from the nearest hazard at time `t` [s]."""
     least, nearest = math.inf, NOTHING
     for i in range(len(hazards.table)):
-        if t < hazards.table[i, SINCE] or t > hazards.table[i, UNTIL]:
+        outline = read_outline(hazards.table[i])
+        if t < outline.since or t > outline.until:
             continue
-        distance = hazard_distance(hazards, i, x, y, t, least)
+        distance = outline_distance(outline, hazards.sides, x, y, t, least)
         if distance < least:
             least, nearest = distance, i
     return Nearest(least, nearest)
@@ -107,8 +92,9 @@ def clearance_at_rest(hazards: Outlines, x: float, y: float) -> float:
     """Distance from the nearest hazard that does not move [m]."""
     least = math.inf
     for i in range(len(hazards.table)):
-        if hazards.table[i, SPEED] == 0.0 and hazards.table[i, SINCE] == -math.inf:
-            least = min(least, hazard_distance(hazards, i, x, y, 0.0, least))
+        outline = read_outline(hazards.table[i])
+        if outline.speed == 0.0 and outline.since == -math.inf:
+            least = min(least, outline_distance(outline, hazards.sides, x, y, 0.0, least))
     return least
 
 
@@ -117,9 +103,9 @@ def near_hazards(hazards: Outlines, x: float, y: float, reach: float) -> int:
     """Those that can be nearer than `reach` [m] to (x, y), a bit each; all that may move."""
     near = 0
     for i in range(min(len(hazards.table), BITS)):
-        row = hazards.table[i]
-        away = math.hypot(x - row[X], y - row[Y]) - row[BALL]
-        if away < reach or row[SPEED] > 0.0 or row[SIGN] < 0.0:
+        outline = read_outline(hazards.table[i])
+        away = math.hypot(x - outline.x, y - outline.y) - outline.bounding_radius
+        if away < reach or outline.speed > 0.0 or outline.sign == KEEP_IN:
             near |= 1 << i
     return near
 
@@ -142,14 +128,15 @@ def free_path(
     """
     least, nearest = math.inf, NOTHING
     for i in range(len(hazards.table)):
-        row = hazards.table[i]
-        if (i < BITS and (near >> i) & 1 == 0) or t > row[UNTIL]:
+        outline = read_outline(hazards.table[i])
+        if (i < BITS and (near >> i) & 1 == 0) or t > outline.until:
             continue
-        closing = 1.0 + row[SPEED] / speed
+        closing = 1.0 + outline.speed / speed
         enough = least * closing + wanted
-        free = (hazard_distance(hazards, i, x, y, t, enough) - wanted) / closing
-        if t < row[SINCE]:
-            free = max(free, speed * (row[SINCE] - t), step)
+        distance = outline_distance(outline, hazards.sides, x, y, t, enough)
+        free = (distance - wanted) / closing
+        if t < outline.since:
+            free = max(free, speed * (outline.since - t), step)
         if free < least:
             least, nearest = free, i
     return Nearest(least, nearest)

@@ -27,8 +27,7 @@ class Detour(NamedTuple):
     """A way from the start to the goal."""
 
     hops: Hops
-    """Up to `roadmap.MOST_HOPS` rows of HOP_COLUMNS: x, y [m] and course [rad] where a hop begins,
-    NED, and its word; none where no way was found."""
+    """Up to `roadmap.MOST_HOPS`, NED, a `Hop` a row; none where no way was found."""
     length: float
     """[m]; 0 where there is none."""
     clearance: float

@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.flight.shortest import (
     Word,
@@ -16,6 +15,7 @@ from vfguide.flight.shortest import (
 from vfguide.flight.way import Pose, after_turn
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row, Table, reader, width, writer
 
 KINDS = 6
 """Of words: three, each with its first turn to either side."""
@@ -23,11 +23,9 @@ FARTHEST_THREE = 4.0
 """Apart at most for three turns [radii]."""
 JOINS = 1e-10
 """A word ends where it should when it is off by no more than this [radii, or rad]."""
-HOP_COLUMNS = 9
-"""Of a hop as a row: x, y, course where it begins; the word."""
 
-Hops = NDArray[np.float64]
-"""(N, HOP_COLUMNS)."""
+Hops = Table
+"""A `Hop` a row."""
 
 
 class Hop(NamedTuple):
@@ -35,6 +33,11 @@ class Hop(NamedTuple):
 
     begin: Pose
     word: Word
+
+
+HOP_COLUMNS = width(Hop)
+"""How many numbers the row of a hop has."""
+read_hop, write_hop = reader(Hop), writer(Hop)
 
 
 class Piece(NamedTuple):
@@ -129,20 +132,17 @@ def least_word(d: float, alpha: float, beta: float, above: float) -> Word:
 
 
 @compiled
-def hop_row(hop: Hop) -> NDArray[np.float64]:
-    """The hop as a row of HOP_COLUMNS."""
-    (x, y, course), word = hop.begin, hop.word
+def hop_row(hop: Hop) -> Row:
+    """The row of a hop."""
     row = np.empty(HOP_COLUMNS)
-    row[:3] = (x, y, course)
-    row[3:] = (word.first, word.arc, word.middle, word.reach, word.last, word.end)
+    write_hop(hop, row)
     return row
 
 
 @compiled
 def hop_in(rows: Hops, i: int) -> Hop:
     """The hop in row `i`."""
-    r = rows[i]
-    return Hop(Pose(r[0], r[1], r[2]), Word(r[3], r[4], r[5], r[6], r[7], r[8]))
+    return read_hop(rows[i])
 
 
 @compiled

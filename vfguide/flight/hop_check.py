@@ -154,7 +154,7 @@ def way_is_clear(
         hazards: as they are believed to be now.
         task: `task.start` is the present place, `task.t` the present time.
         wanted: clearance [m].
-        hops: rows of `hop.HOP_COLUMNS`.
+        hops: a `Hop` a row.
         first: row of the hop that is flown.
         piece: its piece that is flown, 0 to 2.
         gone: length of it that lies behind [m].

@@ -12,31 +12,64 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.footprint import (
+    SIDE_WIDTH,
     SIDES,
     Band,
+    Section,
+    Side,
     crossing_times,
     is_round,
+    read_side,
     section_in,
     sides_round,
 )
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row, reader, replacing, table_of, width, writer
 
 KEEP_OUT, KEEP_IN = 1.0, -1.0
-SIGN, X, Y, VX, VY, SPEED, BALL, FIRST, COUNT, SINCE, UNTIL, CONVEX = range(12)
-"""Columns of a hazard: `KEEP_OUT` or `KEEP_IN`; place at t = 0 [m] and velocity [m/s], NED; speed;
-radius of a circle that holds it; its sides, none for a circle; from when until when it is there;
-whether its farthest side is its distance, as it is round a footprint but for a fiftieth."""
-COLUMNS = 12
+"""Sign of an outline: one may not be inside it, or not outside it."""
+
+
+class Outline(NamedTuple):
+    """A circle or a polygon in the plane, which may move."""
+
+    sign: float
+    """`KEEP_OUT` or `KEEP_IN`."""
+    x: float
+    y: float
+    """Its place at t = 0, NED [m]."""
+    vx: float
+    vy: float
+    """Its velocity, NED [m/s]."""
+    speed: float
+    """[m/s]."""
+    bounding_radius: float
+    """Of the circle about its place that holds it [m]; of a circle its own."""
+    first_side: int
+    """Row of its first side among the `sides` of all."""
+    sides: int
+    """How many sides it has, none for a circle."""
+    since: float
+    until: float
+    """When it is there [s]."""
+    is_convex: bool
+    """Whether its farthest side is its distance, as it is round a footprint but for a fiftieth."""
+
+
+OUTLINE_WIDTH = width(Outline)
+"""How many numbers the row of an outline has."""
+read_outline, write_outline = reader(Outline), writer(Outline)
+with_first_side = replacing(Outline, "first_side")
 
 
 class Outlines(NamedTuple):
     """Circles and polygons, and the sides of the polygons about their places."""
 
     table: Rows
-    """(M, COLUMNS)."""
+    """An `Outline` a row."""
     sides: Rows
-    """(N, 5): outward unit normal and distance from the place, corner with the side before, NED."""
+    """A `Side` a row, about the place of its outline."""
 
 
 @compiled
@@ -47,39 +80,48 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
     every obstacle; nearer ones are at least as far from the obstacles as from it.
     """
     count = len(obstacles)
-    table, sides = np.zeros((count, COLUMNS)), np.zeros((SIDES * count, 5))
+    table, sides = np.zeros((count, OUTLINE_WIDTH)), np.zeros((SIDES * count, SIDE_WIDTH))
     wide = Band(band.top - margin, band.bottom + margin)
-    used = points = 0
+    used = first = 0
     for i in range(count):
-        section, row = section_in(obstacles, i, wide), obstacles[i]
-        since, until = crossing_times(obstacles, i, wide)
+        section, (since, until) = section_in(obstacles, i, wide), crossing_times(obstacles, i, wide)
         if since > until or section.a <= 0.0 or section.b <= 0.0:
             continue
-        speed = math.hypot(row[4], row[5])
-        table[used, :BALL] = (KEEP_OUT, row[1], row[2], row[4], row[5], speed)
-        table[used, BALL:] = (section.a, float(points), 0.0, since, until, 1.0)
-        if not is_round(section):
-            there = sides[points : points + SIDES]
-            there[:] = sides_round(section, row[7], row[8])
-            table[used, BALL], table[used, COUNT] = ball_of(there), SIDES
-            points += SIDES
-        used += 1
-    return Outlines(table[:used], sides[:points])
+        outline = footprint_of(obstacles[i], section, since, until, sides, first)
+        write_outline(outline, table[used])
+        used, first = used + 1, first + outline.sides
+    return Outlines(table[:used], sides[:first])
 
 
 @compiled
-def ball_of(sides: NDArray[np.float64]) -> float:
+def footprint_of(
+    obstacle: Row, section: Section, since: float, until: float, sides: Rows, first: int
+) -> Outline:
+    """The outline of a section of an obstacle; its sides are written from row `first` on."""
+    number, radius = 0, section.a
+    if not is_round(section):
+        number, there = SIDES, sides[first : first + SIDES]
+        there[:] = sides_round(section, obstacle[7], obstacle[8])
+        radius = bounding_radius_of(there)
+    x, y, vx, vy = obstacle[1], obstacle[2], obstacle[4], obstacle[5]
+    place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
+    return Outline(*place, radius, first, number, since, until, True)
+
+
+@compiled
+def bounding_radius_of(sides: Rows) -> float:
     """Radius of the circle round the origin that holds the polygon [m]."""
     most = 0.0
     for k in range(len(sides)):
-        most = max(most, math.hypot(sides[k, 3], sides[k, 4]))
+        corner = read_side(sides[k])
+        most = max(most, math.hypot(corner.x, corner.y))
     return most
 
 
 def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> Outlines:
     """A circle of a fence at (x, y), NED [m]."""
-    row = (sign, x, y, 0.0, 0.0, 0.0, radius, 0.0, 0.0, -math.inf, math.inf, 1.0)
-    return Outlines(np.array([row]), np.zeros((0, 5)))
+    outline = Outline(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
+    return Outlines(table_of(Outline, (outline,)), table_of(Side, ()))
 
 
 def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> Outlines:
@@ -89,27 +131,31 @@ def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> O
     area = np.sum(points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0])
     points = points[::-1].copy() if area < 0.0 else points
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    sides = sides_of(points - centre)
-    place = (sign, *centre, 0.0, 0.0, 0.0)
-    row = (*place, ball_of(sides), 0.0, len(points), -math.inf, math.inf, 0.0)
-    return Outlines(np.array([row]), sides)
+    sides, (x, y) = sides_of(points - centre), centre
+    place, radius = (sign, x, y, 0.0, 0.0, 0.0), bounding_radius_of(sides)
+    outline = Outline(*place, radius, 0, len(sides), -math.inf, math.inf, False)
+    return Outlines(table_of(Outline, (outline,)), sides)
 
 
-def sides_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Sides of a polygon from its corners (N, 2)."""
+def sides_of(corners: NDArray[np.float64]) -> Rows:
+    """Sides of a polygon from its corners (N, 2), a `Side` a row."""
     along = np.roll(corners, -1, axis=0) - corners
     normals = np.column_stack((along[:, 1], -along[:, 0]))
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
-    return np.column_stack((normals, np.sum(normals * corners, axis=1), corners))
+    distances = np.sum(normals * corners, axis=1)
+    parts = zip(normals, distances, corners, strict=True)
+    return table_of(Side, (Side(nx, ny, distance, x, y) for (nx, ny), distance, (x, y) in parts))
 
 
 @compiled
 def joined(one: Outlines, other: Outlines) -> Outlines:
     """The hazards of both."""
     table = np.concatenate((one.table, other.table))
-    table[len(one.table) :, FIRST] += len(one.sides)
+    for i in range(len(one.table), len(table)):
+        outline = read_outline(table[i])
+        write_outline(with_first_side(outline, outline.first_side + len(one.sides)), table[i])
     return Outlines(table, np.concatenate((one.sides, other.sides)))
 
 
-NO_FENCE = Outlines(np.zeros((0, COLUMNS)), np.zeros((0, 5)))
+NO_FENCE = Outlines(table_of(Outline, ()), table_of(Side, ()))
 """Nothing to keep clear of."""

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.flight.hop import Hop, next_word
-from vfguide.flight.shortest import Word, length_of
-from vfguide.flight.way import Pose
+from vfguide.flight.shortest import Word, length_of, read_word, write_word
+from vfguide.flight.way import Pose, read_pose
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Table, width
 
 START, GOAL = 0, 1
 """Rows of the ends among the vias."""
@@ -25,12 +26,19 @@ than the shortest over the same vias by no more than that."""
 
 Queue = list[tuple[float, int]]
 """Edges by the length of the way through them that can be hoped for [m]."""
+Counter = NDArray[np.int64]
+"""One number that compiled code counts up, (1,)."""
+POSE_WIDTH, WORD_WIDTH = width(Pose), width(Word)
+"""How many numbers the row of a pose has, and that of a word."""
 
 
 class Vias(NamedTuple):
     """Poses a way may lead through, the first two its ends; arrays of one row each."""
 
-    poses: NDArray[np.float64]
+    used: Counter
+    """How many there are."""
+    poses: Table
+    """A `Pose` a row."""
     to_go: NDArray[np.float64]
     """Least length to the goal [m], negative while unknown."""
     gone: NDArray[np.float64]
@@ -43,22 +51,24 @@ class Vias(NamedTuple):
     """The last of that way."""
     avoids: NDArray[np.bool_]
     """(vias, hazards): whether hops from here to the vias of a hazard are in the queue."""
-    blocks: NDArray[np.int64]
-    """(hazards + 1, 2): first via of each hazard, and the one after the last; both 0 before. The
-    last row is for poses near the ends."""
-    used: NDArray[np.int64]
-    """(2,): how many vias and edges there are."""
+    first: NDArray[np.int64]
+    after: NDArray[np.int64]
+    """(hazards + 1,): first via of each hazard, and the one after its last; both 0 before. The last
+    of the hazards stands for poses near the ends."""
 
 
 class Edges(NamedTuple):
     """Hops tried or to be tried; arrays of one row each."""
 
+    used: Counter
+    """How many there are."""
+    begins: NDArray[np.int64]
     ends: NDArray[np.int64]
-    """(N, 2): the vias at both ends."""
+    """The vias at both ends."""
     above: NDArray[np.float64]
     """Only words longer than this are left to be tried [radii]."""
-    words: NDArray[np.float64]
-    """(N, 6)."""
+    words: Table
+    """A `Word` a row."""
     known: NDArray[np.bool_]
     """Whether the word has been found."""
 
@@ -67,15 +77,16 @@ class Edges(NamedTuple):
 def new_vias(hazards: int) -> Vias:
     """No vias yet, for so many hazards."""
     return Vias(
-        np.empty((MOST_VIAS, 3)),
+        np.zeros(1, np.int64),
+        np.empty((MOST_VIAS, POSE_WIDTH)),
         np.full(MOST_VIAS, -1.0),
         np.full(MOST_VIAS, math.inf),
         np.zeros(MOST_VIAS),
         np.zeros(MOST_VIAS, np.int64),
         np.full(MOST_VIAS, -1),
         np.zeros((MOST_VIAS, hazards), np.bool_),
-        np.zeros((hazards + 1, 2), np.int64),
-        np.zeros(2, np.int64),
+        np.zeros(hazards + 1, np.int64),
+        np.zeros(hazards + 1, np.int64),
     )
 
 
@@ -83,9 +94,11 @@ def new_vias(hazards: int) -> Vias:
 def new_edges() -> Edges:
     """No edges yet."""
     return Edges(
-        np.empty((MOST_EDGES, 2), np.int64),
+        np.zeros(1, np.int64),
+        np.empty(MOST_EDGES, np.int64),
+        np.empty(MOST_EDGES, np.int64),
         np.empty(MOST_EDGES),
-        np.empty((MOST_EDGES, 6)),
+        np.empty((MOST_EDGES, WORD_WIDTH)),
         np.zeros(MOST_EDGES, np.bool_),
     )
 
@@ -93,44 +106,41 @@ def new_edges() -> Edges:
 @compiled
 def pose_in(vias: Vias, i: int) -> Pose:
     """The pose in row `i`."""
-    x, y, course = vias.poses[i]
-    return Pose(x, y, course)
+    return read_pose(vias.poses[i])
 
 
 @compiled
 def word_in(edges: Edges, e: int) -> Word:
     """The word of edge `e`."""
-    w = edges.words[e]
-    return Word(w[0], w[1], w[2], w[3], w[4], w[5])
+    return read_word(edges.words[e])
 
 
 @compiled
 def hop_of(vias: Vias, edges: Edges, e: int) -> Hop:
     """The hop of edge `e`."""
-    return Hop(pose_in(vias, edges.ends[e, 0]), word_in(edges, e))
+    return Hop(pose_in(vias, edges.begins[e]), word_in(edges, e))
 
 
 @compiled
 def add_edge(vias: Vias, edges: Edges, queue: Queue, begin: int, end: int) -> None:
     """Queues a hop whose word is not known yet, with the straight line as its length."""
-    e = vias.used[1]
+    e = edges.used[0]
     if e == MOST_EDGES or vias.gone[end] < math.inf:
         return
-    vias.used[1] = e + 1
-    edges.ends[e] = (begin, end)
-    edges.above[e] = -1.0
-    here, there, goal = vias.poses[begin], vias.poses[end], vias.poses[GOAL]
+    edges.used[0] = e + 1
+    edges.begins[e], edges.ends[e], edges.above[e] = begin, end, -1.0
+    here, there, goal = pose_in(vias, begin), pose_in(vias, end), pose_in(vias, GOAL)
     to_go = vias.to_go[end]
     if to_go < 0.0:
-        to_go = math.hypot(goal[0] - there[0], goal[1] - there[1])
-    hoped = vias.gone[begin] + math.hypot(there[0] - here[0], there[1] - here[1]) + EAGER * to_go
+        to_go = math.hypot(goal.x - there.x, goal.y - there.y)
+    hoped = vias.gone[begin] + math.hypot(there.x - here.x, there.y - here.y) + EAGER * to_go
     heappush(queue, (float(hoped), e))
 
 
 @compiled
 def add_edges(vias: Vias, edges: Edges, queue: Queue, begin: int, hazard: int) -> None:
     """Queues hops to all vias of a hazard."""
-    for via in range(vias.blocks[hazard, 0], vias.blocks[hazard, 1]):
+    for via in range(vias.first[hazard], vias.after[hazard]):
         if via != begin:
             add_edge(vias, edges, queue, begin, via)
 
@@ -138,14 +148,14 @@ def add_edges(vias: Vias, edges: Edges, queue: Queue, begin: int, hazard: int) -
 @compiled
 def find_word(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> None:
     """Finds the word of an edge, and queues it again with its length."""
-    begin, end = edges.ends[e]
+    begin, end = edges.begins[e], edges.ends[e]
     if vias.to_go[end] < 0.0:
         word = next_word(pose_in(vias, end), pose_in(vias, GOAL), radius, -1.0)
         vias.to_go[end] = radius * length_of(word)
     word = next_word(pose_in(vias, begin), pose_in(vias, end), radius, edges.above[e])
     length = length_of(word)
     if length < math.inf:
-        edges.words[e] = (word.first, word.arc, word.middle, word.reach, word.last, word.end)
+        write_word(word, edges.words[e])
         edges.known[e], edges.above[e] = True, length
         hoped = vias.gone[begin] + radius * length + EAGER * vias.to_go[end]
         heappush(queue, (float(hoped), e))
@@ -155,7 +165,7 @@ def find_word(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> 
 def try_longer(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> None:
     """Queues an edge again whose word was blocked, for a longer one."""
     edges.known[e] = False
-    begin, end = edges.ends[e]
+    begin, end = edges.begins[e], edges.ends[e]
     hoped = vias.gone[begin] + radius * edges.above[e] + EAGER * vias.to_go[end]
     heappush(queue, (float(hoped), e))
 
@@ -163,7 +173,7 @@ def try_longer(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) ->
 @compiled
 def settle(vias: Vias, edges: Edges, e: int, radius: float, t: float) -> None:
     """The end of an edge is reached along it at time `t`."""
-    begin, end = edges.ends[e]
+    begin, end = edges.begins[e], edges.ends[e]
     vias.gone[end] = vias.gone[begin] + radius * edges.above[e]
     vias.hops[end] = vias.hops[begin] + 1
     vias.times[end], vias.edges[end] = t, e

@@ -31,6 +31,7 @@ from vfguide.flight.roadmap import (
     try_longer,
 )
 from vfguide.flight.via import add_fan, add_vias
+from vfguide.flight.way import write_pose
 from vfguide.geometry.compiled import compiled
 
 CHECK_EFFORT = 6
@@ -53,7 +54,7 @@ def search(hazards: Outlines, task: Task, demand: Demand, effort: int) -> tuple[
         if len(queue) == 0 and not fan_out(task, vias, edges, queue):
             break
         _, e = heappop(queue)
-        _, end = edges.ends[e]
+        end = edges.ends[e]
         if vias.gone[end] < np.inf:
             continue
         if not edges.known[e]:
@@ -70,7 +71,8 @@ def search(hazards: Outlines, task: Task, demand: Demand, effort: int) -> tuple[
 @compiled
 def begin(vias: Vias, edges: Edges, task: Task) -> Queue:
     """The queue with the hop from the start to the goal."""
-    vias.poses[START], vias.poses[GOAL] = task.start, task.goal
+    write_pose(task.start, vias.poses[START])
+    write_pose(task.goal, vias.poses[GOAL])
     vias.gone[START], vias.times[START], vias.to_go[GOAL] = 0.0, task.t, 0.0
     vias.used[0] = 2
     queue = [(0.0, 0)]
@@ -90,7 +92,7 @@ def follow(
     e: int,
 ) -> None:
     """Checks a hop: from its end on to the goal, or else round what blocks it."""
-    begin, end = edges.ends[e]
+    begin, end = edges.begins[e], edges.ends[e]
     found = check_hop(hazards, task, demand, hop_of(vias, edges, e), float(vias.times[begin]))
     if found.blocker == NOTHING:
         settle(vias, edges, e, task.radius, found.t)
@@ -118,11 +120,10 @@ def go_round(
     if vias.avoids[begin, hazard] or vias.hops[begin] + 1 >= MOST_HOPS:
         return
     vias.avoids[begin, hazard] = True
-    if vias.blocks[hazard, 1] == 0:
-        used = vias.used[0]
-        vias.blocks[hazard, 0] = used
-        used = add_vias(hazards, hazard, t, demand.wanted, vias.poses, used)
-        vias.blocks[hazard, 1] = vias.used[0] = used
+    if vias.after[hazard] == 0:
+        first = vias.used[0]
+        after = add_vias(hazards, hazard, t, demand.wanted, vias.poses, first)
+        vias.first[hazard], vias.after[hazard], vias.used[0] = first, after, after
     add_edges(vias, edges, queue, begin, hazard)
 
 
@@ -132,13 +133,13 @@ def fan_out(task: Task, vias: Vias, edges: Edges, queue: Queue) -> bool:
 
     Outlines that no hop has met may still leave no room to turn into the hops that were tried.
     """
-    fan = len(vias.blocks) - 1
-    if vias.blocks[fan, 1] > 0:
+    fan = len(vias.first) - 1
+    if vias.after[fan] > 0:
         return False
     reached = vias.used[0]
-    used = add_fan(task.start, 1.0, task.radius, vias.poses, reached)
-    used = add_fan(task.goal, -1.0, task.radius, vias.poses, used)
-    vias.blocks[fan], vias.used[0] = (reached, used), used
+    after = add_fan(task.start, 1.0, task.radius, vias.poses, reached)
+    after = add_fan(task.goal, -1.0, task.radius, vias.poses, after)
+    vias.first[fan], vias.after[fan], vias.used[0] = reached, after, after
     for via in range(reached):
         if vias.gone[via] < np.inf and vias.hops[via] + 1 < MOST_HOPS:
             add_edges(vias, edges, queue, via, fan)
@@ -154,5 +155,5 @@ def way_found(vias: Vias, edges: Edges) -> Hops:
     for i in range(count - 1, -1, -1):
         e = vias.edges[via]
         hops[i] = hop_row(hop_of(vias, edges, e))
-        via = edges.ends[e, 0]
+        via = edges.begins[e]
     return hops

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from vfguide.flight.clearance import NOTHING
-from vfguide.flight.hop import Hop, Hops, hop_in, hop_row, next_word, way_length
+from vfguide.flight.hop import HOP_COLUMNS, Hop, Hops, hop_in, hop_row, next_word, way_length
 from vfguide.flight.hop_check import Demand, Task, check_hop
-from vfguide.flight.outlines import SINCE, SPEED, Outlines
+from vfguide.flight.outlines import Outlines, read_outline
 from vfguide.flight.way import Pose
 from vfguide.geometry.compiled import compiled
 
@@ -72,7 +72,8 @@ def is_better(
 def moves(hazards: Outlines) -> bool:
     """Whether it matters when one is where."""
     for i in range(len(hazards.table)):
-        if hazards.table[i, SPEED] > 0.0 or hazards.table[i, SINCE] > -math.inf:
+        outline = read_outline(hazards.table[i])
+        if outline.speed > 0.0 or outline.since > -math.inf:
             return True
     return False
 
@@ -92,7 +93,7 @@ def hop_between(begin: Pose, end: Pose, radius: float) -> Hop:
 @compiled
 def without(task: Task, hops: Hops, i: int) -> Hops:
     """The way straight from the beginning of the hop before `i` to the end of hop `i`."""
-    trial = np.empty((len(hops) - 1, hops.shape[1]))
+    trial = np.empty((len(hops) - 1, HOP_COLUMNS))
     trial[: i - 1], trial[i:] = hops[: i - 1], hops[i + 1 :]
     begin = hop_in(hops, i - 1).begin
     trial[i - 1] = hop_row(hop_between(begin, end_of(task, hops, i), task.radius))

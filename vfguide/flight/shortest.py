@@ -9,6 +9,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, writer
 
 FULL = 2.0 * math.pi
 CLOSED = 0.1
@@ -35,6 +36,9 @@ class Word(NamedTuple):
     """Side of the last turn."""
     end: float
     """Arc of the last turn [rad]."""
+
+
+read_word, write_word = reader(Word), writer(Word)
 
 
 @compiled

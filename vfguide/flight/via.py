@@ -2,25 +2,14 @@
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from vfguide.field.footprint import read_side
+from vfguide.field.obstacle import Rows
 from vfguide.flight.clearance import clearance_at_rest
 from vfguide.flight.hop_check import SHORTEST_STEP
-from vfguide.flight.outlines import (
-    BALL,
-    CONVEX,
-    COUNT,
-    FIRST,
-    SIGN,
-    VX,
-    VY,
-    Outlines,
-    X,
-    Y,
-)
-from vfguide.flight.way import Pose, after_turn
+from vfguide.flight.outlines import Outline, Outlines, read_outline
+from vfguide.flight.way import Pose, after_turn, write_pose
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Table
 
 BEARINGS = 16
 """Directions in which a way passes a hazard."""
@@ -35,22 +24,22 @@ STRAIGHTS = 0.0, 1.0, 2.0
 ARCS = 0.5 * math.pi, math.pi, -0.5 * math.pi, -math.pi
 """... of so much, positive to the right [rad]."""
 
-Poses = NDArray[np.float64]
-"""(N, 3): x, y [m], course [rad]."""
+Poses = Table
+"""A `Pose` a row."""
 
 
 @compiled
-def support(hazards: Outlines, i: int, nx: float, ny: float) -> tuple[float, float]:
-    """The point of row `i` farthest along (nx, ny), about its place [m]."""
-    row = hazards.table[i]
-    if row[COUNT] == 0.0:
-        return row[BALL] * nx, row[BALL] * ny
-    first, most, best = int(row[FIRST]), -math.inf, 0
-    for k in range(first, first + int(row[COUNT])):
-        along = hazards.sides[k, 3] * nx + hazards.sides[k, 4] * ny
+def support(outline: Outline, sides: Rows, nx: float, ny: float) -> tuple[float, float]:
+    """The point of an outline farthest along (nx, ny), about its place [m]."""
+    if outline.sides == 0:
+        return outline.bounding_radius * nx, outline.bounding_radius * ny
+    most, x, y = -math.inf, 0.0, 0.0
+    for k in range(outline.first_side, outline.first_side + outline.sides):
+        corner = read_side(sides[k])
+        along = corner.x * nx + corner.y * ny
         if along > most:
-            most, best = along, k
-    return hazards.sides[best, 3], hazards.sides[best, 4]
+            most, x, y = along, corner.x, corner.y
+    return x, y
 
 
 @compiled
@@ -69,8 +58,8 @@ def add_via(
     """
     if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(vias):
         return used
-    vias[used] = (x, y, course)
-    vias[used + 1] = (x, y, course + math.pi)
+    write_pose(Pose(x, y, course), vias[used])
+    write_pose(Pose(x, y, course + math.pi), vias[used + 1])
     return used + 2
 
 
@@ -80,14 +69,14 @@ def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses
 
     They touch its outline grown by the wanted clearance; round a circle to keep in, from inside.
     """
-    row = hazards.table[i]
-    apart = row[SIGN] * (checked(wanted) + AMPLE)
+    outline = read_outline(hazards.table[i])
+    apart = outline.sign * (checked(wanted) + AMPLE)
     for k in range(BEARINGS):
         bearing = 2.0 * math.pi * k / BEARINGS
         nx, ny = math.cos(bearing), math.sin(bearing)
-        sx, sy = support(hazards, i, nx, ny)
-        x = row[X] + t * row[VX] + sx + apart * nx
-        y = row[Y] + t * row[VY] + sy + apart * ny
+        sx, sy = support(outline, hazards.sides, nx, ny)
+        x = outline.x + t * outline.vx + sx + apart * nx
+        y = outline.y + t * outline.vy + sy + apart * ny
         used = add_via(hazards, vias, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
@@ -95,20 +84,21 @@ def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses
 @compiled
 def round_corners(hazards: Outlines, i: int, wanted: float, vias: Poses, used: int) -> int:
     """Adds via poses round the corners of a polygon that point at where one may be."""
-    row = hazards.table[i]
-    first, count = int(row[FIRST]), int(row[COUNT])
-    corners = hazards.sides[first : first + count, 3:]
+    outline = read_outline(hazards.table[i])
+    sides = hazards.sides[outline.first_side : outline.first_side + outline.sides]
     apart = checked(wanted) + AMPLE
-    for k in range(count):
-        bx, by = corners[k] - corners[k - 1]
-        ax, ay = corners[(k + 1) % count] - corners[k]
-        if row[SIGN] * (bx * ay - by * ax) <= 0.0:
+    for k in range(len(sides)):
+        corner, last = read_side(sides[k]), read_side(sides[k - 1])
+        following = read_side(sides[(k + 1) % len(sides)])
+        bx, by = corner.x - last.x, corner.y - last.y
+        ax, ay = following.x - corner.x, following.y - corner.y
+        if outline.sign * (bx * ay - by * ax) <= 0.0:
             continue
-        bisector = outward(bx, by, ax, ay, row[SIGN])
+        bisector = outward(bx, by, ax, ay, outline.sign)
         for j in range(FANNED):
             bearing = bisector + FAN * (2.0 * j / (FANNED - 1) - 1.0)
-            x = row[X] + corners[k, 0] + apart * math.cos(bearing)
-            y = row[Y] + corners[k, 1] + apart * math.sin(bearing)
+            x = outline.x + corner.x + apart * math.cos(bearing)
+            y = outline.y + corner.y + apart * math.sin(bearing)
             used = add_via(hazards, vias, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
@@ -124,8 +114,8 @@ def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
 @compiled
 def add_vias(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
     """Adds via poses round row `i` where it is at time `t`; returns how many there are."""
-    row = hazards.table[i]
-    if row[COUNT] == 0.0 or row[CONVEX] == 1.0:
+    outline = read_outline(hazards.table[i])
+    if outline.sides == 0 or outline.is_convex:
         return round_convex(hazards, i, t, wanted, vias, used)
     return round_corners(hazards, i, wanted, vias, used)
 
@@ -144,6 +134,6 @@ def add_fan(end: Pose, ahead: float, radius: float, vias: Poses, used: int) -> i
             if used < len(vias):
                 side, turned = math.copysign(1.0, arc), ahead * abs(arc)
                 there = after_turn(Pose(x, y, end.course), side, turned, radius)
-                vias[used] = (there.x, there.y, there.course)
+                write_pose(there, vias[used])
                 used += 1
     return used

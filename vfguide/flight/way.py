@@ -10,6 +10,7 @@ from typing import NamedTuple
 from vfguide.flight.approach import Course, Planar, line_course, loiter_course
 from vfguide.flight.shortest import BRIEF, FULL, Word
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, writer
 
 TURN_IN = 0.37
 """The roll into a turn, or out of it, sets in this much earlier [s], from one turn into the other
@@ -40,6 +41,9 @@ class Pose(NamedTuple):
     x: float
     y: float
     course: float
+
+
+read_pose, write_pose = reader(Pose), writer(Pose)
 
 
 @compiled

@@ -11,6 +11,7 @@ the machine code is that of a function written by hand.
 
 import math
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_origin, get_type_hints
 
 import numba
@@ -97,6 +98,7 @@ def joined(name: str, part: str) -> str:
     return f"{name}.{part}" if name else part
 
 
+@cache
 def width(kind: Any) -> int:
     """How many numbers the row of a record type has."""
     return sum(leaf.size for leaf in leaves(kind))
@@ -133,6 +135,12 @@ def getter(kind: Any, name: str) -> Callable[[Row], Any]:
 
 def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
     """A Python function that gives the numbers of a record in the order of its row."""
+    return _flattener(kind)
+
+
+@cache
+def _flattener(kind: Any) -> Any:
+    """The same, written once for each type: tables are made at every step."""
     parts = (
         f"*{leaf.expression}.ravel()" if isinstance(leaf.kind, Shape) else leaf.expression
         for leaf in leaves(kind)

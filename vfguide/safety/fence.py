@@ -1,6 +1,6 @@
 """Fences: upright polygons and circles to stay in or out of, between two heights.
 
-`fence_rows` packs them into two arrays. Heights are above the guidance frame's origin [m], so
+`fences` packs them into two arrays. Heights are above the guidance frame's origin [m], so
 that z down is minus the height.
 """
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, table_of
 from vfguide.geometry.vector import Vec3
 
 Point = tuple[float, float]
@@ -32,11 +33,28 @@ class Zone(NamedTuple):
     """Heights between which it holds [m]."""
 
 
+class PackedZone(NamedTuple):
+    """A zone whose corners are among those of all zones."""
+
+    inclusion: bool
+    first_corner: int
+    corners: int
+    """How many it has, one for a circle."""
+    radius: float
+    """Of the circle [m]."""
+    lowest: float
+    highest: float
+    """Heights between which it holds [m]."""
+
+
+read_zone = reader(PackedZone)
+
+
 class Fences(NamedTuple):
     """Zones as arrays."""
 
     zones: Rows
-    """(Z, 6): inclusion, first corner, number of corners, radius, lowest, highest."""
+    """A `PackedZone` a row."""
     corners: Rows
     """(C, 2): north, east [m]."""
 
@@ -47,25 +65,35 @@ def fences(zones: Sequence[Zone]) -> Fences:
     Raises:
         ValueError: a zone is neither a polygon nor a circle, or is upside down.
     """
-    rows, corners = np.zeros((len(zones), 6)), list[Point]()
-    for row, zone in zip(rows, zones, strict=True):
-        count = len(zone.corners)
-        if not (count >= 3 and zone.radius == 0.0) and not (count == 1 and zone.radius > 0.0):
-            raise ValueError("a zone has at least three corners, or a centre and a radius")
-        if not zone.lowest < zone.highest:
-            raise ValueError(f"a zone must reach up from {zone.lowest}, not to {zone.highest}")
-        row[:] = (zone.inclusion, len(corners), count, zone.radius, zone.lowest, zone.highest)
+    packed, corners = list[PackedZone](), list[Point]()
+    for zone in zones:
+        check_zone(zone)
+        count, heights = len(zone.corners), (zone.lowest, zone.highest)
+        packed.append(PackedZone(zone.inclusion, len(corners), count, zone.radius, *heights))
         corners += zone.corners
-    return Fences(rows, np.array(corners, dtype=float).reshape(-1, 2))
+    return Fences(table_of(PackedZone, packed), np.array(corners, dtype=float).reshape(-1, 2))
+
+
+def check_zone(zone: Zone) -> None:
+    """A zone is a polygon or a circle, and upright.
+
+    Raises:
+        ValueError: it is not.
+    """
+    count = len(zone.corners)
+    if not (count >= 3 and zone.radius == 0.0) and not (count == 1 and zone.radius > 0.0):
+        raise ValueError("a zone has at least three corners, or a centre and a radius")
+    if not zone.lowest < zone.highest:
+        raise ValueError(f"a zone must reach up from {zone.lowest}, not to {zone.highest}")
 
 
 @compiled
 def fence_distance(fences: Fences, i: int, p_n: Vec3) -> float:
     """Distance of `p_n` (NED) to where zone `i` is violated [m], negative where it is."""
-    zones, height = fences.zones, -p_n[2]
-    flat = zone_distance(fences, i, p_n[0], p_n[1])
-    upright = max(zones[i, 4] - height, height - zones[i, 5])
-    if zones[i, 0] != 0.0:
+    zone, height = read_zone(fences.zones[i]), -p_n[2]
+    flat = zone_distance(zone, fences.corners, p_n[0], p_n[1])
+    upright = max(zone.lowest - height, height - zone.highest)
+    if zone.inclusion:
         return -max(flat, upright)
     if flat <= 0.0 or upright <= 0.0:
         return max(flat, upright)
@@ -73,12 +101,11 @@ def fence_distance(fences: Fences, i: int, p_n: Vec3) -> float:
 
 
 @compiled
-def zone_distance(fences: Fences, i: int, north: float, east: float) -> float:
-    """Horizontal distance from the edge of zone `i` [m], negative inside."""
-    zones, corners = fences.zones, fences.corners
-    first, count = int(zones[i, 1]), int(zones[i, 2])
+def zone_distance(zone: PackedZone, corners: Rows, north: float, east: float) -> float:
+    """Horizontal distance from the edge of a zone [m], negative inside."""
+    first, count = zone.first_corner, zone.corners
     if count == 1:
-        return math.hypot(north - corners[first, 0], east - corners[first, 1]) - zones[i, 3]
+        return math.hypot(north - corners[first, 0], east - corners[first, 1]) - zone.radius
     least, inside = math.inf, False
     before = first + count - 1
     for k in range(first, first + count):

@@ -6,11 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.field.footprint import Band
+from vfguide.field.footprint import SIDE_WIDTH, Band
 from vfguide.field.near import distance_bound, upright_distance
 from vfguide.field.obstacle import Rows
-from vfguide.flight.outlines import BALL, COLUMNS, KEEP_OUT, Outlines
+from vfguide.flight.outlines import KEEP_OUT, OUTLINE_WIDTH, Outline, Outlines, write_outline
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, table_of, width
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.fence import Fences, fence_distance
 
@@ -37,13 +38,18 @@ class Intruder(NamedTuple):
     """Of radius and half height with the report's age [m/s]."""
 
 
+INTRUDER_WIDTH = width(Intruder)
+"""How many numbers the row of an intruder has."""
+read_intruder = reader(Intruder)
+
+
 class Hazards(NamedTuple):
     """Everything to keep clear of that is known."""
 
     obstacles: Rows
     """(M, COLUMNS) of `obstacle_rows`."""
     traffic: Rows
-    """(K, 11) of `traffic_rows`."""
+    """An `Intruder` a row."""
     fences: Fences
     floor: float
     ceiling: float
@@ -51,9 +57,8 @@ class Hazards(NamedTuple):
 
 
 def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
-    """The intruders as an array (K, 11), its columns the fields in order."""
-    rows = [(*a.p_n, *a.v_n, *a[2:]) for a in intruders]
-    return np.array(rows, dtype=float).reshape(-1, 11)
+    """The intruders as a table, one a row."""
+    return table_of(Intruder, intruders)
 
 
 @compiled
@@ -82,13 +87,14 @@ def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
 @compiled
 def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
     """Distance of `p_n` (NED) from the volume of intruder `i` at time `t` [m]."""
-    age = t - traffic[i, 6]
-    x = p_n[0] - traffic[i, 0] - age * traffic[i, 3]
-    y = p_n[1] - traffic[i, 1] - age * traffic[i, 4]
-    z = p_n[2] - traffic[i, 2] - age * traffic[i, 5]
+    intruder = read_intruder(traffic[i])
+    there_n, v_n, age = intruder.p_n, intruder.v_n, t - intruder.time
+    x = p_n[0] - there_n[0] - age * v_n[0]
+    y = p_n[1] - there_n[1] - age * v_n[1]
+    z = p_n[2] - there_n[2] - age * v_n[2]
     age = max(age, 0.0)
-    radius = traffic[i, 7] + age * traffic[i, 9]
-    return upright_distance(x, y, z, radius, traffic[i, 8] + age * traffic[i, 10])
+    radius = intruder.radius + age * intruder.growth
+    return upright_distance(x, y, z, radius, intruder.half_height + age * intruder.growth_up)
 
 
 @compiled
@@ -97,19 +103,25 @@ def traffic_outlines(traffic: Rows, band: Band, margin: float, t: float) -> Outl
 
     Moving circles for the search of ways, as large as the volumes `AHEAD` seconds after `t`.
     """
-    table, used = np.zeros((len(traffic), COLUMNS)), 0
+    table, used = np.zeros((len(traffic), OUTLINE_WIDTH)), 0
     for row in traffic:
-        grown = max(t - row[6], 0.0) + AHEAD
-        reach = row[8] + grown * row[10] + margin
-        since, until = stay_in(band.top - reach - row[2], band.bottom + reach - row[2], row[5])
-        if since > until:
-            continue
-        x, y = row[0] - row[6] * row[3], row[1] - row[6] * row[4]
-        table[used, :BALL] = (KEEP_OUT, x, y, row[3], row[4], math.hypot(row[3], row[4]))
-        radius = row[7] + grown * row[9]
-        table[used, BALL:] = (radius, 0.0, 0.0, row[6] + since, row[6] + until, 1.0)
-        used += 1
-    return Outlines(table[:used], np.zeros((0, 5)))
+        outline = traffic_outline(read_intruder(row), band, margin, t)
+        if outline.since <= outline.until:
+            write_outline(outline, table[used])
+            used += 1
+    return Outlines(table[:used], np.zeros((0, SIDE_WIDTH)))
+
+
+@compiled
+def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> Outline:
+    """The same of one intruder; where it never comes into the band, until before since."""
+    (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
+    grown = max(t - time, 0.0) + AHEAD
+    reach = intruder.half_height + grown * intruder.growth_up + margin
+    since, until = stay_in(band.top - reach - down, band.bottom + reach - down, sinking)
+    x, y, radius = north - time * vx, east - time * vy, intruder.radius + grown * intruder.growth
+    place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
+    return Outline(*place, radius, 0, 0, time + since, time + until, True)
 
 
 @compiled
@@ -127,9 +139,16 @@ def hazard_speed(hazards: Hazards, i: int) -> float:
         return speed_in(hazards.obstacles, i, 4)
     i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
     if i >= 0:
-        growth = math.hypot(hazards.traffic[i, 9], hazards.traffic[i, 10])
-        return speed_in(hazards.traffic, i, 3) + growth
+        return intruder_speed(read_intruder(hazards.traffic[i]))
     return 0.0
+
+
+@compiled
+def intruder_speed(intruder: Intruder) -> float:
+    """How fast its volume can come nearer to a point that stands still [m/s]."""
+    north, east, down = intruder.v_n
+    growth = math.hypot(intruder.growth, intruder.growth_up)
+    return math.sqrt(north**2 + east**2 + down**2) + growth
 
 
 @compiled

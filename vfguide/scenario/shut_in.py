@@ -9,7 +9,8 @@ from scipy import ndimage
 from vfguide.field.footprint import Band
 from vfguide.field.obstacle import Rows
 from vfguide.flight.clearance import clearance_at
-from vfguide.flight.outlines import BALL, Outlines, X, Y, hazards_of, joined
+from vfguide.flight.outlines import Outline, Outlines, hazards_of, joined
+from vfguide.geometry.rows import columns
 
 CELL = 4.0
 """Of the grid that is looked at [m]: no aeroplane flies through a gap that this misses ..."""
@@ -22,9 +23,9 @@ Place = tuple[float, float]
 def is_shut_in(obstacles: Rows, fence: Outlines, band: Band, start: Place, goal: Place) -> bool:
     """Whether no path in the band of heights leads from one place to the other."""
     hazards = joined(hazards_of(obstacles, band, 0.0), fence)
-    table = hazards.table
-    places = np.vstack((table[:, [X, Y]], start, goal))
-    reach = np.append(table[:, BALL], (CELL, CELL))[:, None]
+    outlines = columns(Outline, hazards.table)
+    places = np.vstack((np.column_stack((outlines.x, outlines.y)), start, goal))
+    reach = np.append(outlines.bounding_radius, (CELL, CELL))[:, None]
     low = (places - reach).min(axis=0) - 3.0 * CELL
     cells = np.ceil(((places + reach).max(axis=0) + 3.0 * CELL - low) / CELL).astype(int)
     if cells.max() > MOST_CELLS:
