@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.level import TIP
-from vfguide.field.obstacle import Rows, obstacle_shape
+from vfguide.field.obstacle import Rows, read_obstacle, shape_of
 from vfguide.field.shape import EDGED, Kind, Shape
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, width, writer
 
 SIDES = 16
 """Of the polygon round a section that is no circle."""
@@ -42,6 +43,24 @@ class Section(NamedTuple):
     b: float
     p: float
     q: float
+
+
+class Side(NamedTuple):
+    """A side of a polygon about its centre."""
+
+    nx: float
+    ny: float
+    """Outward unit normal, NED."""
+    distance: float
+    """Of the side from the centre [m]."""
+    x: float
+    y: float
+    """The corner where it meets the side before, about the centre, NED [m]."""
+
+
+SIDE_WIDTH = width(Side)
+"""How many numbers the row of a side has."""
+read_side, write_side = reader(Side), writer(Side)
 
 
 @compiled
@@ -101,27 +120,34 @@ def touching(section: Section, nx: float, ny: float) -> float:
 def sides_round(section: Section, c: float, s: float) -> NDArray[np.float64]:
     """The polygon round a section, its axes turned by the angle of cosine `c` and sine `s`.
 
-    A row for each side: its outward unit normal, its distance from the centre [m], and the corner
-    where it meets the side before, about the centre; NED, clockwise from above.
+    A `Side` a row, clockwise from above.
     """
-    sides, quarter = np.empty((SIDES, 5)), np.empty(SIDES // 4 + 1)
+    sides, quarter = np.empty((SIDES, SIDE_WIDTH)), np.empty(SIDES // 4 + 1)
     for k in range(len(quarter)):
         quarter[k] = touching(section, max(math.cos(k * STEP), 0.0), math.sin(k * STEP))
     for k in range(SIDES):
         nx, ny = math.cos(k * STEP), math.sin(k * STEP)
         mirrored = min(k % (SIDES // 2), -k % (SIDES // 2))
-        sides[k, :3] = (c * nx - s * ny, s * nx + c * ny, quarter[mirrored])
+        side = Side(c * nx - s * ny, s * nx + c * ny, quarter[mirrored], 0.0, 0.0)
+        write_side(side, sides[k])
     for k in range(SIDES):
-        last, this = sides[k - 1], sides[k]
-        sides[k, 3] = (last[2] * this[1] - this[2] * last[1]) / math.sin(STEP)
-        sides[k, 4] = (this[2] * last[0] - last[2] * this[0]) / math.sin(STEP)
+        write_side(with_corner(read_side(sides[k]), read_side(sides[k - 1])), sides[k])
     return sides
+
+
+@compiled
+def with_corner(side: Side, before: Side) -> Side:
+    """The side, `STEP` clockwise from the side before, with the corner where both meet."""
+    x = (before.distance * side.ny - side.distance * before.ny) / math.sin(STEP)
+    y = (side.distance * before.nx - before.distance * side.nx) / math.sin(STEP)
+    return Side(side.nx, side.ny, side.distance, x, y)
 
 
 @compiled
 def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
     """From when until when row `i` reaches into the band [s]; none where the first is later."""
-    half, height, rate = obstacles[i, 11], obstacles[i, 3], obstacles[i, 6]
+    obstacle = read_obstacle(obstacles[i])
+    half, height, rate = obstacle.semi_axes[2], obstacle.p_n[2], obstacle.v_n[2]
     if rate == 0.0:
         reaches = band.top <= height + half and height - half <= band.bottom
         return (-math.inf, math.inf) if reaches else (math.inf, -math.inf)
@@ -133,8 +159,9 @@ def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
 @compiled
 def section_in(obstacles: Rows, i: int, band: Band) -> Section:
     """The widest section of row `i` in the band: of all its sections where it climbs or sinks."""
-    shape, height = obstacle_shape(obstacles, i), obstacles[i, 3]
+    obstacle = read_obstacle(obstacles[i])
+    shape, height = shape_of(obstacle), obstacle.p_n[2]
     inside = Band(band.top - height, band.bottom - height)
-    if obstacles[i, 6] != 0.0:
+    if obstacle.v_n[2] != 0.0:
         inside = Band(-shape.semi_axes[2], shape.semi_axes[2])
     return section_at(shape, widest_height(shape, inside))

@@ -9,7 +9,7 @@ it is the sharp body in which the body lies: the box, the upright cylinder or th
 import math
 
 from vfguide.field.level import TIP
-from vfguide.field.obstacle import Rows
+from vfguide.field.obstacle import Rows, read_obstacle
 from vfguide.field.shape import EDGED, Kind
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
@@ -27,18 +27,17 @@ def distance_bound(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
     Exact for spheres from outside, within a few per cent of the size for the other shapes, and
     tight at the surface from outside; negative inside, and there at most a size too low.
     """
-    x = p_n[0] - obstacles[i, 1] - t * obstacles[i, 4]
-    y = p_n[1] - obstacles[i, 2] - t * obstacles[i, 5]
-    z = p_n[2] - obstacles[i, 3] - t * obstacles[i, 6]
-    c, s = obstacles[i, 7], obstacles[i, 8]
+    body = read_obstacle(obstacles[i])
+    p_o, v_o, c, s = body.p_n, body.v_n, body.heading_cos, body.heading_sin
+    x = p_n[0] - p_o[0] - t * v_o[0]
+    y = p_n[1] - p_o[1] - t * v_o[1]
+    z = p_n[2] - p_o[2] - t * v_o[2]
     x, y = c * x + s * y, c * y - s * x
-    kind, a = int(obstacles[i, 0]), (obstacles[i, 9], obstacles[i, 10], obstacles[i, 11])
-    if kind == Kind.CYLINDER:
-        return cylinder_bound(x, y, z, a[0], a[2])
-    if kind == Kind.CONE:
-        return cone_bound(x, y, z, a[0], a[2])
-    exponents = (obstacles[i, 12], obstacles[i, 13], obstacles[i, 14])
-    return superquadric_bound((x, y, z), a, exponents)
+    if body.kind == Kind.CYLINDER:
+        return cylinder_bound(x, y, z, body.semi_axes[0], body.semi_axes[2])
+    if body.kind == Kind.CONE:
+        return cone_bound(x, y, z, body.semi_axes[0], body.semi_axes[2])
+    return superquadric_bound((x, y, z), body.semi_axes, body.exponents)
 
 
 @compiled
