@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from avoidance_worlds import TICK, Turning, World
 
-from vfguide.field.near import distance_bound, upright_distance
+from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import (
     PlacedObstacle,
     Rows,
@@ -14,6 +14,7 @@ from vfguide.field.obstacle import (
     read_obstacle,
     write_obstacle,
 )
+from vfguide.field.shapes.cylinder import upright_distance
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, replacing

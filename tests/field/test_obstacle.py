@@ -8,7 +8,6 @@ from obstacle_samples import SHAPES, STILL, at_level, floats, random_directions
 
 from vfguide.field import shape
 from vfguide.field.dual import Dual3
-from vfguide.field.level import shape_level
 from vfguide.field.obstacle import (
     OUT_OF_SIGHT,
     Obstacle,
@@ -20,6 +19,7 @@ from vfguide.field.obstacle import (
     read_obstacle,
 )
 from vfguide.field.obstacle_arrays import distances, levels
+from vfguide.field.shape import shape_level
 from vfguide.geometry.rows import width
 
 coordinates = st.floats(-60.0, 60.0)

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.field.level import TIP
 from vfguide.field.obstacle import Rows, read_obstacle, shape_of
-from vfguide.field.shape import EDGED, Kind, Shape
+from vfguide.field.shape import section_at, widest_at
+from vfguide.field.shapes.base import Section, Shape
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
 
@@ -22,8 +22,6 @@ SIDES = 16
 STEP = 2.0 * math.pi / SIDES
 HALVINGS = 10
 """Of the angle at which a superquadric of unequal exponents is touched."""
-WIDEST_CONE = 0.5 ** (0.5 / EDGED)
-"""Height of a cone's widest section below its centre, in half heights."""
 
 
 class Band(NamedTuple):
@@ -31,18 +29,6 @@ class Band(NamedTuple):
 
     top: float
     bottom: float
-
-
-class Section(NamedTuple):
-    """A horizontal section in the body's axes: the sizes and exponents of a superquadric.
-
-    Both sizes are zero where there is none.
-    """
-
-    a: float
-    b: float
-    p: float
-    q: float
 
 
 class Side(NamedTuple):
@@ -67,25 +53,7 @@ read_side, write_side = reader(Side), writer(Side)
 def widest_height(shape: Shape, band: Band) -> float:
     """Height of the widest section in the band, which is about the body's centre, half heights."""
     c = shape.semi_axes[2]
-    widest = WIDEST_CONE if shape.kind == Kind.CONE else 0.0
-    return max(band.top / c, min(band.bottom / c, widest))
-
-
-@compiled
-def section_at(shape: Shape, w: float) -> Section:
-    """The section `w` half heights below the centre."""
-    (a, b, _), (p, q, r) = shape.semi_axes, shape.exponents
-    if w < (TIP - 1.0 if shape.kind == Kind.CONE else -1.0) or w > 1.0:
-        return Section(0.0, 0.0, 1.0, 1.0)
-    if shape.kind == Kind.CONE:
-        s = w + (1.0 - max(0.0, w) ** (2.0 * EDGED)) ** (0.5 / EDGED)
-        part = 0.5 * math.sqrt(max(s * s - TIP * TIP, 0.0))
-        return Section(part * a, part * b, 1.0, 1.0)
-    left = 1.0 - abs(w) ** (2.0 * r)
-    if shape.kind == Kind.CYLINDER:
-        part = left ** (0.5 / EDGED)
-        return Section(part * a, part * b, 1.0, 1.0)
-    return Section(a * left ** (0.5 / p), b * left ** (0.5 / q), p, q)
+    return max(band.top / c, min(band.bottom / c, widest_at(shape)))
 
 
 @compiled

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from vfguide.field.distance import signed_distance
 from vfguide.field.dual import Dual, Dual3
-from vfguide.field.level import shape_level
-from vfguide.field.shape import Shape
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.base import Shape
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, replacing, table_of, writer
 from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub

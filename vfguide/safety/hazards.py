@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.footprint import Band
-from vfguide.field.near import distance_bound, upright_distance
+from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import Rows, read_obstacle
+from vfguide.field.shapes.cylinder import upright_distance
 from vfguide.flight.outlines import BALL, COLUMNS, KEEP_OUT, Outlines
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
