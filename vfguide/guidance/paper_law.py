@@ -8,7 +8,6 @@ which the paper says nothing, the circle is flown.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState
@@ -16,7 +15,7 @@ from vfguide.field.avoidance import avoidance_field, no_deflection
 from vfguide.field.composite import deflect_by_obstacles, deflect_by_robot, free_field
 from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import goal_frame
-from vfguide.field.robots import Spacing
+from vfguide.field.robots import Robot, Spacing
 from vfguide.flight.horizontal import plan_turn, usable_bank
 from vfguide.flight.memory import Target, Wish
 from vfguide.flight.motion_angles import azimuth_of, path_of
@@ -25,11 +24,12 @@ from vfguide.flight.vehicle import Vehicle
 from vfguide.flight.vertical import allowed_path, path_angle, path_limits
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import norm, sub
+from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.planning.objective import Objective
 from vfguide.planning.planning import Route
+from vfguide.safety.hazards import Intruder, read_intruder
 
 SIGHT = 300.0
 """r_d: the paper's robots see each other from here on, the default of a scenario [m]."""
@@ -107,15 +107,14 @@ def composite_field(state: FlightState, target: Target, airspace: Airspace | Non
         chi = np.empty(len(hazards.obstacles))
         by = deflect_by_obstacles(by, free, p, t, hazards.obstacles, chi)
         for row in hazards.traffic:
-            by = deflect_by_robot(by, free, p, robot_at(row, t), Spacing(0.5 * row[7], SIGHT))
+            intruder = read_intruder(row)
+            spacing = Spacing(0.5 * intruder.radius, SIGHT)
+            by = deflect_by_robot(by, free, p, robot_at(intruder, t), spacing)
     return avoidance_field(free, by)
 
 
 @compiled
-def robot_at(row: NDArray[np.float64], t: float) -> NDArray[np.float64]:
-    """An intruder's position and velocity as the paper's field takes a robot, (6,)."""
-    robot = np.empty(6)
-    for k in range(3):
-        robot[k] = row[k] + (t - row[6]) * row[3 + k]
-        robot[3 + k] = row[3 + k]
-    return robot
+def robot_at(intruder: Intruder, t: float) -> Robot:
+    """An intruder at time `t` [s] as the paper's field takes a robot."""
+    way = scale(t - intruder.time, intruder.v_n)
+    return Robot(add(intruder.p_n, way), intruder.v_n)
