@@ -9,14 +9,10 @@ from vfguide.companion.jump import Jumps, no_jumps, settled
 from vfguide.companion.progress import Progress, fresh_progress
 from vfguide.companion.tries import Tries, at_next, no_tries
 from vfguide.flight.air_state import (
-    AIR_NUMBERS,
+    ACCELERATION_BIAS,
     AIRSPEED,
-    MODEL,
-    PUSH,
-    TRUST,
     AirReport,
     AirState,
-    X,
     fresh_air,
     report_air,
 )
@@ -28,6 +24,7 @@ from vfguide.flight.shortest import Word
 from vfguide.flight.strong_wind import Stand, new_stand
 from vfguide.flight.way import Way
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import place, reader, width, writer
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.guard import HAZARD, REASON, GuardState, fresh_guard
 
@@ -109,8 +106,7 @@ def forget_learned(memory: RouteMemory, before: Performance, after: Performance)
     """Memory without the corrections of what is known better now of the aircraft."""
     if before == after:
         return memory
-    flight, air = memory.flight, memory.air.copy()
-    air[X + PUSH], air[MODEL] = 0.0, air[X + AIRSPEED]
+    flight, air = memory.flight, without_model_error(memory.air)
     if (after.alpha_zero, after.alpha_load) != (before.alpha_zero, before.alpha_load):
         flight = flight._replace(alpha_bias=0.0)
     if after.thrust_trim != before.thrust_trim:
@@ -118,16 +114,27 @@ def forget_learned(memory: RouteMemory, before: Performance, after: Performance)
     return memory._replace(flight=flight, air=air)
 
 
+def without_model_error(air: AirState) -> AirState:
+    """What is believed of the air by an aircraft of which no error is known yet."""
+    x = air.estimate.x.copy()
+    x[ACCELERATION_BIAS] = 0.0
+    sensor = air.sensor._replace(model_airspeed=float(x[AIRSPEED]))
+    return air._replace(estimate=air.estimate._replace(x=x), sensor=sensor)
+
+
+read_air, write_air = reader(AirState), writer(AirState)
 PackedMemory = NDArray[np.float64]
 """(GUARD + KNOWN + M,), the numbers of a RouteMemory in their order: an array crosses into
 compiled code and back in a fraction of the time of nested records."""
 OFFSET, JUMPS, JUMP_SIZE, RATIO, HOLDS = 42, 45, 46, 48, 49
 MISSED, GIVEN_UP, LEAST, ALARMED, AIR = 51, 52, 53, 56, 57
-AIR_TIME = AIR
+AIR_TIME: int = AIR + place(AirState, "time").start
 """Places: what is not let in yet of a jump, the count and the size of jumps, the ratio of wind and
 airspeed and whether it is too large, missed passes, goals given up, the least length of the path
 [m] and whether there is no progress, the air's numbers and the first of them."""
-DETOUR = AIR + AIR_NUMBERS
+SENSOR_TRUSTED: int = AIR + place(AirState, "sensor.trusted").start
+"""Place: whether the airspeed sensor is flown on."""
+DETOUR = AIR + width(AirState)
 GUARD = DETOUR + DETOUR_NUMBERS
 """Places: the detour that is flown, and what the guard remembers."""
 
@@ -152,7 +159,7 @@ def packed_memory(memory: RouteMemory) -> PackedMemory:
     circled = (progress.least, progress.longest, progress.flown, alarm)
     packed = np.empty(GUARD + len(memory.guard))
     packed[:AIR] = np.array((*head, *law, *learned, *jumped, *stood, *tried, *circled))
-    packed[AIR:DETOUR] = memory.air
+    write_air(memory.air, packed[AIR:DETOUR])
     packed[DETOUR:GUARD] = memory.detour
     packed[GUARD:] = memory.guard
     return packed
@@ -187,7 +194,7 @@ def settled_in(memory: PackedMemory) -> bool:
 
 def trusts_sensor_in(memory: PackedMemory) -> bool:
     """Whether the airspeed sensor is flown on."""
-    return bool(memory[AIR + TRUST])
+    return bool(memory[SENSOR_TRUSTED])
 
 
 def holds_in(memory: PackedMemory) -> bool:
@@ -198,7 +205,7 @@ def holds_in(memory: PackedMemory) -> bool:
 @compiled
 def air_in(memory: PackedMemory) -> AirReport:
     """What is believed of the air."""
-    return report_air(memory[AIR:DETOUR])
+    return report_air(read_air(memory[AIR:DETOUR]))
 
 
 Noted = tuple[float, float, float, float, float, float, float, float, float]
@@ -222,7 +229,7 @@ def has_news(before: PackedMemory, after: PackedMemory) -> bool:
         or after[JUMPS] != before[JUMPS]
         or after[HOLDS] != before[HOLDS]
         or after[ALARMED] != before[ALARMED]
-        or after[AIR + TRUST] != before[AIR + TRUST]
+        or after[SENSOR_TRUSTED] != before[SENSOR_TRUSTED]
     )
 
 
@@ -244,7 +251,7 @@ def unpacked_memory(a: PackedMemory) -> RouteMemory:
         Stand(a[48], a[49] != 0.0, a[50]),
         Tries(int(a[MISSED]), int(a[GIVEN_UP])),
         Progress(a[53], a[54], a[55], a[56] != 0.0),
-        a[AIR:DETOUR].copy(),
+        read_air(a[AIR:DETOUR]),
         a[GUARD:].copy(),
         a[DETOUR:GUARD].copy(),
     )

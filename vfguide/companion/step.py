@@ -21,16 +21,17 @@ from vfguide.companion.route_memory import (
 )
 from vfguide.companion.tries import NEAR, at_next, gives_up, once_more
 from vfguide.flight.air_data import cautious, sense_air
-from vfguide.flight.air_state import THRUST
+from vfguide.flight.air_state import with_thrust
 from vfguide.flight.leg import FIELD, Leg
 from vfguide.flight.memory import Wish
 from vfguide.flight.outlines import Outlines
-from vfguide.flight.performance import AIRSPEED_GAIN, Law, unpacked
+from vfguide.flight.performance import Law, unpacked, with_gains
 from vfguide.flight.rising_air import feel_rise
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.strong_wind import in_air_frame, into_wind, stand_against
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.safety.guard import Watch, guide_clear
 from vfguide.safety.hazards import Hazards
@@ -53,6 +54,8 @@ class Passage(NamedTuple):
 
 
 NO_PASSAGE = Passage(math.inf, math.inf)
+
+with_air = replacing(RouteMemory, "air")
 
 
 @compiled
@@ -82,11 +85,12 @@ def step(
     """
     aircraft, gains = unpacked(law)
     state, air = sense_air(state, memory.air, aircraft, gains.airspeed)
-    law = cautious(law, air, aircraft)
+    gains = cautious(gains, air, aircraft)
+    law = with_gains(law, gains)
     dt = state.time - memory.flight.time if memory.begun else 0.0
     jumps = follow_jumps(memory.jumps, (memory.p_n, memory.v_n), state, dt)
     state = smoothed(state, jumps)
-    stand = stand_against(memory.stand, state, law[AIRSPEED_GAIN], dt)
+    stand = stand_against(memory.stand, state, gains.airspeed, dt)
     passage = passage_since(memory, state, legs)
     if stand.holds or not settled(jumps):
         passage = NO_PASSAGE
@@ -106,10 +110,10 @@ def step(
         setpoint, flight, wish = guide_clear(
             state, flown_in, target, law, memory.flight, watch, guard, detour
         )
-    air[THRUST] = setpoint.thrust
     progress = memory.progress
     if not stand.holds:
         progress = progress_since(memory, state, wish, flight.leg, legs)
+    air = with_thrust(air, setpoint.thrust)
     kept = (jumps, stand, memory.tries, progress, air, guard, detour)
     after = RouteMemory(memory.goal, True, state.p_n, state.v_n, flight, *kept)
     return setpoint, after, wish, passage
@@ -132,7 +136,8 @@ def step_on(
         Body rates [rad/s], thrust, reference attitude, memory, and the miss of the passage [m].
     """
     state, before = place_state(heard, origin), unpacked_memory(memory)
-    feel_rise(place_told(heard, origin), before.air, unpacked(law)[0])
+    air = feel_rise(place_told(heard, origin), before.air, unpacked(law)[0])
+    before = with_air(before, air)
     setpoint, after, _, passage = step(state, legs, law, before, hazards, fence, t)
     miss = passage.miss
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, packed_memory(after), miss

@@ -96,6 +96,14 @@ def packed(aircraft: Performance, gains: Gains) -> Law:
 
 
 @compiled
+def with_gains(law: Law, gains: Gains) -> Law:
+    """The law with the airspeed and the largest bank of other gains."""
+    other = law.copy()
+    other[AIRSPEED_GAIN], other[BANK_GAIN] = gains.airspeed, gains.bank_max
+    return other
+
+
+@compiled
 def unpacked(a: Law) -> tuple[Performance, Gains]:
     """What `packed` packed."""
     speeds = (a[0], a[1], a[2])

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.flight.fit import Array, columns, fitted
-from vfguide.flight.wind_estimate import STEEPEST
+from vfguide.flight.flight_model import STEEPEST_BANK
 from vfguide.geometry.units import G0
 
 WINDOW = 1.0
@@ -73,7 +73,7 @@ def means_of(samples: Samples) -> Means:
     force_n = np.diff(samples.v_n, axis=0) / dt[:, None] - np.array([0.0, 0.0, G0])
     along, _, down = np.einsum("nij,ni->jn", R_nb, force_n) / G0
     bank = np.arctan2(R_nb[:, 2, 1], R_nb[:, 2, 2])
-    banked = 1.0 / np.maximum(math.cos(STEEPEST), np.cos(bank))
+    banked = 1.0 / np.maximum(math.cos(STEEPEST_BANK), np.cos(bank))
     flown = (halfway(samples.airspeed), np.arctan2(w, u), -down, banked, along)
     return Means(*(mean(samples, its) for its in flown))
 
