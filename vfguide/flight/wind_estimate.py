@@ -53,7 +53,9 @@ WIND_NOISE = 1.0
 MODEL_MEMORY = 5.0
 """The airspeed of the model follows the estimate with this time constant [s]."""
 
-Observation = tuple[float, float, float, float, float, float]
+Vec6 = tuple[float, float, float, float, float, float]
+"""A number for each entry of the state vector."""
+Observation = Vec6
 """A row of the observation matrix: how a measurement changes with each entry of the state vector,
 in its unit over theirs."""
 
@@ -106,26 +108,38 @@ def measurement_update(
         innovation: what was measured less what was expected.
         variance: of the measurement's error.
     """
-    Ph = with_covariance(estimate.P, h)
+    before, Ph = estimate, product(estimate.P, h)
     total = variance
     for k in range(STATES):
         total += h[k] * Ph[k]
-    x, P = estimate.x.copy(), estimate.P.copy()
+    x, P = np.empty(STATES), np.empty((STATES, STATES))
     for i in range(STATES):
-        x[i] += Ph[i] * innovation / total
+        x[i] = before.x[i] + Ph[i] * innovation / total
         for j in range(STATES):
-            P[i, j] -= Ph[i] * Ph[j] / total
+            P[i, j] = before.P[i, j] - Ph[i] * Ph[j] / total
     return WindEstimate(x, P)
 
 
 @compiled
-def with_covariance(P: Covariance, h: Observation) -> StateVector:
-    """P h, (6,): the covariance of the estimates with what is measured."""
-    Ph = np.zeros(STATES)
-    for i in range(STATES):
-        for j in range(STATES):
-            Ph[i] += P[i, j] * h[j]
-    return Ph
+def product(P: Covariance, h: Observation) -> Vec6:
+    """P h: the covariance of the estimates with what is measured."""
+    return (
+        weighted(P[0], h),
+        weighted(P[1], h),
+        weighted(P[2], h),
+        weighted(P[3], h),
+        weighted(P[4], h),
+        weighted(P[5], h),
+    )
+
+
+@compiled
+def weighted(values: StateVector, h: Observation) -> float:
+    """The sum of the values, each times its weight."""
+    total = 0.0
+    for k in range(STATES):
+        total += values[k] * h[k]
+    return total
 
 
 @compiled
