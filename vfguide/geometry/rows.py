@@ -178,7 +178,8 @@ def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
         return {float: f"a[{at}]", int: f"int(a[{at}])", bool: f"a[{at}] != 0.0"}[kind]
     if get_origin(kind) is Annotated:
         begin[0] += width(kind)
-        return f"a[{at}:{begin[0]}].reshape({array_shape(kind)})"
+        shape = array_shape(kind)
+        return f"a[{at}:{begin[0]}]" + (f".reshape({shape})" if len(shape) > 1 else "")
     if get_origin(kind) is tuple:
         return f"({', '.join(_reading(part, scope, begin) for part in get_args(kind))},)"
     scope[kind.__name__] = kind
@@ -191,12 +192,24 @@ def writer(kind: type[T]) -> Callable[[T, Row], None]:
     lines, at = ["def write(r, a):"], 0
     for leaf in leaves(kind):
         if isinstance(leaf.kind, Shape):
-            there = f"a[{at}:{at + leaf.size}].reshape({tuple(leaf.kind)})"
-            lines.append(f"    {there}[:] = {leaf.expression}")
+            lines += _writing(leaf.expression, leaf.kind, at)
         else:
             lines.append(f"    a[{at}] = {leaf.expression}")
         at += leaf.size
     return njit(source_function("\n".join(lines), "write", {}))
+
+
+def _writing(expression: str, shape: Shape, begin: int) -> list[str]:
+    """The source that writes an array from the place `begin` on.
+
+    Loops take a tenth of the time of an assignment to a reshaped part of the row.
+    """
+    lines, place_of = list[str](), str(begin)
+    for axis, size in enumerate(shape):
+        lines.append(f"{'    ' * (axis + 1)}for i{axis} in range({size}):")
+        place_of += f" + i{axis} * {math.prod(shape[axis + 1 :])}"
+    indices = ", ".join(f"i{axis}" for axis in range(len(shape)))
+    return [*lines, f"{'    ' * (len(shape) + 1)}a[{place_of}] = {expression}[{indices}]"]
 
 
 def replacing(kind: type[T], *names: str) -> Callable[..., T]:
