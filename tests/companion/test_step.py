@@ -12,6 +12,7 @@ from vfguide.estimation.place import place_state
 from vfguide.companion.route_memory import (
     ALARMED,
     HOLDS,
+    SENSOR_TRUSTED,
     begin_leg,
     fresh_route,
     packed_memory,
@@ -152,7 +153,7 @@ def test_after_the_last_goal_nothing_is_passed():
 def test_a_memory_packs_every_number_in_its_own_place():
     count = len(packed_memory(fresh_route()))
     numbers = np.arange(2.0, 2.0 + count)
-    numbers[[1, HOLDS, ALARMED]] = 1.0  # truth values
+    numbers[[1, HOLDS, ALARMED, SENSOR_TRUSTED]] = 1.0  # truth values
     assert (packed_memory(unpacked_memory(numbers)) == numbers).all()
 
 

@@ -6,9 +6,9 @@ import numpy as np
 from flight_states import AEROSONDE
 
 from vfguide.flight.air_data import sense_air
-from vfguide.flight.air_state import THRUST, fresh_air
+from vfguide.flight.air_state import fresh_air
+from vfguide.flight.flight_model import modelled_flight
 from vfguide.flight.state import FlightState
-from vfguide.flight.wind_estimate import flown
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, G0
 
@@ -34,7 +34,7 @@ class Air:
             self.course += DT * G0 * math.tan(bank) / self.airspeed
             state = self.state(bank, sensor, told, fault)
             state, self.air = sense_air(state, self.air, AEROSONDE, 25.0)
-            self.air[THRUST] = self.thrust(bank)
+            self.air = self.air._replace(thrust=self.thrust(bank))
             believed.append((state, self.air))
         return believed
 
@@ -61,8 +61,8 @@ class Air:
 
     def thrust(self, bank):
         """What this acceleration takes in level flight, by the aircraft's own model."""
-        idle = flown(self.attitude(bank), self.airspeed, 0.0, 0.0, AEROSONDE).push
-        return (self.acceleration - idle) * AEROSONDE.thrust_per_climb / G0
+        idle = modelled_flight(self.attitude(bank), self.airspeed, 0.0, 0.0, AEROSONDE)
+        return (self.acceleration - idle.acceleration) * AEROSONDE.thrust_per_climb / G0
 
 
 BANK = 30.0 * DEG

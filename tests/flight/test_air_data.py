@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 from air_flights import BANK, DT, Air
-from flight_states import AEROSONDE, GAINS, LAW
+from flight_states import AEROSONDE, GAINS
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from vfguide.flight.air_data import FAILED, RECOVERED, cautious, sense_air
-from vfguide.flight.air_state import AIRSPEED, STATES, P, fresh_air, report_air, sigma
-from vfguide.flight.performance import unpacked
-from vfguide.flight.wind_estimate import MOST_SLIP, slip
+from vfguide.flight.air_data import FAILURE_TIME, RECOVERY_TIME, cautious, sense_air
+from vfguide.flight.air_state import AIRSPEED, EAST, NORTH, fresh_air, report_air, sigma
+from vfguide.flight.flight_model import SLIP_MAX, slip
+from vfguide.geometry.rows import row_of
 from vfguide.geometry.units import DEG
 
 WINDS = st.tuples(st.floats(-18.0, 18.0), st.floats(-18.0, 18.0))
@@ -54,11 +54,11 @@ def test_turns_tell_the_errors_of_sensor_and_compass_from_the_wind(wind, yaw_deg
 def test_straight_flight_without_a_sensor_leaves_the_wind_along_it_open():
     flight = Air((5.0, -3.0))
     flight.fly(3.0, sensor=False)
-    along, across = sigma(flight.air, 0), sigma(flight.air, 1)
+    along, across = (sigma(flight.air.estimate, state) for state in (NORTH, EAST))
     assert along > 1.3
-    assert sigma(flight.air, AIRSPEED) > 1.3
+    assert sigma(flight.air.estimate, AIRSPEED) > 1.3
     flight.fly(60.0, BANK, sensor=False)
-    assert max(sigma(flight.air, 0), sigma(flight.air, 1)) < along
+    assert report_air(flight.air).wind_sigma < along
     assert across > 0.5
 
 
@@ -77,8 +77,9 @@ def test_the_uncertainty_is_honest():
         for _ in range(4):
             sensor, bank = bool(number % 2), rng.uniform(-0.8, 0.8)
             for _, air in flight.fly(rng.uniform(1.0, 6.0), bank, sensor=sensor)[::25]:
-                errors = (*(air[1:3] - flight.wind[:2]), air[3] - flight.airspeed)
-                sigmas = [sigma(air, k) for k in range(3)]
+                north, east, airspeed = air.estimate.x[[NORTH, EAST, AIRSPEED]]
+                errors = (*((north, east) - flight.wind[:2]), airspeed - flight.airspeed)
+                sigmas = [sigma(air.estimate, state) for state in (NORTH, EAST, AIRSPEED)]
                 within += sum(abs(e) <= 3.0 * s for e, s in zip(errors, sigmas, strict=True))
                 all_of_them += 3
     assert within >= 0.99 * all_of_them
@@ -88,7 +89,7 @@ def test_the_covariance_stays_one():
     flight = Air((8.0, 3.0))
     for sensor in (True, False):
         flight.fly(30.0, BANK, sensor=sensor)
-        covariance = flight.air[P : P + STATES * STATES].reshape(STATES, STATES)
+        covariance = flight.air.estimate.P
         assert covariance == pytest.approx(covariance.T, abs=1e-12)
         assert np.linalg.eigvalsh(covariance).min() > 0.0
 
@@ -114,11 +115,11 @@ def test_what_is_not_told_is_estimated():
 def test_an_implausible_sensor_is_not_flown_on_and_has_failed_soon(fault):
     flight = Air((6.0, 0.0))
     flight.fly(10.0, BANK)
-    during = flight.fly(FAILED + 0.2, BANK, fault=fault)
+    during = flight.fly(FAILURE_TIME + 0.2, BANK, fault=fault)
     for state, _ in during:
         assert state.airspeed == pytest.approx(25.0, abs=1.0)
     trusted = [report_air(air).trusts_sensor for _, air in during]
-    assert sum(trusted) * DT == pytest.approx(FAILED, abs=2.0 * DT)
+    assert sum(trusted) * DT == pytest.approx(FAILURE_TIME, abs=2.0 * DT)
 
 
 def test_a_sensor_that_works_again_is_believed_after_a_while():
@@ -126,8 +127,8 @@ def test_a_sensor_that_works_again_is_believed_after_a_while():
     flight = Air((6.0, 0.0), rng=rng)
     flight.fly(5.0)
     flight.fly(5.0, fault=math.nan)
-    after = [report_air(air).trusts_sensor for _, air in flight.fly(RECOVERED + 1.0)]
-    assert after.count(False) * DT == pytest.approx(RECOVERED, abs=0.1)
+    after = [report_air(air).trusts_sensor for _, air in flight.fly(RECOVERY_TIME + 1.0)]
+    assert after.count(False) * DT == pytest.approx(RECOVERY_TIME, abs=0.1)
 
 
 def test_a_number_that_stands_still_while_the_airspeed_changes_has_failed():
@@ -144,10 +145,10 @@ def test_a_number_that_stands_still_while_the_airspeed_changes_has_failed():
 def test_without_a_sensor_the_law_is_faster_and_banks_less():
     flight = Air((0.0, 0.0), 20.0)
     flight.fly(2.0)
-    assert unpacked(cautious(LAW, flight.air, AEROSONDE))[1] == GAINS
+    assert cautious(GAINS, flight.air, AEROSONDE) == GAINS
     flight.fly(5.0, sensor=False)
-    _, gains = unpacked(cautious(LAW, flight.air, AEROSONDE))
-    unsure = 2.0 * sigma(flight.air, AIRSPEED)
+    gains = cautious(GAINS, flight.air, AEROSONDE)
+    unsure = 2.0 * sigma(flight.air.estimate, AIRSPEED)
     assert gains.airspeed == max(25.0, 1.2 * 18.0 + unsure)
     load = ((report_air(flight.air).airspeed - unsure) / 18.0) ** 2
     assert gains.bank_max == pytest.approx(math.acos(1.0 / max(load, 1.05)))
@@ -167,10 +168,10 @@ def test_the_estimate_begins_anew_after_a_pause():
 def test_a_step_changes_no_memory_of_the_one_before():
     flight = Air((3.0, 4.0))
     flight.fly(1.0)
-    before = flight.air.copy()
+    before = row_of(flight.air)
     state = flight.state(0.0, sensor=True, told=(math.nan,) * 3, fault=None)
     sense_air(state._replace(time=state.time + DT), flight.air, AEROSONDE, 25.0)
-    assert (flight.air == before).all()
+    assert (row_of(flight.air) == before).all()
 
 
 def test_nothing_is_known_at_first():
@@ -181,6 +182,6 @@ def test_nothing_is_known_at_first():
 def test_air_from_the_right_pushes_to_the_left(side):
     found = slip(side, 25.0, AEROSONDE)
     assert np.sign(found) == -np.sign(side)
-    assert abs(found) <= MOST_SLIP
+    assert abs(found) <= SLIP_MAX
     if abs(side) == 1.0:
         assert abs(found) == pytest.approx(1.0 / (0.12 * 9.80665 * 625.0 / (3493.0 * DEG)))

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.flight.fit import best_time, columns, first_order, fitted, persistence
+from vfguide.flight.fit import best_time, first_order, fitted, persistence, with_constant
 
 DT = 0.02
 SEEDS = st.integers(0, 2**32 - 1)
@@ -32,14 +32,14 @@ def test_instruments_find_what_noise_in_the_regressor_hides(seed):
     z = rng.normal(0.0, 1.0, 20_000)
     noise = rng.normal(0.0, 1.0, len(z))
     x, y = z + noise, 2.0 * z - noise
-    assert fitted(columns(x), y).x[1] < 1.0
-    assert fitted(columns(x), y, columns(z)).x[1] == pytest.approx(2.0, abs=0.15)
+    assert fitted(with_constant(x), y).x[1] < 1.0
+    assert fitted(with_constant(x), y, with_constant(z)).x[1] == pytest.approx(2.0, abs=0.15)
 
 
 @pytest.mark.parametrize("other", [1.0, 8.0, -3.0])
 def test_regressors_that_cannot_be_told_apart_have_no_standard_error(other):
     t = np.linspace(0.0, 1.0, 50)
-    fit = fitted(columns(t, np.full_like(t, other)), 1.0 + t)
+    fit = fitted(with_constant(t, np.full_like(t, other)), 1.0 + t)
     assert fit.sigma(1.0, 0.0, 0.0) == math.inf
     assert fit.sigma(0.0, 1.0, 0.0) == math.inf
 
@@ -60,7 +60,7 @@ def test_the_best_time_is_the_true_one(true, seed):
     asked = np.repeat(rng.uniform(-1.0, 1.0, 60), 50)
     none = np.zeros_like(time)
     y = first_order(time, asked, none, true) + rng.normal(0.0, 0.02, len(time))
-    found, sigma, fit = best_time(lambda lag: columns(first_order(time, asked, none, lag)), y)
+    found, sigma, fit = best_time(lambda lag: with_constant(first_order(time, asked, none, lag)), y)
     assert found == pytest.approx(true, rel=0.02, abs=5.0 * sigma)
     assert 0.0 < sigma < 0.05 * true
     assert fit.x[1] == pytest.approx(1.0, abs=0.02)
@@ -70,7 +70,7 @@ def test_a_time_beyond_all_that_are_tried_is_not_known():
     time = np.arange(0.0, 60.0, DT)
     asked, none = np.repeat(np.resize([1.0, -1.0], 60), 50), np.zeros_like(time)
     y = first_order(time, asked, none, 30.0)
-    _, sigma, _ = best_time(lambda lag: columns(first_order(time, asked, none, lag)), y)
+    _, sigma, _ = best_time(lambda lag: with_constant(first_order(time, asked, none, lag)), y)
     assert sigma == math.inf
 
 

@@ -8,12 +8,12 @@ from flight_states import AEROSONDE
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.flight.air_state import AIRSPEED, RISE, TIME, TOLD_BEFORE, X, fresh_air
-from vfguide.flight.rising_air import LONGEST, RISE_TIME, STEEPEST_AIR, feel_rise
+from vfguide.flight.air_state import AIRSPEED, fresh_air
+from vfguide.flight.rising_air import GUST_ANGLE_MAX, LONGEST_STEP, RISE_TIME, feel_rise
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import add, matvec
+from vfguide.geometry.vector import add, matvec, scale, sub
 
 SPEED = 25.0
 HERE = STILL = (0.0, 0.0, 0.0)
@@ -32,20 +32,19 @@ def flight(bank, azimuth, gamma, load, rise):
 def felt(force_n, v_n, R_nb, seconds=3.0, dt=0.02):
     air = known_air()
     told = FlightState(0.0, HERE, v_n, R_nb, SPEED, STILL)
-    feel_rise(told, air, AEROSONDE)
+    air = feel_rise(told, air, AEROSONDE)
+    # The velocity that is told changes by the force, the attitude by as much: it stays.
+    before_n = sub(v_n, scale(dt, add(force_n, (0.0, 0.0, G0))))
     for k in range(1, round(seconds / dt) + 1):
-        # The velocity that is told changes by the force, the attitude by as much: it stays.
-        for n in range(3):
-            air[TOLD_BEFORE + n] = v_n[n] - dt * (force_n[n] + (G0 if n == 2 else 0.0))
-        feel_rise(told._replace(time=k * dt), air, AEROSONDE)
-        air[TIME] = k * dt
-    return air[RISE]
+        air = air._replace(vertical=air.vertical._replace(v_n=before_n))
+        air = feel_rise(told._replace(time=k * dt), air, AEROSONDE)._replace(time=k * dt)
+    return air.vertical.rise
 
 
 def known_air():
     air = fresh_air()
-    air[TIME], air[X + AIRSPEED] = 0.0, SPEED
-    return air
+    air.estimate.x[AIRSPEED] = SPEED
+    return air._replace(time=0.0)
 
 
 @given(
@@ -73,23 +72,21 @@ def test_no_jump_of_the_velocity_makes_a_storm():
     _, v_n, R_nb = flight(0.0, 0.0, 0.0, 1.0, 0.0)
     air = known_air()
     told = FlightState(0.0, HERE, v_n, R_nb, SPEED, STILL)
-    feel_rise(told, air, AEROSONDE)
     jumped = told._replace(time=0.02, v_n=add(v_n, (0.0, 0.0, 5.0)))
-    feel_rise(jumped, air, AEROSONDE)
-    assert abs(air[RISE]) <= STEEPEST_AIR * SPEED * 0.02 / RISE_TIME
+    air = feel_rise(jumped, feel_rise(told, air, AEROSONDE), AEROSONDE)
+    assert abs(air.vertical.rise) <= GUST_ANGLE_MAX * SPEED * 0.02 / RISE_TIME
 
 
 def test_what_is_not_a_number_is_not_felt():
     _, v_n, R_nb = flight(0.0, 0.0, 0.0, 1.0, 1.0)
-    air = known_air()
     told = FlightState(0.02, HERE, (math.nan, *v_n[1:]), R_nb, SPEED, STILL)
-    feel_rise(told, air, AEROSONDE)
-    assert air[RISE] == 0.0
+    assert feel_rise(told, known_air(), AEROSONDE).vertical.rise == 0.0
 
 
 def test_after_a_pause_it_begins_anew():
     _, v_n, R_nb = flight(0.0, 0.0, 0.0, 1.0, 1.0)
     air = known_air()
-    air[RISE] = 2.0
-    feel_rise(FlightState(2.0 * LONGEST, HERE, v_n, R_nb, SPEED, STILL), air, AEROSONDE)
-    assert air[RISE] == 0.0
+    air = air._replace(vertical=air.vertical._replace(rise=2.0))
+    told = FlightState(2.0 * LONGEST_STEP, HERE, v_n, R_nb, SPEED, STILL)
+    assert feel_rise(told, air, AEROSONDE).vertical.rise == 0.0
+    assert feel_rise(told._replace(time=0.0), air, AEROSONDE).vertical.rise == 0.0

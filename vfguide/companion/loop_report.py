@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.flight.air_state import TIME, AirReport, report_air, trusts_sensor
+from vfguide.flight.air_state import AirReport, report_air
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, getter
 from vfguide.loop.state import LoopState, read_state
@@ -17,7 +17,8 @@ number_of_resets = getter(LoopState, "estimation.resets.number")
 """How often the position has jumped."""
 is_alarmed = getter(LoopState, "progress.alarmed")
 """Whether there is no progress on the leg."""
-air_of_row = getter(LoopState, "estimation.air")
+trusts_sensor_of_row = getter(LoopState, "estimation.air.sensor.trusted")
+"""Whether the airspeed sensor is flown on."""
 
 
 class Noted(NamedTuple):
@@ -37,14 +38,10 @@ class Noted(NamedTuple):
     """Of the assurance's `Decision`."""
 
 
+@compiled
 def air_report(row: Row) -> AirReport:
     """What is believed of the air."""
-    return report_air(air_of_row(row))
-
-
-def trusts_sensor_of_row(row: Row) -> bool:
-    """Whether the airspeed sensor is flown on."""
-    return trusts_sensor(air_of_row(row))
+    return report_air(read_state(row).estimation.air)
 
 
 @compiled
@@ -70,9 +67,9 @@ def has_news(before: Row, after: Row) -> bool:
     """Whether a step changed what the operator reads of air, jumps and progress."""
     was, now = read_state(before), read_state(after)
     return (
-        was.estimation.air[TIME] < 0.0
+        was.estimation.air.time < 0.0
         or now.estimation.resets.number != was.estimation.resets.number
         or now.mission.wind_hold.holds != was.mission.wind_hold.holds
         or now.progress.alarmed != was.progress.alarmed
-        or trusts_sensor(now.estimation.air) != trusts_sensor(was.estimation.air)
+        or now.estimation.air.sensor.trusted != was.estimation.air.sensor.trusted
     )

@@ -1,10 +1,9 @@
 """What the operator should read, in plain words."""
 
 from vfguide.companion.engagement import Phase
-from vfguide.companion.loop_report import is_alarmed, trusts_sensor_of_row
+from vfguide.companion.loop_report import is_alarmed
 from vfguide.companion.plan import Plan
 from vfguide.estimation.jump import settled
-from vfguide.flight.air_state import TIME
 from vfguide.flight.identification import Identified
 from vfguide.geometry.rows import Row
 from vfguide.link.messages import GpsGlobalOrigin
@@ -128,9 +127,9 @@ def progress_notes(before: Row, after: Row) -> list[str]:
 def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
     """What has changed in a step about the air and the autopilot's place."""
     was, now, notes = state_of_row(before), state_of_row(after), list[str]()
-    trusted, begins = trusts_sensor_of_row(after), was.estimation.air[TIME] < 0.0
-    if trusted != trusts_sensor_of_row(before) or begins:
-        notes += sensor_notes(trusted, begins=bool(begins))
+    trusted, begins = now.estimation.air.sensor.trusted, was.estimation.air.time < 0.0
+    if trusted != was.estimation.air.sensor.trusted or begins:
+        notes += sensor_notes(trusted, begins=begins)
     resets = now.estimation.resets
     if resets.number != was.estimation.resets.number and not settled(resets):
         notes.append(JUMPED.format(size=resets.size))

@@ -14,13 +14,13 @@ import numpy as np
 from vfguide.airspace.detection import in_sight
 from vfguide.companion.plan import Plan
 from vfguide.estimation.place import Measurement, place_told
-from vfguide.flight.fit import Array
 from vfguide.flight.horizontal import flyable_radius, usable_bank
 from vfguide.flight.identification import Identified, identify
-from vfguide.flight.samples import Samples
+from vfguide.flight.samples import Sample, Samples, samples_of
 from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vehicle import Vehicle, vehicle_numbers
 from vfguide.geometry.rows import Row
+from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.loop.legs import Goal
@@ -45,8 +45,6 @@ NEEDED = 50.0
 """Without so much room round the circuit nothing is tested [m]."""
 SPACING = 25.0
 """Of the places at which that is asked for [m]."""
-ROW = 18
-"""Numbers that are noted of one step."""
 PATIENCE = 3.0
 """A leg may take so many times what it takes in still air, ..."""
 SPARE = 10.0
@@ -77,7 +75,7 @@ class Trial:
         self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL), identify=False)
         self._legs: tuple[Manoeuvre, ...] = ()
         self._vehicles: tuple[Row, ...] = ()
-        self._rows: list[tuple[float, ...]] = []
+        self._flown: list[Sample] = []
         self._leg, self._began = 0, 0.0
         # Compiled on the ground, not in flight:
         identify(nothing_flown(), plan.aircraft, plan.roll_time)
@@ -99,7 +97,7 @@ class Trial:
         self._legs = layouts[rooms.index(max(rooms))]
         self.plan = replace(wide, goals=tuple(leg.goal for leg in self._legs))
         self._vehicles = tuple(at_airspeed(self.plan.vehicle, leg.airspeed) for leg in self._legs)
-        self._rows.clear()
+        self._flown.clear()
         self._leg, self._began = 0, state.time
         return self._legs[0].name
 
@@ -114,23 +112,23 @@ class Trial:
         The airspeed counts only if the companion `trusts` its sensor.
         """
         told = place_told(heard, self._then.origin)
-        attitude = (*told.R_nb[0], *told.R_nb[1], *told.R_nb[2])
         airspeed = told.airspeed if trusts else math.nan
-        asked = (heard.omega_b[0], setpoint.omega_b[0], setpoint.thrust, delay)
-        self._rows.append((told.time, *attitude, *told.v_n, airspeed, *asked))
+        (roll_rate, _, _), (roll_rate_asked, _, _) = heard.omega_b, setpoint.omega_b
+        asked = (roll_rate_asked, setpoint.thrust, delay)
+        self._flown.append(Sample(told.time, told.R_nb, told.v_n, airspeed, roll_rate, *asked))
 
     def enters(self, leg: int) -> str | None:
         """The name of a leg that begins now; None: the one before goes on, or it is over."""
         if leg == self._leg:
             return None
-        self._leg, self._began = leg, self._rows[-1][0]
+        self._leg, self._began = leg, self._flown[-1].time
         return None if self.is_over(leg) else self._legs[leg].name
 
     def is_stuck(self, leg: int) -> bool:
         """Whether `leg` takes too long; one that begins now does not."""
         if leg != self._leg or self.is_over(leg):
             return False
-        return self._rows[-1][0] - self._began > self._legs[leg].longest
+        return self._flown[-1].time - self._began > self._legs[leg].longest
 
     def is_over(self, leg: int) -> bool:
         """Whether `leg` comes after the last one."""
@@ -138,14 +136,13 @@ class Trial:
 
     def identify(self) -> Identified:
         """What the flight has shown."""
-        samples = samples_from(np.array(self._rows))
-        return identify(samples, self._known.aircraft, self._known.roll_time)
+        return identify(samples_of(self._flown), self._known.aircraft, self._known.roll_time)
 
     def plan_after(self, found: Identified | None) -> Plan:
         """What is flown after it; `found` None: it has shown nothing."""
         if found is None:
             return self._then
-        seen = any(its.key == "roll_s" and its.used for its in found.findings)
+        seen = any(finding.key == "roll_s" and finding.used for finding in found.findings)
         roll_time = found.roll_time if seen else self._then.roll_time
         return replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
 
@@ -158,17 +155,10 @@ def with_wide_turns(plan: Plan) -> Plan:
     return replace(plan, gains=gains)
 
 
-def samples_from(rows: Array) -> Samples:
-    """The rows of a Trial as what it takes to identify the aircraft."""
-    time, R_nb, v_n, last = np.split(rows, np.cumsum([1, 9, 3]), axis=1)
-    return Samples(time[:, 0], R_nb.reshape(-1, 3, 3), v_n, *last.T)
-
-
 def nothing_flown() -> Samples:
     """Half a minute in which nothing changes."""
-    rows = np.ones((120, ROW))
-    rows[:, 0] = 0.25 * np.arange(len(rows))
-    return samples_from(rows)
+    level, ahead = from_euler(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
+    return samples_of(Sample(0.25 * k, level, ahead, 1.0, 0.0, 0.0, 0.0, 0.0) for k in range(120))
 
 
 def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:

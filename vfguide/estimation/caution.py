@@ -3,11 +3,13 @@
 import math
 
 from vfguide.estimation.estimation import NavState
-from vfguide.flight.air_data import SLOWEST
 from vfguide.flight.performance import Gains
 from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
+
+AIRSPEED_MARGIN = 1.2
+"""Without a sensor the airspeed is kept above this times the slowest, and two deviations."""
 
 with_gains = replacing(Vehicle, "gains")
 with_airspeed_and_bank = replacing(Gains, "airspeed", "bank_max")
@@ -25,6 +27,6 @@ def cautious(nav: NavState, vehicle: Vehicle) -> Vehicle:
     unsure = 2.0 * nav.airspeed_sigma
     least = max(nav.airspeed - unsure, aircraft.airspeed_min)
     load = max(1.05, (least / aircraft.airspeed_min) ** 2)
-    fast = min(SLOWEST * aircraft.airspeed_min + unsure, 0.95 * aircraft.airspeed_max)
+    fast = min(AIRSPEED_MARGIN * aircraft.airspeed_min + unsure, 0.95 * aircraft.airspeed_max)
     airspeed, bank_max = max(gains.airspeed, fast), min(gains.bank_max, math.acos(1.0 / load))
     return with_gains(vehicle, with_airspeed_and_bank(gains, airspeed, bank_max))

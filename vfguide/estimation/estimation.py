@@ -4,27 +4,15 @@ Air that rises is felt, wind and airspeed are filtered, and jumps of the positio
 slowly.
 """
 
-from typing import Annotated, NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from vfguide.estimation.jump import Jumps, follow_jumps, no_jumps, settled, smoothed
 from vfguide.flight.air_data import sense_air
-from vfguide.flight.air_state import (
-    AIR_NUMBERS,
-    AIRSPEED,
-    THRUST,
-    X,
-    fresh_air,
-    sigma,
-    trusts_sensor,
-)
+from vfguide.flight.air_state import AIRSPEED, AirState, fresh_air, sigma
 from vfguide.flight.rising_air import feel_rise
 from vfguide.flight.state import FlightState
 from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Shape
 from vfguide.geometry.vector import Vec3
 
 
@@ -51,7 +39,7 @@ class EstimationState(NamedTuple):
     v_n: Vec3
     """Position [m] and velocity over ground [m/s] at the step before, NED."""
     resets: Jumps
-    air: Annotated[NDArray[np.float64], Shape(AIR_NUMBERS)]
+    air: AirState
 
 
 class NavState(NamedTuple):
@@ -118,19 +106,18 @@ def update(
         s.p_n,
         s.v_n,
         settled(resets),
-        inputs.is_exact or trusts_sensor(air),
-        air[X + AIRSPEED],
-        sigma(air, AIRSPEED),
+        inputs.is_exact or air.sensor.trusted,
+        air.estimate.x[AIRSPEED],
+        sigma(air.estimate, AIRSPEED),
     )
     return nav, EstimationState(state.time, True, state.p_n, state.v_n, resets, air)
 
 
 @compiled
 def sense(
-    inputs: Inputs, thrust: float, air: NDArray[np.float64], vehicle: Vehicle
-) -> tuple[FlightState, NDArray[np.float64]]:
+    inputs: Inputs, thrust: float, air: AirState, vehicle: Vehicle
+) -> tuple[FlightState, AirState]:
     """The state with airspeed and wind, and what is believed of the air."""
-    air = air.copy()
-    air[THRUST] = thrust
-    feel_rise(inputs.measured, air, vehicle.aircraft)
-    return sense_air(inputs.predicted, air, vehicle.aircraft, vehicle.gains.airspeed)
+    aircraft, gains, _ = vehicle
+    air = feel_rise(inputs.measured, air, aircraft)
+    return sense_air(inputs.predicted, air, thrust, aircraft, gains.airspeed)

@@ -1,53 +1,87 @@
-"""What is believed of the air: wind and airspeed with their uncertainty, as one array.
+"""What is believed of the air from one step to the next: wind and airspeed with their uncertainty.
 
-A Kalman filter's estimate and covariance, and what the watch over the airspeed sensor remembers.
+The estimate of a Kalman filter, the watch over the airspeed sensor, and the vertical wind; each
+with what it needs to remember of the step before.
 """
 
 import math
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Shape
+from vfguide.geometry.vector import Vec3
 
-NORTH, EAST, AIRSPEED, YAW, SENSOR, PUSH = 0, 1, 2, 3, 4, 5
-"""What is estimated: wind toward north and east [m/s], true airspeed [m/s], how much the attitude's
-azimuth is too small [rad], how much the airspeed sensor tells too much [m/s], and the acceleration
-along the path that the model of thrust and drag does not know of [m/s^2]."""
+NORTH = 0
+"""Place in the state vector of the wind toward north [m/s]."""
+EAST = 1
+"""Place in the state vector of the wind toward east [m/s]."""
+AIRSPEED = 2
+"""Place in the state vector of the true airspeed [m/s]."""
+YAW = 3
+"""Place in the state vector of how much the attitude's azimuth is too small [rad]."""
+SENSOR_BIAS = 4
+"""Place in the state vector of how much the airspeed sensor reads too high [m/s]."""
+ACCELERATION_BIAS = 5
+"""Place in the state vector of the acceleration along the flight that the model of thrust and drag
+does not know of [m/s^2]."""
 STATES = 6
+"""Length of the state vector."""
 
-TIME = 0
-"""Of the last step [s]; negative before the first."""
-X = 1
-"""First of the STATES estimates."""
-P = X + STATES
-"""First of STATES x STATES covariances, row by row."""
-THRUST = P + STATES * STATES
-"""Thrust setpoint of the last step, 0 to 1."""
-BEFORE = THRUST + 1
-"""First of three: velocity over ground at the last step, NED [m/s]."""
-SIDE = BEFORE + 3
-"""Specific force to the right across the fuselage, smoothed [m/s^2]."""
-MODEL = SIDE + 1
-"""Airspeed that pitch and thrust alone ask for [m/s]."""
-TOLD = MODEL + 1
-"""What the sensor told when it last moved [m/s]."""
-SAME = TOLD + 1
-"""For how long it has told about that [s]."""
-DOUBT = SAME + 1
-"""For how long it has been implausible, negative: plausible [s]."""
-TRUST = DOUBT + 1
-"""1: the sensor is flown on; 0: it is not."""
-RISE = TRUST + 1
-"""How fast the air rises [m/s]."""
-TOLD_BEFORE = RISE + 1
-"""First of four: velocity over ground at the last step as it was told, NED [m/s], and the angle of
-attack that it would be in air that does not rise [rad]."""
-AIR_NUMBERS = TOLD_BEFORE + 4
+StateVector = Annotated[NDArray[np.float64], Shape(STATES)]
+"""The estimates, (6,), at the places above."""
+Covariance = Annotated[NDArray[np.float64], Shape(STATES, STATES)]
+"""Of their errors, (6, 6)."""
 
-AirState = NDArray[np.float64]
-"""(AIR_NUMBERS,), the numbers at the places above."""
+
+class WindEstimate(NamedTuple):
+    """State of the Kalman filter of the wind triangle; its arrays are never changed in place."""
+
+    x: StateVector
+    P: Covariance
+
+
+class SensorWatch(NamedTuple):
+    """How good the airspeed sensor is."""
+
+    model_airspeed: float
+    """True airspeed that pitch and thrust alone ask for: what the sensor is judged by [m/s]."""
+    measured: float
+    """What the sensor read when it last moved [m/s]."""
+    stuck_time: float
+    """For how long it has read about that [s]."""
+    fault_time: float
+    """For how long it has been implausible; negative: plausible [s]."""
+    trusted: bool
+    """Whether it is flown on."""
+
+
+class VerticalWind(NamedTuple):
+    """The vertical wind, and the measurements of the last step."""
+
+    rise: float
+    """How fast the air rises [m/s]."""
+    v_n: Vec3
+    """Measured velocity over ground, NED [m/s]."""
+    alpha: float
+    """The angle of attack that it would be in air that does not rise [rad]."""
+
+
+class AirState(NamedTuple):
+    """What is believed of the air after a step."""
+
+    time: float
+    """Of the step [s]; negative before the first."""
+    estimate: WindEstimate
+    """Wind, airspeed and what makes them uncertain."""
+    v_n: Vec3
+    """Velocity over ground that was flown on at the step, NED [m/s]."""
+    side_force: float
+    """Specific force to the right across the fuselage, smoothed [m/s^2]."""
+    sensor: SensorWatch
+    vertical: VerticalWind
 
 
 class AirReport(NamedTuple):
@@ -68,31 +102,35 @@ class AirReport(NamedTuple):
 @compiled
 def fresh_air() -> AirState:
     """Nothing is known of the air yet."""
-    air = np.zeros(AIR_NUMBERS)
-    air[TIME] = -1.0
-    return air
+    zero = (0.0, 0.0, 0.0)
+    estimate = WindEstimate(np.zeros(STATES), np.zeros((STATES, STATES)))
+    sensor = SensorWatch(0.0, 0.0, 0.0, 0.0, False)
+    return AirState(-1.0, estimate, zero, 0.0, sensor, VerticalWind(0.0, zero, 0.0))
 
 
 @compiled
-def sigma(air: AirState, state: int) -> float:
-    """Standard deviation of one estimate."""
-    return math.sqrt(max(air[P + state * (STATES + 1)], 0.0))
-
-
-@compiled
-def trusts_sensor(air: AirState) -> bool:
-    """Whether the airspeed sensor is flown on."""
-    return air[TRUST] != 0.0
+def sigma(estimate: WindEstimate, state: int) -> float:
+    """Standard deviation of the estimate at one place of the state vector."""
+    return math.sqrt(max(estimate.P[state, state], 0.0))
 
 
 @compiled
 def report_air(air: AirState) -> AirReport:
     """The estimate in names."""
+    estimate = air.estimate
     return AirReport(
-        air[X + NORTH],
-        air[X + EAST],
-        max(sigma(air, NORTH), sigma(air, EAST)),
-        air[X + AIRSPEED],
-        sigma(air, AIRSPEED),
-        air[TRUST] != 0.0,
+        estimate.x[NORTH],
+        estimate.x[EAST],
+        max(sigma(estimate, NORTH), sigma(estimate, EAST)),
+        estimate.x[AIRSPEED],
+        sigma(estimate, AIRSPEED),
+        air.sensor.trusted,
     )
+
+
+def without_model_error(air: AirState) -> AirState:
+    """What is believed of the air by an aircraft of which no error is known yet."""
+    x = air.estimate.x.copy()
+    x[ACCELERATION_BIAS] = 0.0
+    sensor = air.sensor._replace(model_airspeed=float(x[AIRSPEED]))
+    return air._replace(estimate=air.estimate._replace(x=x), sensor=sensor)

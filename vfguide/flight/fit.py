@@ -85,7 +85,7 @@ def best_time(regressors: Callable[[float], Array], y: Array) -> tuple[float, fl
     return time, time * step * math.sqrt(2.0 * fit.variance / bend), fit
 
 
-def columns(*regressors: Array) -> Array:
+def with_constant(*regressors: Array) -> Array:
     """A constant and the regressors, side by side, (N, n)."""
     return np.column_stack((np.ones_like(regressors[0]), *regressors))
 
@@ -94,33 +94,39 @@ def columns(*regressors: Array) -> Array:
 def solved(A: Array, y: Array, Z: Array) -> tuple[Array, Array, Array]:
     """Solution x of Z^T A x = Z^T y, its covariance for errors of size 1, what is left of y."""
     N, n = A.shape
-    lengths = np.zeros((2, n))
-    for j in range(n):
-        for k in range(N):
-            lengths[0, j] += A[k, j] ** 2
-            lengths[1, j] += Z[k, j] ** 2
-    lengths = np.sqrt(np.maximum(lengths, 1e-300))
+    lengths, Z_lengths = column_lengths(A), column_lengths(Z)
     M, ZZ, b = np.zeros((n, n)), np.zeros((n, n)), np.zeros(n)
     for k in range(N):
         for i in range(n):
-            z = Z[k, i] / lengths[1, i]
+            z = Z[k, i] / Z_lengths[i]
             b[i] += z * y[k]
             for j in range(n):
-                M[i, j] += z * A[k, j] / lengths[0, j]
-                ZZ[i, j] += z * Z[k, j] / lengths[1, j]
+                M[i, j] += z * A[k, j] / lengths[j]
+                ZZ[i, j] += z * Z[k, j] / Z_lengths[j]
     inverse = inverted(M)
     x, spread, left = np.zeros(n), np.zeros((n, n)), y.copy()
     for i in range(n):
         for j in range(n):
-            x[i] += inverse[i, j] * b[j] / lengths[0, i]
+            x[i] += inverse[i, j] * b[j] / lengths[i]
             for k in range(n):
                 for m in range(n):
                     part = inverse[i, k] * ZZ[k, m] * inverse[j, m]
-                    spread[i, j] += part / (lengths[0, i] * lengths[0, j])
+                    spread[i, j] += part / (lengths[i] * lengths[j])
     for k in range(N):
         for j in range(n):
             left[k] -= A[k, j] * x[j]
     return x, spread, left
+
+
+@compiled
+def column_lengths(A: Array) -> Array:
+    """The length of each column, (n,)."""
+    N, n = A.shape
+    squares = np.zeros(n)
+    for j in range(n):
+        for k in range(N):
+            squares[j] += A[k, j] ** 2
+    return np.sqrt(np.maximum(squares, 1e-300))
 
 
 @compiled

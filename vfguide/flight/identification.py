@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.flight.fit import Array, best_time, columns, first_order, fitted
+from vfguide.flight.fit import Array, best_time, first_order, fitted, with_constant
 from vfguide.flight.performance import Performance
 from vfguide.flight.response import BEGIN, airspeed_gains
 from vfguide.flight.samples import Means, Samples, halfway, mean, means_of, sound, with_airspeed
@@ -69,6 +69,27 @@ class Finding(NamedTuple):
         return f"{self.key} {self.value:.{digits}f} +- {self.sigma:.{digits}f}"
 
 
+class LiftFindings(NamedTuple):
+    """What was looked for of the lift."""
+
+    alpha_zero: Finding
+    """Angle of attack of zero lift [deg]."""
+    alpha_load: Finding
+    """Its slope over n / V^2 [deg m^2/s^2]."""
+
+
+class ThrustFindings(NamedTuple):
+    """What was looked for of the thrust."""
+
+    trim: Finding
+    """Setpoint of level flight at cruise."""
+    per_climb: Finding
+    per_load: Finding
+    """Its slopes over f and n^2."""
+    response_time: Finding
+    """63 % of a step of the thrust [s]."""
+
+
 class Identified(NamedTuple):
     """An aircraft as a flight shows it."""
 
@@ -94,7 +115,7 @@ def identify(samples: Samples, before: Performance, roll_time: float) -> Identif
         means = means_of(told) if len(told.time) >= ENOUGH else Means(*np.zeros((5, 0)))
         lift = find_lift(means)
         aircraft = with_lift(before, lift)
-        thrust = find_thrust(aircraft, flown, means, 0.0 if lift[0].used else ALPHA_UNKNOWN)
+        thrust = find_thrust(aircraft, flown, means, 0.0 if lift.alpha_zero.used else ALPHA_UNKNOWN)
         aircraft = with_thrust(aircraft, thrust)
     return Identified(aircraft, roll.value if roll.used else roll_time, (*lift, *thrust, roll))
 
@@ -108,14 +129,14 @@ def find_roll(samples: Samples) -> Finding:
 
     def regressors(lag: float) -> Array:
         asked = first_order(samples.time, samples.roll_rate_asked, samples.delay, lag)
-        return columns(asked[late])
+        return with_constant(asked[late])
 
     lag, sigma, fit = best_time(regressors, rate)
     follows = fit.squares < (1.0 - FOLLOWED) * float(np.sum((rate - np.mean(rate)) ** 2))
     return found("response", "roll_s", BEGIN + lag, sigma, follows and sigma < WORTH * lag)
 
 
-def find_lift(means: Means) -> tuple[Finding, Finding]:
+def find_lift(means: Means) -> LiftFindings:
     """Angle of attack of zero lift, and its slope over n / V^2.
 
     A gust changes the load factor and not the angle told of it, or the reverse. The bank asks for
@@ -124,15 +145,16 @@ def find_lift(means: Means) -> tuple[Finding, Finding]:
     """
     zero_key, load_key = "alpha_zero_deg", "alpha_load_deg_m2ps2"
     if len(means.load) < ENOUGH:
-        return unseen("lift", zero_key), unseen("lift", load_key)
+        return LiftFindings(unseen("lift", zero_key), unseen("lift", load_key))
     loaded = means.load / means.airspeed**2
-    fit = fitted(columns(loaded), means.alpha / DEG, columns(means.banked / means.airspeed**2))
+    instruments = with_constant(means.banked / means.airspeed**2)
+    fit = fitted(with_constant(loaded), means.alpha / DEG, instruments)
     zero, load = fit.x.tolist()
     sigma_alpha, sigma_load = fit.sigma(1.0, float(np.mean(loaded))), fit.sigma(0.0, 1.0)
     varied = float(np.ptp(loaded)) > VARIED * abs(float(np.mean(loaded)))
     used = varied and abs(zero) < MOST_ALPHA and 0.0 < load < MOST_LOAD
     used = used and sigma_load < WORTH * load and sigma_alpha < ALPHA_WORTH / DEG
-    return (
+    return LiftFindings(
         found("lift", zero_key, zero, fit.sigma(1.0, 0.0), used),
         found("lift", load_key, load, sigma_load, used),
     )
@@ -140,14 +162,14 @@ def find_lift(means: Means) -> tuple[Finding, Finding]:
 
 def find_thrust(
     aircraft: Performance, samples: Samples, means: Means, alpha_sigma: float
-) -> tuple[Finding, Finding, Finding, Finding]:
+) -> ThrustFindings:
     """Thrust setpoint of level flight, its slopes over f and n^2, and its response time [s].
 
     The force along the flight is that along the fuselage, turned by the angle of attack of the
     load, which is known to `alpha_sigma` [rad]: a gust that the velocity does not show yet changes
     both.
     """
-    nothing = (
+    nothing = ThrustFindings(
         unseen("thrust", "trim"),
         unseen("thrust", "per_climb"),
         unseen("thrust", "per_load"),
@@ -162,7 +184,7 @@ def find_thrust(
 
     def regressors(lag: float) -> Array:
         thrust = first_order(samples.time, samples.thrust, samples.delay, lag)
-        return columns(mean(told, halfway(thrust[known])), faster, induced)
+        return with_constant(mean(told, halfway(thrust[known])), faster, induced)
 
     lag, sigma_lag, fit = best_time(regressors, force)
     drag, per_thrust, _, drag_of_load = fit.x.tolist()
@@ -176,7 +198,7 @@ def find_thrust(
     used = 0.0 < trim < 1.0 and sigma_trim < TRIM_WORTH
     used = used and per_climb < MOST_WEIGHT and sigma_climb < WORTH * per_climb
     loads = used and per_load < 1.0 and sigma_load < LOAD_WORTH
-    return (
+    return ThrustFindings(
         found("thrust", "trim", trim, sigma_trim, used),
         found("thrust", "per_climb", per_climb, sigma_climb, used),
         found("thrust", "per_load", max(0.0, per_load), sigma_load, loads),
@@ -184,7 +206,7 @@ def find_thrust(
     )
 
 
-def with_lift(before: Performance, lift: tuple[Finding, Finding]) -> Performance:
+def with_lift(before: Performance, lift: LiftFindings) -> Performance:
     """The aircraft with the lift that was found."""
     zero, load = lift
     if not zero.used:
@@ -192,20 +214,18 @@ def with_lift(before: Performance, lift: tuple[Finding, Finding]) -> Performance
     return before._replace(alpha_zero=math.radians(zero.value), alpha_load=math.radians(load.value))
 
 
-def with_thrust(
-    before: Performance, thrust: tuple[Finding, Finding, Finding, Finding]
-) -> Performance:
+def with_thrust(before: Performance, thrust: ThrustFindings) -> Performance:
     """The aircraft with the thrust that was found, and the gains of the airspeed that suit it."""
     trim, per_climb, per_load, lag = thrust
     if not trim.used:
         return before
-    gains = airspeed_gains(per_climb.value, lag.value if lag.used else SLOW_ENGINE)
+    proportional, integral = airspeed_gains(per_climb.value, lag.value if lag.used else SLOW_ENGINE)
     return before._replace(
         thrust_trim=trim.value,
         thrust_per_climb=per_climb.value,
         thrust_per_load=per_load.value if per_load.used else before.thrust_per_load,
-        thrust_per_airspeed=written(gains[0]),
-        thrust_integral=written(gains[1]),
+        thrust_per_airspeed=written(proportional),
+        thrust_integral=written(integral),
     )
 
 

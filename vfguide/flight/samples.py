@@ -1,21 +1,37 @@
 """A recorded flight: what the autopilot told, what it was asked for, and means of both."""
 
 import math
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.flight.fit import Array, columns, fitted
-from vfguide.flight.wind_estimate import STEEPEST
+from vfguide.flight.fit import Array, fitted, with_constant
+from vfguide.flight.flight_model import STEEPEST_BANK
+from vfguide.geometry.rows import columns, table_of
 from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Mat3, Vec3
 
 WINDOW = 1.0
 """Lift and thrust are compared in means over this time [s]."""
 
 
+class Sample(NamedTuple):
+    """One instant of a flight, in the units of `Samples`."""
+
+    time: float
+    R_nb: Mat3
+    v_n: Vec3
+    airspeed: float
+    roll_rate: float
+    roll_rate_asked: float
+    thrust: float
+    delay: float
+
+
 class Samples(NamedTuple):
-    """A flight, at N instants in the order of time."""
+    """A flight, at N instants in the order of time: the columns of a table of `Sample`."""
 
     time: Array
     """(N,) of the attitude [s]."""
@@ -50,19 +66,25 @@ class Means(NamedTuple):
     """Specific force along the fuselage, over g."""
 
 
+def samples_of(flown: Iterable[Sample]) -> Samples:
+    """The flight of so many instants."""
+    return Samples(*cast("tuple[Array, ...]", columns(Sample, table_of(Sample, flown))))
+
+
 def sound(samples: Samples) -> Samples:
     """The samples that can be reckoned with: of numbers alone but for the airspeed, in order."""
     told = samples._replace(airspeed=samples.time)
-    numbers = [np.isfinite(its).all(axis=tuple(range(1, its.ndim))) for its in told]
+    numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in told]
     good: NDArray[np.bool_] = np.logical_and.reduce(numbers)
     time = np.where(good, samples.time, -math.inf)
     good[1:] &= time[1:] > np.maximum.accumulate(time)[:-1]
-    return Samples(*(its[good] for its in samples))
+    return Samples(*(values[good] for values in samples))
 
 
 def with_airspeed(samples: Samples) -> Samples:
     """The samples at which the airspeed is known."""
-    return Samples(*(its[np.isfinite(samples.airspeed)] for its in samples))
+    known = np.isfinite(samples.airspeed)
+    return Samples(*(values[known] for values in samples))
 
 
 def means_of(samples: Samples) -> Means:
@@ -73,9 +95,9 @@ def means_of(samples: Samples) -> Means:
     force_n = np.diff(samples.v_n, axis=0) / dt[:, None] - np.array([0.0, 0.0, G0])
     along, _, down = np.einsum("nij,ni->jn", R_nb, force_n) / G0
     bank = np.arctan2(R_nb[:, 2, 1], R_nb[:, 2, 2])
-    banked = 1.0 / np.maximum(math.cos(STEEPEST), np.cos(bank))
+    banked = 1.0 / np.maximum(math.cos(STEEPEST_BANK), np.cos(bank))
     flown = (halfway(samples.airspeed), np.arctan2(w, u), -down, banked, along)
-    return Means(*(mean(samples, its) for its in flown))
+    return Means(*(mean(samples, values) for values in flown))
 
 
 def wind_of(samples: Samples) -> Array:
@@ -86,7 +108,7 @@ def wind_of(samples: Samples) -> Array:
     """
     level = samples.v_n[:, :2]
     excess = samples.airspeed**2 - np.einsum("ni,ni->n", samples.v_n, samples.v_n)
-    _, north, east = fitted(columns(*(-2.0 * level.T)), excess).x.tolist()
+    _, north, east = fitted(with_constant(*(-2.0 * level.T)), excess).x.tolist()
     return np.array([north, east, 0.0])
 
 

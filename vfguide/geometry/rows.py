@@ -64,7 +64,8 @@ class Leaf(NamedTuple):
         if self.kind == OPEN:
             return f"{row}[{begin}:]"
         if isinstance(self.kind, Shape):
-            return f"{row}[{begin}:{begin + self.size}].reshape({tuple(self.kind)})"
+            part = f"{row}[{begin}:{begin + self.size}]"
+            return f"{part}.reshape({tuple(self.kind)})" if len(self.kind) > 1 else part
         return f"{row}[{begin}]"
 
 
@@ -229,10 +230,29 @@ def writer(kind: type[T]) -> Callable[[T, Row], None]:
     """A compiled function that writes a record into a row."""
     lines, at = ["def write(r, a):"], 0
     for leaf in leaves(kind):
-        whole = "[:]" if isinstance(leaf.kind, Shape) else ""
-        lines.append(f"    {leaf.source('a', at)}{whole} = {leaf.expression}")
+        lines += written_lines(leaf, at)
         at += leaf.size
     return njit(source_function("\n".join(lines), "write", {}))
+
+
+def written_lines(leaf: Leaf, begin: int) -> list[str]:
+    """The source that writes a number or an array of a record `r` into a row `a`."""
+    if leaf.kind == OPEN or not isinstance(leaf.kind, Shape):
+        return [f"    {leaf.source('a', begin)} = {leaf.expression}"]
+    return _writing(leaf.expression, leaf.kind, begin)
+
+
+def _writing(expression: str, shape: Shape, begin: int) -> list[str]:
+    """The source that writes an array from the place `begin` on.
+
+    Loops take a tenth of the time of an assignment to a reshaped part of the row.
+    """
+    lines, place_of = list[str](), str(begin)
+    for axis, size in enumerate(shape):
+        lines.append(f"{'    ' * (axis + 1)}for i{axis} in range({size}):")
+        place_of += f" + i{axis} * {math.prod(shape[axis + 1 :])}"
+    indices = ", ".join(f"i{axis}" for axis in range(len(shape)))
+    return [*lines, f"{'    ' * (len(shape) + 1)}a[{place_of}] = {expression}[{indices}]"]
 
 
 def replacing(kind: type[T], *names: str) -> Callable[..., T]:

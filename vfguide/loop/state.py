@@ -11,7 +11,7 @@ from vfguide.airspace.detection import DetectionState
 from vfguide.assurance.assurance import AssuranceState, fresh_assurance
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.estimation import EstimationState, fresh_estimation
-from vfguide.flight.air_state import AIRSPEED, MODEL, PUSH, X
+from vfguide.flight.air_state import without_model_error
 from vfguide.flight.performance import Performance
 from vfguide.geometry.rows import Row, flattener, python_reader, reader, width, writer
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
@@ -100,8 +100,7 @@ def forget_learned(s: LoopState, before: Performance, after: Performance) -> Loo
     """The state without the corrections of what is known better now of the aircraft."""
     if before == after:
         return s
-    control, air = s.control, s.estimation.air.copy()
-    air[X + PUSH], air[MODEL] = 0.0, air[X + AIRSPEED]
+    control, air = s.control, without_model_error(s.estimation.air)
     if (after.alpha_zero, after.alpha_load) != (before.alpha_zero, before.alpha_load):
         control = control._replace(alpha_bias=0.0)
     if after.thrust_trim != before.thrust_trim:
