@@ -1,15 +1,13 @@
 """Geodesy and attitudes over arrays: NumPy ufuncs on the last axes, from the scalar formulas."""
 
-from typing import Any
-
 from vfguide.geometry.compiled import over_points
 from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
 from vfguide.geometry.so3 import to_euler
-from vfguide.geometry.vector import mat3, vec3
+from vfguide.geometry.vector import Matrix, Vector, mat3, vec3
 
 
 @over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")
-def geodetic_to_neds(origin: Any, points: Any, p_n: Any) -> None:
+def geodetic_to_neds(origin: Vector, points: Vector, p_n: Vector) -> None:
     """Positions north-east-down [m], (..., 3), of points on the tangent plane at `origin`.
 
     Both arguments are latitude [rad], longitude [rad], altitude [m] along the last axis.
@@ -19,6 +17,6 @@ def geodetic_to_neds(origin: Any, points: Any, p_n: Any) -> None:
 
 
 @over_points("(float64[:, :], float64[:])", "(n,n)->(n)")
-def euler_angles(R_nb: Any, angles: Any) -> None:
+def euler_angles(R_nb: Matrix, angles: Vector) -> None:
     """Roll, pitch and yaw [rad], (..., 3), of attitudes (..., 3, 3)."""
     angles[0], angles[1], angles[2] = to_euler(mat3(R_nb))

@@ -163,7 +163,8 @@ def table_of(kind: type[T], records: Iterable[T]) -> Table:
 
 def columns(kind: type[T], table: Table) -> T:
     """The record of a table's columns: each number becomes (N,), each vector (N, 3), and so on."""
-    return cast("T", _columns(kind, table)[0])
+    record, _ = _columns(kind, table)
+    return cast("T", record)
 
 
 def _columns(kind: Any, table: Table) -> tuple[Any, Table]:

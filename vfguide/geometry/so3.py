@@ -69,9 +69,10 @@ def to_quaternion(R: Mat3) -> Quaternion:
         q = (c - g, b + d, yy, f + h)
     else:
         q = (d - b, c + g, f + h, zz)
-    length = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    k = 1.0 / length if q[0] >= 0.0 else -1.0 / length
-    return (k * q[0], k * q[1], k * q[2], k * q[3])
+    w, x, y, z = q
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    k = 1.0 / length if w >= 0.0 else -1.0 / length
+    return (k * w, k * x, k * y, k * z)
 
 
 @compiled

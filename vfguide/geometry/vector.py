@@ -1,7 +1,13 @@
-"""Vectors of three floats and 3x3 matrices as plain tuples, for compiled code."""
+"""Vectors of three floats and 3x3 matrices as plain tuples, for compiled code.
+
+And the names of arrays that may be subscripted by number: `tools/check_records.py` refuses that
+of any other array, since it may be the row of a record.
+"""
 
 import math
-from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
 
@@ -9,9 +15,20 @@ Vec3 = tuple[float, float, float]
 Mat3 = tuple[Vec3, Vec3, Vec3]
 """A 3x3 matrix as its three rows."""
 
+Vector = NDArray[np.float64]
+"""The components of a vector, (n,)."""
+Vectors = NDArray[np.float64]
+"""Many vectors, or points, along the last axis, (..., n)."""
+Matrix = NDArray[np.float64]
+"""The elements of a matrix, (m, n)."""
+Matrices = NDArray[np.float64]
+"""Many matrices along the last two axes, (..., m, n)."""
+Series = NDArray[np.float64]
+"""One number at each of n instants, or of each of n like things, (n,)."""
+
 
 @compiled
-def vec3(a: Any) -> Vec3:
+def vec3(a: Vector) -> Vec3:
     """The three components of an array (3,), for kernels over arrays.
 
     Raises:
@@ -23,7 +40,7 @@ def vec3(a: Any) -> Vec3:
 
 
 @compiled
-def mat3(a: Any) -> Mat3:
+def mat3(a: Matrix) -> Mat3:
     """An array (3, 3) as its three rows."""
     return (
         (a[0, 0], a[0, 1], a[0, 2]),
