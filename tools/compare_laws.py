@@ -29,24 +29,23 @@ from typing import Any
 
 import numpy as np
 from flown_worlds import DRAWN, SPEED, Table, scenario_of
-from law_variants import step_printed, step_unassured
 from measure_avoidance import TREE, Outcome, fly_table, show_failures
 from rich.console import Console
 from rich.table import Table as RichTable
 
-from vfguide.companion import route
-from vfguide.companion.step import step_on
 from vfguide.field.shapes.base import EDGED
-from vfguide.scenario import pilots
+from vfguide.flight.paper_law import fly_paper_law
+from vfguide.guidance.laws import FLIGHT, PAPER, Law
+from vfguide.loop.rows import step_measured
+from vfguide.scenario.steps import Steps
 
 PAPERS_PLANT, PRINTED, UNASSURED, OURS = LAWS = ("own plant", "printed", "unassured", "ours")
-BUILT: dict[str, Callable[[], Any]] = {
-    PRINTED: step_printed,
-    UNASSURED: step_unassured,
-    OURS: lambda: step_on,
+FLOWN: dict[str, Law] = {
+    PRINTED: PAPER,
+    UNASSURED: FLIGHT._replace(is_assured=False),
+    OURS: FLIGHT,
 }
-STEPS: dict[str, Any] = {}
-"""The steps of the laws, compiled before the work is shared out."""
+"""The laws of the aeroplane."""
 HIGHEST = 1e6
 """Reactive level that a scenario may have."""
 SLOW = 1000.0
@@ -130,17 +129,20 @@ def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> tup
     """One world by one law, and what each of its steps took [us]."""
     took: list[float] = []
     if law == PAPERS_PLANT:
-        printed = pilots.fly_paper_law
-        pilots.fly_paper_law = timed(printed, took)
-        try:
-            return fly_table(on_papers_plant(table), number, args), np.array(took)
-        finally:
-            pilots.fly_paper_law = printed
-    route.step_on = timed(STEPS[law], took)
-    try:
-        return fly_table(table, number, args), np.array(took)
-    finally:
-        route.step_on = step_on
+        steps = Steps(paper=timed(fly_paper_law, took))
+        return fly_table(on_papers_plant(table), number, args, steps), np.array(took)
+    steps = Steps(measured=timed(step_by(FLOWN[law]), took))
+    return fly_table(table, number, args, steps), np.array(took)
+
+
+def step_by(law: Law) -> Callable[..., Any]:
+    """The step of the loop with a law in the place of the plan's."""
+
+    def step(measured: Any, origin: Any, before: Any, legs: Any, airspace: Any, *rest: Any) -> Any:
+        _, vehicle = rest
+        return step_measured(measured, origin, before, legs, airspace, law, vehicle)
+
+    return step
 
 
 def timed(function: Any, took: list[float]) -> Any:
@@ -173,8 +175,6 @@ def prepare(args: argparse.Namespace) -> None:
     table = {**scenario_of("field", args.seed, 0), "duration_s": 2.0}
     silent = argparse.Namespace(**{**vars(args), "tree": "none", "reference_s": 0.0})
     for law in args.laws:
-        if law in BUILT:
-            STEPS[law] = BUILT[law]()
         fly_by(law, table, 0, silent)
 
 

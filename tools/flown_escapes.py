@@ -13,10 +13,10 @@ from avoidance_worlds import TICK, Tracks, World
 from manoeuvre_tree import HOLD, LEVELS, best_escape
 from numpy.typing import NDArray
 
+from vfguide.airspace.detection import comes_into_sight
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.safety.assurance import assurance
-from vfguide.safety.guard import comes_into_sight
 from vfguide.safety.motion import Motion
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario

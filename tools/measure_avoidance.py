@@ -38,6 +38,7 @@ from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.result import TOUCH, judge
+from vfguide.scenario.steps import STEPS, Steps
 
 TREE = {"hit": 0.0, "near": 12.0, "all": math.inf, "none": -math.inf}
 """Clearance up to which the tree is asked [m], by the names of the option."""
@@ -90,14 +91,14 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
     return fly_table(fenced(scenario_of(args.kind, args.seed, number)), number, args)
 
 
-def fly_table(table: Table, number: int, args: argparse.Namespace) -> Outcome:
+def fly_table(table: Table, number: int, args: argparse.Namespace, steps: Steps = STEPS) -> Outcome:
     """Fly a world as it is written."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         path = folder / "world.toml"
         path.write_text(tomli_w.dumps(table))
         loaded = load_scenario(path, args.set)
-        flight = fly_scenario(loaded, folder)
+        flight = fly_scenario(loaded, folder, steps=steps)
         if args.out is not None:
             shutil.copy(path, args.out)
     record = flight.records[0]

@@ -16,10 +16,10 @@ import numpy as np
 import tomli_w
 from flown_worlds import scenario_of
 
-from vfguide.companion import route
-from vfguide.companion.step import step_on
+from vfguide.loop.rows import step_measured
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
+from vfguide.scenario.steps import Steps
 
 OBSTACLES = 15
 
@@ -36,7 +36,7 @@ def main() -> None:
 
     def timed(*arguments):
         begun = time.process_time()
-        after = step_on(*arguments)
+        after = step_measured(*arguments)
         took.append(time.process_time() - begun)
         return after
 
@@ -51,9 +51,7 @@ def main() -> None:
             loaded = load_scenario(path)
             if not flown:
                 fly_scenario(loaded, Path(folder))
-            route.step_on = timed
-            fly_scenario(loaded, Path(folder))
-            route.step_on = step_on
+            fly_scenario(loaded, Path(folder), steps=Steps(measured=timed))
         flown += 1
     median, high, most = np.quantile(np.array(took) * 1e6, (0.5, 0.99, 1.0))
     print(f"seed {args.seed}, {flown} flights among {OBSTACLES} obstacles, {len(took)} steps [us]:")

@@ -48,6 +48,7 @@ def fly(
 
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
+    loaded.require_flight_law()
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
     with Signals() as signals, ExitStack() as stack:
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))

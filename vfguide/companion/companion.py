@@ -11,7 +11,7 @@ from vfguide.companion.notes import origin_notes
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
-from vfguide.companion.route import Route
+from vfguide.companion.route import Route, Step
 from vfguide.flight.state import RateSetpoint
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
@@ -28,6 +28,7 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
+from vfguide.loop.rows import step_measured
 
 SECOND = 1_000_000
 """[us]."""
@@ -63,18 +64,19 @@ STATUS = {
 class Companion:
     """The companion of one vehicle."""
 
-    def __init__(self, sysid: int, plan: Plan, *, engage: bool) -> None:
+    def __init__(self, sysid: int, plan: Plan, *, engage: bool, step: Step = step_measured) -> None:
         """A companion that has heard nothing yet.
 
         Args:
             sysid: MAVLink system of the vehicle, and of the companion.
             plan: what to do.
             engage: ask for OFFBOARD by itself; else wait for the operator to do it.
+            step: of the control loop.
         """
         self.sysid = sysid
         self.setpoints = 0
         """Number of setpoints sent."""
-        self.route = Route(plan)
+        self.route = Route(plan, step)
         self._control = Control(sysid, engage=engage)
         self._known = Knowledge()
         self._requests = Requests()

@@ -62,6 +62,11 @@ class Plan:
     vehicle_row: Row = field(init=False, compare=False)
     """The same as a row."""
 
+    @property
+    def is_assured(self) -> bool:
+        """Whether the run-time assurance stands above the law."""
+        return self.hazards is not None and self.law.is_assured
+
     def __post_init__(self) -> None:
         legs = leg_rows(self.goals, self.loiter_side, self.loiter_radius)
         object.__setattr__(self, "legs", legs)

@@ -1,6 +1,7 @@
 """The way along the plan: when a step is due, what it remembers of the one before."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -31,10 +32,12 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Own, Picture
 from vfguide.companion.trial import Trial
-from vfguide.estimation.place import Measurement, measurement_numbers, place_state
+from vfguide.estimation.place import Measurement, Quaternion, measurement_numbers, place_state
 from vfguide.flight.air_state import AirReport
 from vfguide.flight.identification import Identified
 from vfguide.flight.state import RateSetpoint
+from vfguide.geometry.rows import Row
+from vfguide.geometry.vector import Vec3
 from vfguide.link.messages import AdsbVehicle
 from vfguide.loop.attempts import no_attempts
 from vfguide.loop.rows import step_measured
@@ -55,6 +58,8 @@ HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for
 its own middle, half because the reference's turning is known for the period before."""
 
+Step = Callable[..., tuple[Vec3, float, Quaternion, Row, float]]
+"""What `step_measured` is."""
 GUST = 1.0
 """Speed of the gusts that tracks are predicted for, one standard deviation [m/s]: nothing tells the
 true one."""
@@ -63,11 +68,12 @@ true one."""
 class Route:
     """One vehicle's flight along its plan."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, step: Step = step_measured) -> None:
         self.plan = plan
         """What is flown now."""
         self.identified: Identified | None = None
         """The aircraft as a test flight has shown it."""
+        self._step = step
         self._trial = Trial(plan) if plan.identify else None
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
         self._state = row_of_state(fresh_state(obstacles))
@@ -120,7 +126,7 @@ class Route:
             self._begin_leg(state, hazards, t)
         self._follows = follows
         plan, before = self.plan, self._state
-        omega_b, thrust, q_nb, after, miss = step_measured(
+        omega_b, thrust, q_nb, after, miss = self._step(
             np.array(measurement_numbers(state)),
             plan.origin,
             before,

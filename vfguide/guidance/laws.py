@@ -38,6 +38,7 @@ class PaperLaw(NamedTuple):
 
 Law = FlightLaw | PaperLaw
 FLIGHT, PAPER = FlightLaw(), PaperLaw()
+LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "paper": PAPER}
 """The laws as a scenario names them."""
 
 LAWS: dict[type, Callable[..., tuple[Wish, GuidanceState]]] = {

@@ -7,6 +7,7 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.logs import Logs
 from vfguide.scenario.member import Member
 from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.steps import STEPS, Steps
 from vfguide.sim.plant import STEP
 from vfguide.sim.vehicle import steps_between_updates
 
@@ -14,7 +15,7 @@ from vfguide.sim.vehicle import steps_between_updates
 class Aeroplanes:
     """Aeroplanes that fly side by side; nothing but the clock is common to them."""
 
-    def __init__(self, loaded: LoadedScenario, logs: Logs) -> None:
+    def __init__(self, loaded: LoadedScenario, logs: Logs, steps: Steps = STEPS) -> None:
         """All at their starts.
 
         Raises:
@@ -23,7 +24,7 @@ class Aeroplanes:
         """
         self._steps = steps_between_updates(loaded.scenario.guidance.rate_hz)
         self._members = [
-            Member(loaded, vehicle, logs.write_vehicle(vehicle), logs.write_all)
+            Member(loaded, vehicle, logs.write_vehicle(vehicle), logs.write_all, steps)
             for vehicle in loaded.scenario.vehicles
         ]
 

@@ -17,15 +17,15 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
     Raises:
         InputError: they do not.
     """
-    if entry.law == "paper" and entry.plant != "kinematic":
-        rule = 'only plant = "kinematic" flies it, allowed here "flight"'
-        raise source.error(("law",), rule, entry.law)
     if entry.law == "flight" and entry.plant == "kinematic" and entry.obstacle:
         rule = 'law = "flight" avoids them on plant = "jsbsim" only, allowed with law = "paper"'
         raise source.error(("obstacle",), rule)
     for index, vehicle in enumerate(entry.vehicle):
         if vehicle.identify and entry.plant == "kinematic":
             rule = 'only plant = "jsbsim" has anything to be found out, allowed here false'
+            raise source.error(("vehicle", index, "identify"), rule, vehicle.identify)
+        if vehicle.identify and entry.law != "flight":
+            rule = 'only law = "flight" flies a test flight, allowed here false'
             raise source.error(("vehicle", index, "identify"), rule, vehicle.identify)
     if entry.law == "paper":
         _check_single_attempts(entry, source)
@@ -39,6 +39,17 @@ def _check_single_attempts(entry: ScenarioFile, source: Source) -> None:
                 at: Location = ("vehicle", index, "goal", number, "attempts")
                 rule = 'law = "paper" passes a goal once, allowed 0 to 1'
                 raise source.error(at, rule, goal.attempts)
+
+
+AS_PRINTED = (
+    'law = "paper" on plant = "jsbsim" is the paper\'s field as printed, to see what it does: no '
+    "route is planned, nothing assures that obstacles are kept clear of, and it knows no fence"
+)
+
+
+def told_of_law(scenario: Scenario) -> tuple[str, ...]:
+    """What has to be said of the law that is flown."""
+    return (AS_PRINTED,) if scenario.law == "paper" and scenario.plant == "jsbsim" else ()
 
 
 def check_ids(scenario: Scenario, source: Source) -> None:

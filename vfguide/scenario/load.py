@@ -74,6 +74,16 @@ class LoadedScenario:
             rule = 'it has no autopilot and no MAVLink, only vfguide run flies it; allowed "jsbsim"'
             raise InputError(f'{self.path}: plant = "{plant}": {rule}')
 
+    def require_flight_law(self) -> None:
+        """Make sure that its law is one for a real aircraft.
+
+        Raises:
+            InputError: it is not.
+        """
+        if self.scenario.law != "flight":
+            rule = 'only vfguide run flies it, allowed "flight"'
+            raise InputError(f'{self.path}: law = "{self.scenario.law}": {rule}')
+
     def write_resolved(self, path: Path) -> None:
         """Write the scenario whose flight is the same, and beside it aircraft of the user's own."""
         for files in self.files.values():
@@ -103,7 +113,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     aircraft = {name: load_aircraft(its) for name, its in files.items()}
     scenario = resolve(entry, aircraft, source)
     checks.check_ids(scenario, source)
-    if scenario.law == "flight":
+    if scenario.law == "flight" or scenario.plant == "jsbsim":
         checks.check_aircraft(scenario, entry, aircraft, source)
     if scenario.plant == "jsbsim":
         checks.check_ground(scenario, entry, source)
@@ -116,7 +126,8 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
     flies = [(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
-    return replace(loaded, warnings=check_ways(scenario, flies, source))
+    warnings = (*checks.told_of_law(scenario), *check_ways(scenario, flies, source))
+    return replace(loaded, warnings=warnings)
 
 
 def check_file(path: Path) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.logs import Logs
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.rigid_bodies import RigidBodies
+from vfguide.scenario.steps import STEPS, Steps
 from vfguide.scenario.warm_up import warm_up
 
 AFTERWARDS = 5.0
@@ -50,6 +51,7 @@ def fly_scenario(
     stopped: Callable[[], bool] = never,
     *,
     realtime: bool = False,
+    steps: Steps = STEPS,
 ) -> Flight:
     """Fly a scenario to its end; the logs go to `folder`.
 
@@ -59,6 +61,7 @@ def fly_scenario(
         progress: told after every update.
         stopped: asked before every update; once true, what was flown until then is returned.
         realtime: fly no faster than the clock.
+        steps: that are called at each update.
 
     Raises:
         InputError: an aircraft's model cannot be flown.
@@ -66,7 +69,7 @@ def fly_scenario(
     """
     warm_up(loaded)
     with ExitStack() as stack:
-        fleet = fleet_of(loaded, Logs(folder, stack))
+        fleet = fleet_of(loaded, Logs(folder, stack), steps)
         lockstep = Lockstep(fleet, loaded.scenario.duration_s)
         started = time.perf_counter()
         while (ending := Ending.STOPPED if stopped() else lockstep.ending) is None:
@@ -79,7 +82,7 @@ def fly_scenario(
     return Flight(records, lockstep.sim_s, wall_s, ending)
 
 
-def fleet_of(loaded: LoadedScenario, logs: Logs) -> Fleet:
+def fleet_of(loaded: LoadedScenario, logs: Logs, steps: Steps = STEPS) -> Fleet:
     """The vehicles of a scenario at their starts.
 
     Raises:
@@ -87,8 +90,8 @@ def fleet_of(loaded: LoadedScenario, logs: Logs) -> Fleet:
         TlogError: a log cannot be written.
     """
     if loaded.scenario.plant == "jsbsim":
-        return Aeroplanes(loaded, logs)
-    return RigidBodies(loaded, logs.write_all)
+        return Aeroplanes(loaded, logs, steps)
+    return RigidBodies(loaded, logs.write_all, steps)
 
 
 class Lockstep:

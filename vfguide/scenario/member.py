@@ -21,6 +21,7 @@ from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.result import TOUCH
+from vfguide.scenario.steps import STEPS, Steps
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.sim.delay_line import DelayLine
 from vfguide.sim.port import ONBOARD
@@ -40,7 +41,12 @@ class Member:
     """One vehicle, flown."""
 
     def __init__(
-        self, loaded: LoadedScenario, vehicle: Vehicle, write_own: Write, write_truth: Write
+        self,
+        loaded: LoadedScenario,
+        vehicle: Vehicle,
+        write_own: Write,
+        write_truth: Write,
+        steps: Steps = STEPS,
     ) -> None:
         """The vehicle at its start.
 
@@ -49,13 +55,16 @@ class Member:
             vehicle: which of its vehicles.
             write_own: takes every frame between the companion and its autopilot.
             write_truth: takes the frames that tell the truth.
+            steps: that its companion calls.
 
         Raises:
             InputError: the aircraft's model cannot be flown.
         """
         self.vehicle = vehicle
         self.sim = simulate(loaded, vehicle)
-        self.companion = Companion(vehicle.id, plan_of(loaded, vehicle), engage=True)
+        self.companion = Companion(
+            vehicle.id, plan_of(loaded, vehicle), engage=True, step=steps.measured
+        )
         self.legs = Legs(vehicle.goals)
         scenario = loaded.scenario
         self._exact = scenario.sensors is None and not scenario.autopilot.reset
@@ -146,7 +155,7 @@ class Member:
             airspeed_believed=airspeed,
             goals_from=self._goals_from,
             identified=self.companion.route.identified,
-            guard=guard if self.companion.route.plan.hazards is not None else None,
+            guard=guard if self.companion.route.plan.is_assured else None,
         )
 
 

@@ -9,15 +9,15 @@ import numpy as np
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
-from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.flight.paper_law import PaperGains, Swarm
 from vfguide.geometry.rows import row_of, width
-from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.steps import STEPS, Steps
 from vfguide.sim.kinematic import Bodies, Commands
 
 
@@ -39,9 +39,10 @@ class PaperPilot:
     Where a robot is on its way it reads from its legs: its state is known exactly.
     """
 
-    def __init__(self, scenario: Scenario, legs: Sequence[Arrivals]) -> None:
+    def __init__(self, scenario: Scenario, legs: Sequence[Arrivals], steps: Steps = STEPS) -> None:
         guidance, avoidance = scenario.guidance, scenario.avoidance
         self._legs = legs
+        self._step = steps.paper
         self._obstacles = rows_of(scenario.obstacles)
         self._gains = PaperGains(guidance.k_v, guidance.k_w, 1.0 / guidance.rate_hz)
         self._spacing = None
@@ -63,14 +64,17 @@ class PaperPilot:
                 self._goals[row] = row_of(frame_of(legs.goals[legs.leg]))
         swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
         return Commands(
-            *fly_paper_law(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)
+            *self._step(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)
         )
 
 
 class FlightPilot:
     """Law `flight`: every body flies its own way at its airspeed."""
 
-    def __init__(self, loaded: LoadedScenario, vehicles: Sequence[Vehicle]) -> None:
+    def __init__(
+        self, loaded: LoadedScenario, vehicles: Sequence[Vehicle], steps: Steps = STEPS
+    ) -> None:
+        self._step = steps.body
         plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
         self._plans = [replace(plan, is_point=True) for plan in plans]
         self._states = [row_of_state(fresh_state()) for _ in vehicles]
@@ -84,7 +88,7 @@ class FlightPilot:
         """The wanted airspeeds, and body rates towards the wanted directions of flight."""
         omega_b = np.empty_like(bodies.p_n)
         for i, plan in enumerate(self._plans):
-            omega_b[i], self._states[i] = step_body(
+            omega_b[i], self._states[i] = self._step(
                 time,
                 bodies.p_n[i],
                 bodies.R_nb[i],

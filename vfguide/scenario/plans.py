@@ -4,6 +4,7 @@ from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
+from vfguide.guidance.laws import LAWS_BY_NAME
 from vfguide.loop.legs import Goal
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazard_names, hazards_of, outlines_of
@@ -52,6 +53,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         start_us(loaded.scenario),
         volume_from(loaded.scenario.avoidance),
         int(vehicle.icao or "0", 16),
+        LAWS_BY_NAME[loaded.scenario.law],
     )
 
 

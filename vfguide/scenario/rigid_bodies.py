@@ -19,6 +19,7 @@ from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle, start_us
 from vfguide.scenario.result import FAR_AWAY
+from vfguide.scenario.steps import STEPS, Steps
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, body_message
 from vfguide.sim.kinematic import Bodies, Commands, Sighting, advance, sightings
 
@@ -37,7 +38,7 @@ class RigidBody:
 class RigidBodies:
     """Rigid bodies that are steered at the guidance rate; inside they are sorted by their ids."""
 
-    def __init__(self, loaded: LoadedScenario, write: Write) -> None:
+    def __init__(self, loaded: LoadedScenario, write: Write, steps: Steps = STEPS) -> None:
         """All at their starts; `write` takes the frames that tell the truth."""
         scenario = loaded.scenario
         self._rate = scenario.guidance.rate_hz
@@ -48,9 +49,9 @@ class RigidBodies:
         self._pilot: Pilot
         if scenario.law == "paper":
             arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
-            self._pilot, legs = PaperPilot(scenario, arrivals), arrivals
+            self._pilot, legs = PaperPilot(scenario, arrivals, steps), arrivals
         else:
-            self._pilot = FlightPilot(loaded, by_id)
+            self._pilot = FlightPilot(loaded, by_id, steps)
             legs = [Legs(vehicle.goals) for vehicle in by_id]
         self._sorted = [RigidBody(*its) for its in zip(by_id, legs, strict=True)]
         self._order = [by_id.index(vehicle) for vehicle in scenario.vehicles]

@@ -14,17 +14,18 @@ UPDATES = 100
 def warm_up(loaded: LoadedScenario) -> None:
     """Compile or load all the compiled code that flies the scenario."""
     if loaded.scenario.plant == "jsbsim":
-        _fly_an_aeroplane("first-flight" if hazards_of(loaded.scenario) is None else "towers")
+        law = loaded.scenario.law
+        _fly_an_aeroplane("first-flight" if hazards_of(loaded.scenario) is None else "towers", law)
         if loaded.scenario.traffic:
-            _fly_an_aeroplane("traffic")
+            _fly_an_aeroplane("traffic", law)
     else:
         RigidBodies(loaded, _ignore).advance()
 
 
 @cache
-def _fly_an_aeroplane(name: str) -> None:
+def _fly_an_aeroplane(name: str, law: str) -> None:
     """Once in a process, in the shipped scenario of that name."""
-    loaded = load_scenario(name)
+    loaded = load_scenario(name, [f"law={law}"])
     member = Member(loaded, loaded.scenario.vehicles[0], _ignore, _ignore)
     for _ in range(UPDATES):
         member.fly(1)
