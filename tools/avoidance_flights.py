@@ -4,19 +4,29 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from avoidance_worlds import TICK, World
+from avoidance_worlds import TICK, Turning, World
 
-from vfguide.field.near import distance_bound, upright_distance
-from vfguide.field.obstacle import VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.field.near import distance_bound
+from vfguide.field.obstacle import (
+    PlacedObstacle,
+    Rows,
+    obstacle_distance,
+    read_obstacle,
+    write_obstacle,
+)
+from vfguide.field.shapes.cylinder import upright_distance
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, replacing
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Vec3, add
+from vfguide.geometry.vector import Vec3, add, scale, sub
 from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assure, fresh_stored
 from vfguide.safety.fence import fence_distance
 from vfguide.safety.hazards import INTRUDER_WIDTH, Hazards
 from vfguide.safety.motion import Dynamics, Motion, advance
 
+read_turning = reader(Turning)
+with_motion = replacing(PlacedObstacle, "p_n", "v_n")
 ROLLING = 1.15
 """The aircraft's lags over those that the assurance believes."""
 REACHED = 60.0
@@ -58,14 +68,19 @@ def wish_for(motion: Motion, goal: Vec3, limits: Dynamics) -> tuple[float, float
 def move_obstacles(rows: Rows, turning: Rows, t: float) -> None:
     """Turn those that have begun to, keeping where they are at `t` and changing where they go."""
     for i in range(len(rows)):
-        if turning[i, 0] == 0.0 or t < turning[i, 2]:
-            continue
-        c, s = math.cos(turning[i, 0] * TICK), math.sin(turning[i, 0] * TICK)
-        u, v = c * rows[i, 4] - s * rows[i, 5], s * rows[i, 4] + c * rows[i, 5]
-        before = (rows[i, 4], rows[i, 5], rows[i, 6])
-        rows[i, 4], rows[i, 5], rows[i, 6] = u, v, turning[i, 1]
-        for k in range(3):
-            rows[i, 1 + k] += t * (before[k] - rows[i, 4 + k])
+        turn = read_turning(turning[i])
+        if turn.rate != 0.0 and t >= turn.begin:
+            write_obstacle(turned(read_obstacle(rows[i]), turn, t), rows[i])
+
+
+@compiled
+def turned(obstacle: PlacedObstacle, turn: Turning, t: float) -> PlacedObstacle:
+    """The obstacle after one more tick of its turn, where it is at `t` as before."""
+    c, s = math.cos(turn.rate * TICK), math.sin(turn.rate * TICK)
+    north, east, _ = obstacle.v_n
+    v_n = (c * north - s * east, s * north + c * east, turn.sinking)
+    p_n = add(obstacle.p_n, scale(t, sub(obstacle.v_n, v_n)))
+    return with_motion(obstacle, p_n, v_n)
 
 
 @compiled
@@ -73,7 +88,7 @@ def come_in_sight(rows: Rows, p_n: Vec3, t: float, known: Rows) -> bool:
     """Mark those that are known from here on; whether there is a new one."""
     new = False
     for i in range(len(rows)):
-        far = rows[i, VISIBLE_FROM]
+        far = read_obstacle(rows[i]).visible_from
         if known[i] == 0.0 and (far == math.inf or obstacle_distance(rows, i, p_n, t) <= far):
             known[i], new = 1.0, True
     return new

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from vfguide.field import shape
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.field.shape import Shape
+from vfguide.geometry.rows import table_of
 from vfguide.geometry.vector import Vec3
 from vfguide.safety.fence import Fences, Zone, fences
 from vfguide.safety.motion import Motion
@@ -23,6 +24,17 @@ Tracks = NDArray[np.float64]
 NO_TRACKS: Tracks = np.zeros((0, 2, 3))
 
 
+class Turning(NamedTuple):
+    """How the velocity of an obstacle changes while it is flown."""
+
+    rate: float = 0.0
+    """Of turn [rad/s]; zero: it never does."""
+    sinking: float = 0.0
+    """Vertical velocity from then on, down [m/s]."""
+    begin: float = 0.0
+    """Time from which on it turns [s]."""
+
+
 class World(NamedTuple):
     """One world, as compiled code takes it."""
 
@@ -31,7 +43,7 @@ class World(NamedTuple):
     rows: Rows
     """Obstacles as `obstacle_rows` has them; those that turn are turned while it is flown."""
     turning: Rows
-    """(M, 3): rate of turn [rad/s], vertical velocity [m/s], time at which both begin [s]."""
+    """A `Turning` a row for each of the obstacles."""
     fences: Fences
     floor: float
     ceiling: float
@@ -144,11 +156,10 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
     """World `number` of a kind: from (seed, number) alone."""
     rng = np.random.default_rng([seed, number, list(DRAWN).index(kind)])
     rows = obstacle_rows(DRAWN[kind](rng))
-    turning = np.zeros((len(rows), 3))
+    turning = [Turning()] * len(rows)
     if kind == "turning":
-        turning[:, 0] = rng.uniform(-0.15, 0.15, len(rows))
-        turning[:, 1] = rng.uniform(-3.0, 3.0, len(rows))
-        turning[:, 2] = rng.uniform(0.0, 25.0, len(rows))
+        ranges = ((-0.15, 0.15), (-3.0, 3.0), (0.0, 25.0))
+        turning = list(map(Turning, *(rng.uniform(*its, len(rows)) for its in ranges)))
     zones, floor, ceiling = list[Zone](), -math.inf, math.inf
     if kind == "fence":
         zones, floor, ceiling = narrow_fence(rng), 100.0, 200.0
@@ -162,7 +173,8 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
         gusts[k] = keep * gusts[k - 1] + math.sqrt(1.0 - keep * keep) * push
     start = Motion((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
     goal = (1000.0, 0.0, -HEIGHT)
-    return World(start, goal, rows, turning, fences(zones), floor, ceiling, wind_n, gust, gusts)
+    turns, fence = table_of(Turning, turning), fences(zones)
+    return World(start, goal, rows, turns, fence, floor, ceiling, wind_n, gust, gusts)
 
 
 def narrow_fence(rng: np.random.Generator) -> list[Zone]:

@@ -36,7 +36,7 @@ from rich.table import Table as RichTable
 
 from vfguide.companion import route
 from vfguide.companion.step import step_on
-from vfguide.field.shape import EDGED
+from vfguide.field.shapes.base import EDGED
 from vfguide.scenario import pilots
 
 PAPERS_PLANT, PRINTED, UNASSURED, OURS = LAWS = ("own plant", "printed", "unassured", "ours")

@@ -4,9 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.geometry.rows import columns
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
 DT = 0.02
@@ -29,7 +31,7 @@ class Flight:
 
     def headings(self, goals: Rows) -> Rows:
         """Angles between body x and the goal's direction at the end, (N,) [rad]."""
-        nose, wanted = self.R_nb[-1, :, :, 0], goals[:, 3::3]
+        nose, wanted = self.R_nb[-1, :, :, 0], columns(GoalFrame, goals).R_ng[:, :, 0]
         cosine = np.sum(nose * wanted, axis=1)
         return np.arctan2(np.linalg.norm(np.cross(nose, wanted), axis=1), cosine)
 
@@ -45,9 +47,10 @@ def fly(
 ) -> Flight:
     """Law `paper` and the kinematic plant, exactly as a run flies them.
 
-    `goals` are (N, 12), of `goal_rows`; the order of the robots is that of their priority. Nearer
+    `goals` are of `goal_rows`, N rows; the order of the robots is that of their priority. Nearer
     than `arrived` to its goal [m] a robot stands still.
     """
+    ends = columns(GoalFrame, goals).p_n
     bodies, moving = start, np.ones(len(goals), bool)
     path = [bodies]
     for step in range(round(seconds / gains.dt)):
@@ -55,7 +58,7 @@ def fly(
         speed, omega = fly_paper_law(goals, swarm, step * gains.dt, obstacles, spacing, gains)
         bodies = advance(bodies, Commands(speed, omega), gains.dt)
         path.append(bodies)
-        moving &= np.linalg.norm(bodies.p_n - goals[:, :3], axis=1) > arrived
+        moving &= np.linalg.norm(bodies.p_n - ends, axis=1) > arrived
         if not moving.any():
             break
     p_n = np.array([at.p_n for at in path])

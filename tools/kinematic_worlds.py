@@ -8,9 +8,10 @@ from scipy.spatial.transform import Rotation
 
 from vfguide.field import shape
 from vfguide.field.goal_frame import goal_frame
-from vfguide.field.obstacle import REACH, Obstacle, Rows, obstacle_rows
+from vfguide.field.obstacle import Obstacle, PlacedObstacle, Rows, obstacle_rows, placed
 from vfguide.field.obstacle_arrays import levels
 from vfguide.field.swarm import goal_rows
+from vfguide.geometry.rows import columns
 from vfguide.sim.kinematic import Bodies
 
 WORLD = 100.0
@@ -24,7 +25,7 @@ class World:
     """One robot among obstacles."""
 
     goals: Rows
-    """(1, 12)."""
+    """One row of `goal_rows`."""
     start: Bodies
     obstacles: Rows
 
@@ -73,9 +74,9 @@ def random_world(seed: int, number: int) -> World:
     obstacles: list[Obstacle] = []
     while len(obstacles) < wanted:
         new = random_obstacle(rng)
-        rows = obstacle_rows([*obstacles, new])
-        gaps = np.linalg.norm(rows[:-1, 1:4] - rows[-1, 1:4], axis=1) - rows[:-1, REACH]
-        if (gaps > rows[-1, REACH] + ROOM).all():
+        others = columns(PlacedObstacle, obstacle_rows(obstacles))
+        gaps = np.linalg.norm(others.p_n - new.p_n, axis=1) - others.reach
+        if (gaps > placed(new).reach + ROOM).all():
             obstacles.append(new)
     rows = obstacle_rows(obstacles)
     goals = random_goals(rng, free_place(rng, rows)[None])
@@ -84,10 +85,11 @@ def random_world(seed: int, number: int) -> World:
 
 def free_place(rng: np.random.Generator, obstacles: Rows) -> Rows:
     """A place outside the balls of all reactive areas, (3,)."""
+    found = columns(PlacedObstacle, obstacles)
     while True:
         p_n = rng.uniform(-WORLD, WORLD, 3)
-        away = np.linalg.norm(obstacles[:, 1:4] - p_n, axis=1)
-        if (away > obstacles[:, REACH] + ROOM).all():
+        away = np.linalg.norm(found.p_n - p_n, axis=1)
+        if (away > found.reach + ROOM).all():
             return p_n
 
 

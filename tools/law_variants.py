@@ -20,7 +20,7 @@ from vfguide.field.avoidance import avoidance_field, no_deflection
 from vfguide.field.composite import deflect_by_obstacles, deflect_by_robot, free_field
 from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import goal_frame
-from vfguide.field.robots import Spacing
+from vfguide.field.robots import Robot, Spacing
 from vfguide.flight.detour_leg import DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
 from vfguide.flight.horizontal import plan_turn, usable_bank
@@ -30,7 +30,7 @@ from vfguide.flight.state import FlightState, RateSetpoint
 from vfguide.flight.vertical import allowed_path, path_angle, path_limits
 from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import norm, sub
+from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.safety.guard import GuardState, Watch, guide_clear, in_sight
 from vfguide.safety.hazards import Hazards, Intruder, read_intruder
 from vfguide.safety.limits import limit_setpoint
@@ -166,10 +166,7 @@ def printed_direction(
 
 
 @compiled
-def robot_at(intruder: Intruder, t: float) -> np.ndarray:
-    """An intruder's position and velocity as the paper's field takes a robot, (6,)."""
-    robot = np.empty(6)
-    for k in range(3):
-        robot[k] = intruder.p_n[k] + (t - intruder.time) * intruder.v_n[k]
-        robot[3 + k] = intruder.v_n[k]
-    return robot
+def robot_at(intruder: Intruder, t: float) -> Robot:
+    """An intruder at time `t` [s] as the paper's field takes a robot."""
+    way = scale(t - intruder.time, intruder.v_n)
+    return Robot(add(intruder.p_n, way), intruder.v_n)

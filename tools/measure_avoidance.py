@@ -28,8 +28,10 @@ from flown_worlds import DRAWN, Table, fenced, scenario_of
 from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
+from vfguide.field.obstacle import PlacedObstacle
 from vfguide.flight.leg import turn_radius
 from vfguide.flight.way import Pose
+from vfguide.geometry.rows import place
 from vfguide.scenario.fence_distance import fence_clearance
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.lockstep import fly_scenario
@@ -137,7 +139,7 @@ def reference(loaded: LoadedScenario, number: int, args: argparse.Namespace) -> 
     Its turns are those in still air, or those that can be flown over the ground on any course.
     """
     goal, rows = loaded.scenario.vehicles[0].goals[0], rows_of(loaded.scenario.obstacles)
-    rows[:, 3] -= goal.position_m[2] + HEIGHT
+    rows[:, place(PlacedObstacle, "p_n.2")] -= goal.position_m[2] + HEIGHT
     wind = loaded.scenario.wind.speed_mps if args.reference_in_wind else 0.0
     start, end, radius = way_between(loaded, wind)
     world = World("flown", start, end, rows)

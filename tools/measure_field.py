@@ -21,8 +21,9 @@ from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.field.neighbours import robots_in_range
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows, obstacle_surface
-from vfguide.field.robots import Spacing
+from vfguide.field.robots import Robot, Spacing
 from vfguide.field.swarm import fields_of_robots, goal_rows
+from vfguide.geometry.rows import columns
 
 SPACING = Spacing(10.0, 100.0)
 NOBODY = np.zeros((0, 6))
@@ -54,8 +55,8 @@ class Scene(NamedTuple):
 
     def at(self, s: float) -> CompositeArrays:
         """The field a time `s` later, everything moved on."""
-        others = self.others.copy()
-        others[:, :3] += s * others[:, 3:]
+        robots = columns(Robot, self.others)
+        others = np.hstack([robots.p_n + s * robots.v_n, robots.v_n])
         return composite_fields(
             self.goal, self.p + s * self.v, self.v, s, self.obstacles, others, SPACING
         )
@@ -196,7 +197,7 @@ def robots_time(rng: np.random.Generator, count: int) -> tuple[float, float]:
     size = (count * 4.0 / 3.0 * math.pi * SPACING.detection_range**3 / NEIGHBOURS) ** (1 / 3)
     robots = np.hstack([rng.uniform(0.0, size, (count, 3)), 20.0 * rng.normal(size=(count, 3))])
     goals = goal_rows([random_goal(rng, size) for _ in range(count)])
-    near = len(robots_in_range(robots[:, :3], SPACING.detection_range).others) / count
+    near = len(robots_in_range(columns(Robot, robots).p_n, SPACING.detection_range).others) / count
 
     def call() -> CompositeArrays:
         return fields_of_robots(goals, robots, 0.0, NOTHING, SPACING)

@@ -21,7 +21,7 @@ from kinematic_worlds import level_at, random_swarm, random_world, starts_in_fre
 from scipy.spatial import KDTree
 from scipy.spatial.transform import Rotation
 
-from vfguide.field.goal_frame import GoalFrame
+from vfguide.field.goal_frame import GoalFrame, read_goal
 from vfguide.field.obstacle import Rows, obstacle_rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import fields_of_robots
@@ -150,8 +150,8 @@ def fly_world(seed: int, gains: PaperGains, paths: int, number: int) -> Outcome:
 
 def goal_of(goals: Rows) -> GoalFrame:
     """The only goal."""
-    row = tuple(map(float, goals[0]))
-    return GoalFrame(row[:3], (row[3:6], row[6:9], row[9:12]))
+    (row,) = goals
+    return read_goal(row)
 
 
 def print_swarm(seed: int, count: int, gains: PaperGains) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from search_worlds import HEIGHT, World
 
-from vfguide.field.obstacle import Rows, obstacle_distance
+from vfguide.field.obstacle import Rows, obstacle_distance, read_obstacle
 from vfguide.geometry.compiled import compiled
 
 try:
@@ -41,9 +41,10 @@ def free_cells(
         for n in range(shape[1]):
             x, y = low[0] + CELL * m, low[1] + CELL * n
             for i in range(len(obstacles)):
-                row = obstacles[i]
-                reach = math.hypot(row[9], row[10])
-                if math.hypot(x - row[1], y - row[2]) - reach > apart:
+                obstacle = read_obstacle(obstacles[i])
+                a, b, _ = obstacle.semi_axes
+                north, east, _ = obstacle.p_n
+                if math.hypot(x - north, y - east) - math.hypot(a, b) > apart:
                     continue
                 if obstacle_distance(obstacles, i, (x, y, -HEIGHT), 0.0) <= apart:
                     free[m, n] = False

@@ -6,9 +6,10 @@ import numpy as np
 
 from vfguide.field import shape
 from vfguide.field.goal_frame import goal_frame
-from vfguide.field.obstacle import Obstacle, obstacle_rows
+from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_rows
 from vfguide.field.obstacle_arrays import levels
 from vfguide.field.robots import Spacing
+from vfguide.geometry.rows import columns
 
 SHAPES = {
     "sphere": shape.sphere(40.0),
@@ -58,10 +59,11 @@ def one_obstacle(body, **options):
 
 def at_level(obstacles, directions, level):
     """Points on the rays from the first obstacle's centre, at t = 0, where U has a value."""
+    centre = columns(PlacedObstacle, obstacles).p_n[0]
     low, high = np.zeros(len(directions)), np.full(len(directions), 1e4)
     for _ in range(70):
         middle = 0.5 * (low + high)
-        points = obstacles[0, 1:4] + middle[:, None] * directions
+        points = centre + middle[:, None] * directions
         outside = levels(points, 0.0, obstacles)[:, 0] > level
         low, high = np.where(outside, low, middle), np.where(outside, middle, high)
-    return obstacles[0, 1:4] + high[:, None] * directions
+    return centre + high[:, None] * directions

@@ -5,8 +5,9 @@ from scipy.spatial import KDTree
 
 from vfguide.field import shape
 from vfguide.field.distance import onto_surface, signed_distance
-from vfguide.field.level import TIP, shape_level
 from vfguide.field.obstacle_arrays import distances, levels
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.cone import TIP
 from vfguide.geometry.vector import norm
 
 MORE_SHAPES = SHAPES | {

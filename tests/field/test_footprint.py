@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 from obstacle_samples import SHAPES, random_shape
 
-from vfguide.field.footprint import Band, Section, crossing_times, section_in, sides_round
+from vfguide.field.footprint import (
+    Band,
+    Section,
+    Side,
+    crossing_times,
+    read_side,
+    section_in,
+    sides_round,
+)
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.flight.clearance import clearance_at
 from vfguide.flight.outlines import hazards_of
+from vfguide.geometry.rows import columns
 
 MARGIN = 20.0
 
@@ -52,8 +61,15 @@ def test_unequal_exponents_are_touched_where_points_of_the_section_reach():
     c, s = np.cos(angle), np.sin(angle)
     x = np.copysign(60.0 * np.abs(c) ** (1 / 1.3), c)
     y = np.copysign(25.0 * np.abs(s) ** (1 / 4.0), s)
-    for nx, ny, reach, _, _ in sides_round(section, 1.0, 0.0):
-        assert reach == pytest.approx(np.max(nx * x + ny * y), abs=0.02)
+    for side in map(read_side, sides_round(section, 1.0, 0.0)):
+        assert side.distance == pytest.approx(np.max(side.nx * x + side.ny * y), abs=0.02)
+
+
+def test_the_corners_of_a_polygon_lie_on_the_sides_that_meet_there():
+    sides = columns(Side, sides_round(Section(60.0, 25.0, 1.3, 4.0), 0.6, 0.8))
+    for shift in (0, 1):
+        nx, ny, distance = (np.roll(a, shift) for a in (sides.nx, sides.ny, sides.distance))
+        np.testing.assert_allclose(nx * sides.x + ny * sides.y, distance, rtol=1e-12)
 
 
 def test_what_flies_above_or_below_is_none():

@@ -7,8 +7,10 @@ from hypothesis import strategies as st
 from obstacle_samples import SHAPES, floats, one_obstacle, random_directions
 
 from vfguide.field import shape
-from vfguide.field.level import FAR, TIP, even_power, shape_level
 from vfguide.field.obstacle_arrays import levels
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.base import FAR, even_power
+from vfguide.field.shapes.cone import TIP
 
 coordinates = st.floats(-2.0, 2.0)
 points = st.tuples(coordinates, coordinates, coordinates)

@@ -4,9 +4,10 @@ from obstacle_samples import floats, random_directions, random_shape
 from test_distance import MORE_SHAPES, points_around, surface_points
 
 from vfguide.field import shape
-from vfguide.field.level import TIP, shape_level
 from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.cone import TIP
 from vfguide.geometry.compiled import compiled
 
 PLACE, MOVING, TIME = (40.0, -70.0, -90.0), (3.0, -5.0, 1.0), 7.0

@@ -8,9 +8,19 @@ from obstacle_samples import SHAPES, STILL, at_level, floats, random_directions
 
 from vfguide.field import shape
 from vfguide.field.dual import Dual3
-from vfguide.field.level import shape_level
-from vfguide.field.obstacle import COLUMNS, REACH, Obstacle, obstacle_rows, obstacle_surface
+from vfguide.field.obstacle import (
+    OUT_OF_SIGHT,
+    Obstacle,
+    PlacedObstacle,
+    obstacle_rows,
+    obstacle_surface,
+    placed,
+    put_out_of_sight,
+    read_obstacle,
+)
 from vfguide.field.obstacle_arrays import distances, levels
+from vfguide.field.shape import shape_level
+from vfguide.geometry.rows import width
 
 coordinates = st.floats(-60.0, 60.0)
 points = st.tuples(coordinates, coordinates, coordinates)
@@ -19,13 +29,21 @@ every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 SHIP = Obstacle(shape.box((20.0, 60.0, 40.0)), (100.0, 50.0, -5.0), 0.5, (3.0, -4.0, 1.0), 9.0)
 
 
-def test_rows_hold_what_the_columns_say():
-    rows = obstacle_rows([SHIP, Obstacle(shape.cone(3.0, 4.0), STILL)])
-    assert rows.shape == (2, COLUMNS)
-    expected = [0, 100, 50, -5, 3, -4, 1, math.cos(0.5), math.sin(0.5), 10, 30, 20, 4, 4, 4, 9]
-    np.testing.assert_allclose(rows[0, :REACH], expected, rtol=1e-15)
-    np.testing.assert_allclose(rows[1, :REACH], [2] + 6 * [0] + [1, 0, 3, 3, 2, 4, 4, 4, 4])
-    assert obstacle_rows([]).shape == (0, COLUMNS)
+def test_rows_hold_the_obstacles_as_they_are_placed():
+    ship, cone = map(read_obstacle, obstacle_rows([SHIP, Obstacle(shape.cone(3.0, 4.0), STILL)]))
+    assert ship == placed(SHIP)
+    assert (ship.p_n, ship.v_n) == ((100.0, 50.0, -5.0), (3.0, -4.0, 1.0))
+    assert (ship.heading_cos, ship.heading_sin) == (math.cos(0.5), math.sin(0.5))
+    assert (ship.semi_axes, ship.exponents) == ((10.0, 30.0, 20.0), (4.0, 4.0, 4.0))
+    assert ship.reactive_level == 9.0
+    assert (cone.kind, cone.semi_axes) == (shape.Kind.CONE, (3.0, 3.0, 2.0))
+    assert obstacle_rows([]).shape == (0, width(PlacedObstacle))
+
+
+def test_an_obstacle_out_of_sight_is_otherwise_as_it_was():
+    (row,) = obstacle_rows([SHIP])
+    put_out_of_sight(row)
+    assert read_obstacle(row) == placed(SHIP)._replace(p_n=(OUT_OF_SIGHT, 50.0, -5.0))
 
 
 @pytest.mark.parametrize("level", [1.0, 0.0, -3.0, math.nan, math.inf, 1e31])
@@ -84,9 +102,10 @@ def into_axes(a, heading):
 @every_shape
 @pytest.mark.parametrize("level", [1.01, 4.0, 1e6])
 def test_the_reach_holds_the_reactive_area(body, level):
-    rows = obstacle_rows([Obstacle(body, (5.0, 6.0, 7.0), 0.7, reactive_level=level)])
+    obstacle = Obstacle(body, (5.0, 6.0, 7.0), 0.7, reactive_level=level)
+    rows = obstacle_rows([obstacle])
     edge = at_level(rows, random_directions(np.random.default_rng(7), 2000), level)
-    assert np.linalg.norm(edge - (5.0, 6.0, 7.0), axis=1).max() <= rows[0, REACH]
+    assert np.linalg.norm(edge - (5.0, 6.0, 7.0), axis=1).max() <= placed(obstacle).reach
 
 
 def test_arrays_broadcast_points_against_times():

@@ -24,7 +24,8 @@ from vfguide.field import arrays
 from vfguide.field.composite import composite_field
 from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame, goal_frame, navigation_field_n, normal_field_n
-from vfguide.field.obstacle import obstacle_surface
+from vfguide.field.obstacle import PlacedObstacle, obstacle_surface
+from vfguide.geometry.rows import place
 
 Q = (-60.0, 80.0, 0.0)
 VELOCITY = (12.0, -5.0, 3.0)
@@ -130,7 +131,7 @@ def test_on_the_goals_axis(body, part, ahead, upright):
     e_d = np.array(goal.R_ng)[:, 0]
     centre = floats(500.0 * e_d)
     obstacles = one_obstacle(body)
-    obstacles[0, 1:4] = centre
+    obstacles[:, place(PlacedObstacle, "p_n")] = centre
     surface = at_level(obstacles, np.array([ahead * e_d]), 1.0)[0]
     p = np.array(centre) + part * (surface - centre)
     here = at(goal, p, obstacles)
@@ -184,7 +185,7 @@ def test_an_obstacle_that_moves_runs_over_who_follows_the_field(body, seed):
     obstacles, p, n, t1, t2, size = point_and_normal(body, 1.0, seed)
     goal = goal_that_gives(p, (t2 - n) / math.sqrt(2.0), t1)
     F = np.array(at(goal, p, obstacles).F)
-    obstacles[0, 4:7] = 15.0 * n
+    obstacles[:, place(PlacedObstacle, "v_n")] = 15.0 * n
     moving = composite_field(goal, floats(p), VELOCITY, 0.0, obstacles, NOBODY, SPACING)
     np.testing.assert_array_equal(moving.F, F)
     along = Dual3(floats(p), floats(25.0 * F / np.linalg.norm(F)))

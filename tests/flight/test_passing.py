@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from vfguide.field import shape
 from vfguide.field.footprint import Band
-from vfguide.field.obstacle import OUT_OF_SIGHT, Obstacle, obstacle_rows
+from vfguide.field.obstacle import Obstacle, obstacle_rows, put_out_of_sight
 from vfguide.flight.passing import (
     COST,
     MOST_LEVELS,
@@ -138,7 +138,7 @@ def test_no_level_is_below_both_ends():
 
 def test_levels_for_what_moves_or_is_not_known_are_none():
     rows = obstacle_rows([ridge(700.0, v_n=(0.0, 3.0, 0.0)), ridge(900.0, top=150.0)])
-    rows[1, 1] = OUT_OF_SIGHT
+    put_out_of_sight(rows[1])
     assert levels_for(rows, -70.0, -80.0, OPEN, MARGIN).tolist() == [-70.0, -80.0]
 
 

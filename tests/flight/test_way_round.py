@@ -10,8 +10,9 @@ from point_mass import fly, level
 
 from vfguide.companion.route_memory import DETOUR, GUARD, packed_memory, take_over
 from vfguide.field import shape
-from vfguide.field.obstacle import VISIBLE_FROM, Obstacle, obstacle_distance, obstacle_rows
+from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_distance, obstacle_rows
 from vfguide.flight.detour_leg import COUNT, LEVEL, LOOKED
+from vfguide.geometry.rows import columns
 from vfguide.safety.assurance import Reason
 from vfguide.safety.fence import Zone, fence_distance, fences
 from vfguide.safety.guard import REASON
@@ -36,7 +37,7 @@ def wall(begin, end, thick=12.0):
 def among(plan, obstacles, seen=2000.0, entries=(), heights=FREE):
     """The plan with obstacles that are known from `seen` metres on, and a fence."""
     rows = obstacle_rows(list(obstacles))
-    rows[:, VISIBLE_FROM] = seen
+    columns(PlacedObstacle, rows).visible_from[:] = seen
     fence = Fence(zone=[ZoneEntry(**entry) for entry in entries])
     zones = fences([zone_of(entry) for entry in entries])
     hazards = Hazards(rows, traffic_rows(()), zones, *heights)
@@ -217,7 +218,7 @@ def plateau():
 
 
 def with_sight(plan, *distances):
-    plan.hazards.obstacles[:, VISIBLE_FROM] = distances
+    columns(PlacedObstacle, plan.hazards.obstacles).visible_from[:] = distances
     return plan
 
 

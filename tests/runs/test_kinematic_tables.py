@@ -8,10 +8,11 @@ from kinematic_flights import GAINS, fly
 from kinematic_worlds import level_at, random_world, starts_in_free_space
 
 from vfguide.field import shape
-from vfguide.field.goal_frame import goal_frame
-from vfguide.field.obstacle import REACH, Obstacle, obstacle_rows
+from vfguide.field.goal_frame import GoalFrame, goal_frame
+from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_rows
 from vfguide.field.swarm import fields_of_robots
 from vfguide.flight.paper_law import PaperGains
+from vfguide.geometry.rows import columns
 
 FINE = PaperGains(GAINS.k_v, GAINS.k_w, 0.005)
 GOAL = goal_frame((0.0, 0.0, 0.0), 0.0, 0.0)
@@ -70,10 +71,11 @@ def test_a_start_that_points_at_an_obstacle_close_by_gets_inside_and_stays():
 @pytest.mark.parametrize("number", range(20))
 def test_the_worlds_respect_the_assumptions(number):
     world = random_world(5, number)
-    centres, reach = world.obstacles[:, 1:4], world.obstacles[:, REACH]
+    obstacles = columns(PlacedObstacle, world.obstacles)
+    centres, reach = obstacles.p_n, obstacles.reach
     between = np.linalg.norm(centres[:, None] - centres, axis=-1) - reach - reach[:, None]
     assert (between[np.triu_indices(len(centres), 1)] > 0.0).all()
-    for place in (world.start.p_n[0], world.goals[0, :3]):
+    for place in (*world.start.p_n, *columns(GoalFrame, world.goals).p_n):
         assert (np.linalg.norm(centres - place, axis=1) > reach).all()
 
 

@@ -8,16 +8,16 @@ from assurance_samples import FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.field.obstacle import VISIBLE_FROM
+from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle
 from vfguide.flight.memory import Wish
 from vfguide.flight.state import FlightState
 from vfguide.flight.vertical import ZOOM
+from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.safety.assurance import Decision, Reason
 from vfguide.safety.guard import (
     KNOWN,
     LASTING,
-    OUT_OF_SIGHT,
     as_decided,
     fresh_guard,
     in_air,
@@ -33,19 +33,24 @@ WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
 
 def with_sight(seen, *obstacles):
     known = hazards(obstacles)
-    known.obstacles[:, VISIBLE_FROM] = seen
+    columns(PlacedObstacle, known.obstacles).visible_from[:] = seen
     return known
+
+
+def north(known):
+    ((north, _, _),) = columns(PlacedObstacle, known.obstacles).p_n
+    return north
 
 
 def test_an_obstacle_is_known_from_its_distance_on_and_stays_known():
     everything, guard = with_sight(100.0, ball((200.0, 0.0, -150.0))), fresh_guard(1)
-    assert in_sight(everything, guard, HERE, 0.0).obstacles[0, 1] == OUT_OF_SIGHT
+    assert north(in_sight(everything, guard, HERE, 0.0)) == OUT_OF_SIGHT
     assert guard[KNOWN] == 0.0
     near = (61.0, 0.0, -150.0)
-    assert in_sight(everything, guard, near, 0.0).obstacles[0, 1] == 200.0
+    assert north(in_sight(everything, guard, near, 0.0)) == 200.0
     assert guard[KNOWN] == 1.0
-    assert in_sight(everything, guard, (-5000.0, 0.0, -150.0), 0.0).obstacles[0, 1] == 200.0
-    assert everything.obstacles[0, 1] == 200.0, "what is looked at is left as it was"
+    assert north(in_sight(everything, guard, (-5000.0, 0.0, -150.0), 0.0)) == 200.0
+    assert north(everything) == 200.0, "what is looked at is left as it was"
 
 
 def test_one_that_moves_comes_into_sight_by_itself():

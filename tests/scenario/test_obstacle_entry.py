@@ -7,6 +7,7 @@ import pytest
 from flight_samples import loaded_from
 
 from vfguide.field.obstacle_arrays import levels
+from vfguide.field.shape import SHAPES
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.obstacle_entry import SIZES
@@ -51,6 +52,10 @@ def message_for(folder: Path, text: str, *overrides: str) -> str:
     assert "\n" not in message
     start = f"{folder / 'x.toml'}: "
     return message.removeprefix(start)
+
+
+def test_every_shape_of_the_field_can_be_written() -> None:
+    assert set(SIZES) == set(SHAPES)
 
 
 @pytest.mark.parametrize("shape", SIZES)

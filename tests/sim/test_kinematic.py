@@ -10,8 +10,17 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
-from vfguide.sim.kinematic import Bodies, Commands, advance, mean_direction, move, sightings
+from vfguide.sim.kinematic import (
+    Bodies,
+    Commands,
+    Sighting,
+    advance,
+    mean_direction,
+    move,
+    sightings,
+)
 
 RATES = st.tuples(*[st.floats(-6.0, 6.0)] * 3)
 ANGLES = st.tuples(st.floats(-3.1, 3.1), st.floats(-1.5, 1.5), st.floats(-3.1, 3.1))
@@ -118,12 +127,14 @@ def test_sightings_are_geodetic_and_level_where_the_body_is():
     bodies, commands = random_bodies(rng, 20), random_commands(rng, 20)
     bodies = Bodies(100.0 * bodies.p_n, bodies.R_nb)  # up to 50 km away
     origin = (47.4, 8.5, 488.0)
-    seen = sightings(bodies, commands, (math.radians(47.4), math.radians(8.5), 488.0))
-    for p_n, R_nb, speed, row in zip(*bodies, commands.speed, seen, strict=True):
+    rows = sightings(bodies, commands, (math.radians(47.4), math.radians(8.5), 488.0))
+    each = map(Sighting, *columns(Sighting, rows))
+    for p_n, R_nb, speed, seen in zip(*bodies, commands.speed, each, strict=True):
         lat, lon, alt = pymap3d.ned2geodetic(*p_n, *origin)
-        assert np.degrees(row[:2]) == pytest.approx((lat, lon), abs=1e-9)
-        assert row[2] == pytest.approx(alt, abs=1e-5)
+        place = np.degrees((seen.latitude, seen.longitude))
+        assert place == pytest.approx((lat, lon), abs=1e-9)
+        assert seen.altitude == pytest.approx(alt, abs=1e-5)
         R_lb = np.column_stack([seen_from(axis, origin[:2], (lat, lon)) for axis in R_nb.T])
-        assert row[3:6] == pytest.approx(speed * R_lb[:, 0], abs=1e-8)
-        q = row[[7, 8, 9, 6]]  # SciPy has the scalar last
-        assert Rotation.from_quat(q).as_matrix() == pytest.approx(R_lb, abs=1e-9)
+        assert seen.v_l == pytest.approx(speed * R_lb[:, 0], abs=1e-8)
+        w, x, y, z = seen.q_lb
+        assert Rotation.from_quat((x, y, z, w)).as_matrix() == pytest.approx(R_lb, abs=1e-9)

@@ -21,14 +21,13 @@ from vfguide.field.navigation import (
     normal_field_rate,
 )
 from vfguide.field.obstacle import (
-    REACH,
-    REACTIVE_LEVEL,
     Rows,
     from_centre,
     is_known,
     obstacle_surface,
+    read_obstacle,
 )
-from vfguide.field.robots import Spacing, robot_barrier
+from vfguide.field.robots import Robot, Spacing, read_robot, robot_barrier
 from vfguide.field.transition import transition
 from vfguide.geometry import vector
 from vfguide.geometry.compiled import compiled
@@ -69,9 +68,9 @@ def composite_field(
         p_n: position.
         v_n: velocity; F, G, H and R_a do not depend on it, Omega_a does.
         t: time [s], for the motion of the obstacles.
-        obstacles: (M, COLUMNS), of `obstacle_rows`.
-        others: (K, 6), position and velocity at time `t` of the robots to give way to; those out
-            of range have no effect.
+        obstacles: of `obstacle_rows`, (M, width of PlacedObstacle).
+        others: the robots to give way to as they are at time `t`, a `Robot` a row; those out of
+            range have no effect.
         spacing: r_c and r_d between robots.
     """
     p = Dual3(p_n, v_n)
@@ -79,7 +78,7 @@ def composite_field(
     chi = np.empty(len(obstacles))
     by = deflect_by_obstacles(no_deflection(), free, p, t, obstacles, chi)
     for other in others:
-        by = deflect_by_robot(by, free, p, other, spacing)
+        by = deflect_by_robot(by, free, p, read_robot(other), spacing)
     return compose(goal, p, free, by, chi)
 
 
@@ -100,11 +99,12 @@ def deflect_by_obstacles(
     """The deflection with all obstacles added; writes their chi, (M,)."""
     for i in range(len(obstacles)):
         chi[i] = 1.0
-        d = from_centre(obstacles, i, p, t)
-        near = vector.dot(d.value, d.value) < obstacles[i, REACH] ** 2
+        obstacle = read_obstacle(obstacles[i])
+        d = from_centre(obstacle, p, t)
+        near = vector.dot(d.value, d.value) < obstacle.reach**2
         if near and is_known(obstacles, i, p.value, t):
             surface = obstacle_surface(obstacles, i, p, t)
-            barrier = Barrier(transition(surface.U, 1.0, obstacles[i, REACTIVE_LEVEL]), surface.n)
+            barrier = Barrier(transition(surface.U, 1.0, obstacle.reactive_level), surface.n)
             by = deflect(by, free, barrier)
             chi[i] = barrier.chi.value
     return by
@@ -112,10 +112,10 @@ def deflect_by_obstacles(
 
 @compiled
 def deflect_by_robot(
-    by: Deflection, free: FreeField, p: Dual3, other: Rows, spacing: Spacing
+    by: Deflection, free: FreeField, p: Dual3, other: Robot, spacing: Spacing
 ) -> Deflection:
-    """The deflection with one robot added, (6,): position and velocity, NED."""
-    there = Dual3((other[0], other[1], other[2]), (other[3], other[4], other[5]))
+    """The deflection with one robot added."""
+    there = Dual3(other.p_n, other.v_n)
     return deflect(by, free, robot_barrier(dual.sub(p, there), spacing))
 
 

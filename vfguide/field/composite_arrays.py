@@ -10,6 +10,7 @@ from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import vec3
 
 
 class CompositeArrays(NamedTuple):
@@ -34,7 +35,8 @@ def composite_fields(
 ) -> CompositeArrays:
     """`composite_field` at positions (..., 3) moving with (..., 3) at times (...), broadcast.
 
-    `others`, (K, 6) or (..., K, 6), are the robots to give way to, each at the time of its point.
+    `others`, (K, 6) or (..., K, 6), are rows of `Robot`: those to give way to, each at the time of
+    its point.
     """
     leading = np.broadcast_shapes(
         np.shape(p_n)[:-1], np.shape(v_n)[:-1], np.shape(t), np.shape(others)[:-2]
@@ -87,9 +89,7 @@ def _at_points(
     fields: CompositeArrays,
 ) -> None:
     for i in range(len(p_n)):
-        p, v = p_n[i], v_n[i]
-        here = composite_field(
-            goal, (p[0], p[1], p[2]), (v[0], v[1], v[2]), t[i], obstacles, others[i], spacing
-        )
+        p, v = vec3(p_n[i]), vec3(v_n[i])
+        here = composite_field(goal, p, v, t[i], obstacles, others[i], spacing)
         fields.chi[i] = here.chi
         store(fields, i, here)

@@ -8,8 +8,8 @@ bounds the error, because the body lies behind it. Positions are in the body's o
 
 import math
 
-from vfguide.field.level import Level, shape_level
-from vfguide.field.shape import Shape
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.base import Level, Shape
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, add, cross, dot, matvec, norm, scale, sub, unit
 

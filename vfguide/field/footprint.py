@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.field.level import TIP
-from vfguide.field.obstacle import Rows, obstacle_shape
-from vfguide.field.shape import EDGED, Kind, Shape
+from vfguide.field.obstacle import Rows, read_obstacle, shape_of
+from vfguide.field.shape import section_at, widest_at
+from vfguide.field.shapes.base import Section, Shape
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
 
@@ -22,8 +22,6 @@ SIDES = 16
 STEP = 2.0 * math.pi / SIDES
 HALVINGS = 10
 """Of the angle at which a superquadric of unequal exponents is touched."""
-WIDEST_CONE = 0.5 ** (0.5 / EDGED)
-"""Height of a cone's widest section below its centre, in half heights."""
 
 
 class Band(NamedTuple):
@@ -31,18 +29,6 @@ class Band(NamedTuple):
 
     top: float
     bottom: float
-
-
-class Section(NamedTuple):
-    """A horizontal section in the body's axes: the sizes and exponents of a superquadric.
-
-    Both sizes are zero where there is none.
-    """
-
-    a: float
-    b: float
-    p: float
-    q: float
 
 
 class Side(NamedTuple):
@@ -67,25 +53,7 @@ read_side, write_side = reader(Side), writer(Side)
 def widest_height(shape: Shape, band: Band) -> float:
     """Height of the widest section in the band, which is about the body's centre, half heights."""
     c = shape.semi_axes[2]
-    widest = WIDEST_CONE if shape.kind == Kind.CONE else 0.0
-    return max(band.top / c, min(band.bottom / c, widest))
-
-
-@compiled
-def section_at(shape: Shape, w: float) -> Section:
-    """The section `w` half heights below the centre."""
-    (a, b, _), (p, q, r) = shape.semi_axes, shape.exponents
-    if w < (TIP - 1.0 if shape.kind == Kind.CONE else -1.0) or w > 1.0:
-        return Section(0.0, 0.0, 1.0, 1.0)
-    if shape.kind == Kind.CONE:
-        s = w + (1.0 - max(0.0, w) ** (2.0 * EDGED)) ** (0.5 / EDGED)
-        part = 0.5 * math.sqrt(max(s * s - TIP * TIP, 0.0))
-        return Section(part * a, part * b, 1.0, 1.0)
-    left = 1.0 - abs(w) ** (2.0 * r)
-    if shape.kind == Kind.CYLINDER:
-        part = left ** (0.5 / EDGED)
-        return Section(part * a, part * b, 1.0, 1.0)
-    return Section(a * left ** (0.5 / p), b * left ** (0.5 / q), p, q)
+    return max(band.top / c, min(band.bottom / c, widest_at(shape)))
 
 
 @compiled
@@ -120,27 +88,34 @@ def touching(section: Section, nx: float, ny: float) -> float:
 def sides_round(section: Section, c: float, s: float) -> NDArray[np.float64]:
     """The polygon round a section, its axes turned by the angle of cosine `c` and sine `s`.
 
-    A row for each side: its outward unit normal, its distance from the centre [m], and the corner
-    where it meets the side before, about the centre; NED, clockwise from above.
+    A `Side` a row, clockwise from above.
     """
-    sides, quarter = np.empty((SIDES, 5)), np.empty(SIDES // 4 + 1)
+    sides, quarter = np.empty((SIDES, SIDE_WIDTH)), np.empty(SIDES // 4 + 1)
     for k in range(len(quarter)):
         quarter[k] = touching(section, max(math.cos(k * STEP), 0.0), math.sin(k * STEP))
     for k in range(SIDES):
         nx, ny = math.cos(k * STEP), math.sin(k * STEP)
         mirrored = min(k % (SIDES // 2), -k % (SIDES // 2))
-        sides[k, :3] = (c * nx - s * ny, s * nx + c * ny, quarter[mirrored])
+        side = Side(c * nx - s * ny, s * nx + c * ny, quarter[mirrored], 0.0, 0.0)
+        write_side(side, sides[k])
     for k in range(SIDES):
-        last, this = sides[k - 1], sides[k]
-        sides[k, 3] = (last[2] * this[1] - this[2] * last[1]) / math.sin(STEP)
-        sides[k, 4] = (this[2] * last[0] - last[2] * this[0]) / math.sin(STEP)
+        write_side(with_corner(read_side(sides[k]), read_side(sides[k - 1])), sides[k])
     return sides
+
+
+@compiled
+def with_corner(side: Side, before: Side) -> Side:
+    """The side, `STEP` clockwise from the side before, with the corner where both meet."""
+    x = (before.distance * side.ny - side.distance * before.ny) / math.sin(STEP)
+    y = (side.distance * before.nx - before.distance * side.nx) / math.sin(STEP)
+    return Side(side.nx, side.ny, side.distance, x, y)
 
 
 @compiled
 def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
     """From when until when row `i` reaches into the band [s]; none where the first is later."""
-    half, height, rate = obstacles[i, 11], obstacles[i, 3], obstacles[i, 6]
+    obstacle = read_obstacle(obstacles[i])
+    half, height, rate = obstacle.semi_axes[2], obstacle.p_n[2], obstacle.v_n[2]
     if rate == 0.0:
         reaches = band.top <= height + half and height - half <= band.bottom
         return (-math.inf, math.inf) if reaches else (math.inf, -math.inf)
@@ -152,8 +127,9 @@ def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
 @compiled
 def section_in(obstacles: Rows, i: int, band: Band) -> Section:
     """The widest section of row `i` in the band: of all its sections where it climbs or sinks."""
-    shape, height = obstacle_shape(obstacles, i), obstacles[i, 3]
+    obstacle = read_obstacle(obstacles[i])
+    shape, height = shape_of(obstacle), obstacle.p_n[2]
     inside = Band(band.top - height, band.bottom - height)
-    if obstacles[i, 6] != 0.0:
+    if obstacle.v_n[2] != 0.0:
         inside = Band(-shape.semi_axes[2], shape.semi_axes[2])
     return section_at(shape, widest_height(shape, inside))

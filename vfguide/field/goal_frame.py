@@ -15,6 +15,7 @@ from vfguide.field.navigation import (
     normal_field_rate,
 )
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import Mat3, Vec3, matvec, sub, transpose
 
@@ -26,6 +27,9 @@ class GoalFrame(NamedTuple):
     """The goal, NED [m]."""
     R_ng: Mat3
     """From the goal frame to NED; its first column is the direction e_d to arrive in."""
+
+
+read_goal = reader(GoalFrame)
 
 
 @compiled

@@ -1,8 +1,8 @@
 """Obstacles in the world, and the array that takes them into compiled code.
 
 An obstacle is a shape turned by a heading about the vertical that moves at a constant velocity.
-`obstacle_rows` packs obstacles once into an array (M, COLUMNS); what is called often takes this
-array, the number of a row and the time.
+`obstacle_rows` packs obstacles once into a table, a `PlacedObstacle` a row; what is called often
+takes this table, the number of a row and the time.
 """
 
 import math
@@ -14,20 +14,15 @@ from numpy.typing import NDArray
 
 from vfguide.field.distance import signed_distance
 from vfguide.field.dual import Dual, Dual3
-from vfguide.field.level import shape_level
-from vfguide.field.shape import Shape
+from vfguide.field.shape import shape_level
+from vfguide.field.shapes.base import Shape
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, replacing, table_of, writer
 from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub
 
 Rows = NDArray[np.float64]
 """A table of numbers, one thing a row."""
 
-COLUMNS = 18
-"""Of a row: kind; position at t = 0 and velocity, NED; cosine and sine of the heading; semi-axes;
-exponents; reactive level; reach, the radius of a ball that holds the reactive area; the distance
-from the surface beyond which nobody knows of it, infinite where it is beyond the reach."""
-POSITION, VELOCITY, SEMI_AXES = slice(1, 4), slice(4, 7), slice(9, 12)
-REACTIVE_LEVEL, REACH, VISIBLE_FROM = 15, 16, 17
 OUT_OF_SIGHT = 1e9
 """An obstacle that is not known yet counts as so far to the north [m]."""
 HIGHEST_LEVEL = 1e30
@@ -50,6 +45,35 @@ class Obstacle(NamedTuple):
     """Farther than this from its surface a robot does not know of it [m]."""
 
 
+class PlacedObstacle(NamedTuple):
+    """An obstacle as compiled code takes it: what its row holds."""
+
+    kind: int
+    """A `Kind` of shape."""
+    p_n: Vec3
+    """Its centre at t = 0, NED [m]."""
+    v_n: Vec3
+    """Its velocity, NED [m/s]."""
+    heading_cos: float
+    heading_sin: float
+    """Of the angle by which its axes are turned about the vertical."""
+    semi_axes: Vec3
+    """Of its shape [m]."""
+    exponents: Vec3
+    """Of its shape."""
+    reactive_level: float
+    """It acts on the field where U is below this."""
+    reach: float
+    """Radius of a ball round its centre that holds the reactive area [m]."""
+    visible_from: float
+    """Farther than this from its surface nobody knows of it [m]; infinite where that is beyond the
+    reach."""
+
+
+read_obstacle, write_obstacle = reader(PlacedObstacle), writer(PlacedObstacle)
+at_place = replacing(PlacedObstacle, "p_n")
+
+
 class Surface(NamedTuple):
     """The level function of an obstacle as a moving point sees it."""
 
@@ -59,55 +83,71 @@ class Surface(NamedTuple):
 
 
 def obstacle_rows(obstacles: Sequence[Obstacle]) -> Rows:
-    """The obstacles as an array (M, COLUMNS).
+    """The obstacles as a table of `PlacedObstacle`, a row each.
 
     Raises:
         ValueError: a reactive level is not above 1 or too high.
     """
-    rows = np.zeros((len(obstacles), COLUMNS))
-    for row, obstacle in zip(rows, obstacles, strict=True):
-        shape, level = obstacle.shape, obstacle.reactive_level
-        if not 1.0 < level <= HIGHEST_LEVEL:
-            raise ValueError(f"a reactive level must be in (1, {HIGHEST_LEVEL:g}], not {level}")
-        sizes = zip(shape.semi_axes, shape.exponents, strict=True)
-        heading = (math.cos(obstacle.heading), math.sin(obstacle.heading))
-        row[:9] = (shape.kind, *obstacle.p_n, *obstacle.v_n, *heading)
-        row[9:REACTIVE_LEVEL] = (*shape.semi_axes, *shape.exponents)
-        row[REACTIVE_LEVEL] = level
-        row[REACH] = math.hypot(*(a * level ** (0.5 / p) for a, p in sizes))
-        row[VISIBLE_FROM] = (
-            math.inf if obstacle.visible_from >= row[REACH] else obstacle.visible_from
-        )
-    return rows
+    return table_of(PlacedObstacle, map(placed, obstacles))
+
+
+def placed(obstacle: Obstacle) -> PlacedObstacle:
+    """The obstacle with its reach.
+
+    Raises:
+        ValueError: the reactive level is not above 1 or too high.
+    """
+    shape, level = obstacle.shape, obstacle.reactive_level
+    if not 1.0 < level <= HIGHEST_LEVEL:
+        raise ValueError(f"a reactive level must be in (1, {HIGHEST_LEVEL:g}], not {level}")
+    sizes = zip(shape.semi_axes, shape.exponents, strict=True)
+    reach = math.hypot(*(a * level ** (0.5 / p) for a, p in sizes))
+    return PlacedObstacle(
+        shape.kind,
+        obstacle.p_n,
+        obstacle.v_n,
+        math.cos(obstacle.heading),
+        math.sin(obstacle.heading),
+        shape.semi_axes,
+        shape.exponents,
+        level,
+        reach,
+        math.inf if obstacle.visible_from >= reach else obstacle.visible_from,
+    )
 
 
 @compiled
-def obstacle_shape(obstacles: Rows, i: int) -> Shape:
-    """The shape in row `i`."""
-    o = obstacles[i]
-    return Shape(int(o[0]), (o[9], o[10], o[11]), (o[12], o[13], o[14]))
+def put_out_of_sight(row: Rows) -> None:
+    """Put the obstacle of a row so far to the north that nothing meets it."""
+    obstacle = read_obstacle(row)
+    _, east, down = obstacle.p_n
+    write_obstacle(at_place(obstacle, (OUT_OF_SIGHT, east, down)), row)
 
 
 @compiled
-def from_centre(obstacles: Rows, i: int, p: Dual3, t: float) -> Dual3:
-    """Position relative to the centre of row `i` at time `t`, NED [m]."""
-    o = obstacles[i]
-    v_n = (o[4], o[5], o[6])
-    p_n = add((o[1], o[2], o[3]), scale(t, v_n))
-    return Dual3(sub(p.value, p_n), sub(p.rate, v_n))
+def shape_of(obstacle: PlacedObstacle) -> Shape:
+    """Its shape."""
+    return Shape(obstacle.kind, obstacle.semi_axes, obstacle.exponents)
 
 
 @compiled
-def into_axes(obstacles: Rows, i: int, a_n: Vec3) -> Vec3:
-    """The vector `a_n` (NED) in the axes of row `i`."""
-    c, s = obstacles[i, 7], obstacles[i, 8]
+def from_centre(obstacle: PlacedObstacle, p: Dual3, t: float) -> Dual3:
+    """Position relative to the obstacle's centre at time `t`, NED [m]."""
+    p_n = add(obstacle.p_n, scale(t, obstacle.v_n))
+    return Dual3(sub(p.value, p_n), sub(p.rate, obstacle.v_n))
+
+
+@compiled
+def into_axes(obstacle: PlacedObstacle, a_n: Vec3) -> Vec3:
+    """The vector `a_n` (NED) in the obstacle's axes."""
+    c, s = obstacle.heading_cos, obstacle.heading_sin
     return (c * a_n[0] + s * a_n[1], c * a_n[1] - s * a_n[0], a_n[2])
 
 
 @compiled
-def out_of_axes(obstacles: Rows, i: int, a_o: Vec3) -> Vec3:
-    """The vector `a_o` in the axes of row `i`, in NED."""
-    c, s = obstacles[i, 7], obstacles[i, 8]
+def out_of_axes(obstacle: PlacedObstacle, a_o: Vec3) -> Vec3:
+    """The vector `a_o` in the obstacle's axes, in NED."""
+    c, s = obstacle.heading_cos, obstacle.heading_sin
     return (c * a_o[0] - s * a_o[1], s * a_o[0] + c * a_o[1], a_o[2])
 
 
@@ -117,23 +157,25 @@ def obstacle_surface(obstacles: Rows, i: int, p: Dual3, t: float) -> Surface:
 
     The obstacle's velocity enters through the relative velocity: U depends on p - p_o alone.
     """
-    d = from_centre(obstacles, i, p, t)
-    v_o = into_axes(obstacles, i, d.rate)
-    level = shape_level(obstacle_shape(obstacles, i), into_axes(obstacles, i, d.value))
-    n = out_of_axes(obstacles, i, level.gradient)
-    n_rate = out_of_axes(obstacles, i, matvec(level.hessian, v_o))
+    obstacle = read_obstacle(obstacles[i])
+    d = from_centre(obstacle, p, t)
+    v_o = into_axes(obstacle, d.rate)
+    level = shape_level(shape_of(obstacle), into_axes(obstacle, d.value))
+    n = out_of_axes(obstacle, level.gradient)
+    n_rate = out_of_axes(obstacle, matvec(level.hessian, v_o))
     return Surface(Dual(level.U, dot(level.gradient, v_o)), Dual3(n, n_rate))
 
 
 @compiled
 def obstacle_distance(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
     """Distance of `p_n` (NED) from the surface of row `i` at time `t` [m], negative inside."""
-    d = from_centre(obstacles, i, Dual3(p_n, (0.0, 0.0, 0.0)), t)
-    return signed_distance(obstacle_shape(obstacles, i), into_axes(obstacles, i, d.value))
+    obstacle = read_obstacle(obstacles[i])
+    d = from_centre(obstacle, Dual3(p_n, (0.0, 0.0, 0.0)), t)
+    return signed_distance(shape_of(obstacle), into_axes(obstacle, d.value))
 
 
 @compiled
 def is_known(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
     """Whether a robot at `p_n` (NED) knows of row `i` at time `t`."""
-    visible_from = obstacles[i, VISIBLE_FROM]
+    visible_from = read_obstacle(obstacles[i]).visible_from
     return visible_from == math.inf or obstacle_distance(obstacles, i, p_n, t) <= visible_from

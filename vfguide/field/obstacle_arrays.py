@@ -1,7 +1,7 @@
 """Levels, transitions and distances of obstacles over arrays of points.
 
 Positions are (..., 3), NED [m], times (...) [s]; they broadcast against each other. `obstacles`
-is the array (M, COLUMNS) of `obstacle_rows`; results are (..., M).
+is the table of `obstacle_rows`, M rows; results are (..., M).
 """
 
 from typing import Any

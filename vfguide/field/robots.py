@@ -7,7 +7,20 @@ from vfguide.field.avoidance import Barrier
 from vfguide.field.dual import Dual3
 from vfguide.field.transition import transition
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import norm
+from vfguide.geometry.rows import reader, writer
+from vfguide.geometry.vector import Vec3, norm
+
+
+class Robot(NamedTuple):
+    """Where a robot is and how it moves."""
+
+    p_n: Vec3
+    """NED [m]."""
+    v_n: Vec3
+    """NED [m/s]."""
+
+
+read_robot, write_robot = reader(Robot), writer(Robot)
 
 
 class Spacing(NamedTuple):

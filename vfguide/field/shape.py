@@ -1,75 +1,96 @@
-"""Shapes of obstacles, and the constructors that check their sizes."""
+"""What depends on the shape of an obstacle: for each question one choice by its kind.
 
-import math
-from enum import IntEnum
-from typing import NamedTuple
+Points are in the body's own axes, its centre at the origin, z down [m].
+"""
 
+from collections.abc import Callable
+
+from vfguide.field.shapes.base import Kind, Level, Section, Shape, stretched
+from vfguide.field.shapes.cone import (
+    WIDEST_CONE,
+    cone,
+    cone_bound,
+    cone_level,
+    cone_rays,
+    cone_section,
+)
+from vfguide.field.shapes.cylinder import (
+    cylinder,
+    cylinder_bound,
+    cylinder_level,
+    cylinder_rays,
+    cylinder_section,
+)
+from vfguide.field.shapes.rays import Array, Rays
+from vfguide.field.shapes.superquadric import (
+    box,
+    ellipsoid,
+    sphere,
+    superquadric,
+    superquadric_bound,
+    superquadric_level,
+    superquadric_rays,
+    superquadric_section,
+)
+from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
-EDGED = 4.0
-"""Exponent of boxes, cylinders and cones: |x|^8, an edge rounded by 8 % of the size."""
+SHAPES: dict[str, Callable[..., Shape]] = {
+    "sphere": sphere,
+    "ellipsoid": ellipsoid,
+    "superquadric": superquadric,
+    "cylinder": cylinder,
+    "box": box,
+    "cone": cone,
+}
+"""The constructors by the names that the shapes have in scenario files."""
 
 
-class Kind(IntEnum):
-    """Families of level functions."""
-
-    SUPERQUADRIC = 0
-    CYLINDER = 1
-    CONE = 2
-
-
-class Shape(NamedTuple):
-    """A convex body about its own centre; `vfguide.field.level` has its level function U."""
-
-    kind: int
-    """A `Kind`."""
-    semi_axes: Vec3
-    """Half the size along each of the body's axes, z down [m]."""
-    exponents: Vec3
-    """p, q, r of a superquadric, at least 1; `EDGED` for a cylinder or a cone."""
+@compiled
+def shape_level(shape: Shape, x: Vec3) -> Level:
+    """U, its gradient and its Hessian at `x`."""
+    a, b, c = shape.semi_axes
+    w = (x[0] / a, x[1] / b, x[2] / c)
+    if shape.kind == Kind.SUPERQUADRIC:
+        level = superquadric_level(w, shape.exponents)
+    elif shape.kind == Kind.CYLINDER:
+        level = cylinder_level(w)
+    else:
+        level = cone_level(w)
+    return stretched(level, (1.0 / a, 1.0 / b, 1.0 / c))
 
 
-def sphere(radius: float) -> Shape:
-    """Sphere: U = (d / R)^2."""
-    return ellipsoid((radius, radius, radius))
+@compiled
+def shape_bound(shape: Shape, x: Vec3) -> float:
+    """At most the distance of `x` from the surface [m]; negative inside."""
+    a, _, c = shape.semi_axes
+    if shape.kind == Kind.CYLINDER:
+        return cylinder_bound(x[0], x[1], x[2], a, c)
+    if shape.kind == Kind.CONE:
+        return cone_bound(x[0], x[1], x[2], a, c)
+    return superquadric_bound(x, shape.semi_axes, shape.exponents)
 
 
-def ellipsoid(semi_axes: Vec3) -> Shape:
-    """Ellipsoid: U = sum (x_i / a_i)^2."""
-    return superquadric(semi_axes, (1.0, 1.0, 1.0))
+@compiled
+def section_at(shape: Shape, w: float) -> Section:
+    """The horizontal section `w` half heights below the centre."""
+    if shape.kind == Kind.CONE:
+        return cone_section(shape, w)
+    if shape.kind == Kind.CYLINDER:
+        return cylinder_section(shape, w)
+    return superquadric_section(shape, w)
 
 
-def box(size: Vec3) -> Shape:
-    """Box of the full edge lengths `size`: a superquadric of exponents 4."""
-    length, width, height = size
-    return superquadric((0.5 * length, 0.5 * width, 0.5 * height), (EDGED, EDGED, EDGED))
+@compiled
+def widest_at(shape: Shape) -> float:
+    """Height of the widest section below the centre, in half heights."""
+    return WIDEST_CONE if shape.kind == Kind.CONE else 0.0
 
 
-def superquadric(semi_axes: Vec3, exponents: Vec3) -> Shape:
-    """Superquadric: U = sum |x_i / a_i|^(2 p_i), the paper's second example.
-
-    Raises:
-        ValueError: a semi-axis is not positive, or an exponent is below 1, where the gradient or
-            the Hessian does not exist on the axes.
-    """
-    return _shape(Kind.SUPERQUADRIC, semi_axes, exponents)
-
-
-def cylinder(radius: float, height: float) -> Shape:
-    """Upright cylinder: U = ((x^2 + y^2) / R^2)^4 + (2 z / h)^8."""
-    return _shape(Kind.CYLINDER, (radius, radius, 0.5 * height), (EDGED, EDGED, EDGED))
-
-
-def cone(radius: float, height: float) -> Shape:
-    """Upright cone, apex up, its centre at half the height: U of `level.cone_level`."""
-    return _shape(Kind.CONE, (radius, radius, 0.5 * height), (EDGED, EDGED, EDGED))
-
-
-def _shape(kind: Kind, semi_axes: Vec3, exponents: Vec3) -> Shape:
-    if not all(0.0 < a < math.inf for a in semi_axes):
-        raise ValueError(f"sizes of an obstacle must be positive, not {semi_axes}")
-    if not all(1.0 <= p < math.inf for p in exponents):
-        raise ValueError(f"exponents of a superquadric must be at least 1, not {exponents}")
-    a, b, c = semi_axes
-    p, q, r = exponents
-    return Shape(int(kind), (float(a), float(b), float(c)), (float(p), float(q), float(r)))
+def surface_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
+    """Directions for a mesh of the surface, in semi-axes; the angles as in `shapes.rays`."""
+    if shape.kind == Kind.SUPERQUADRIC:
+        return superquadric_rays(shape, latitude, longitude)
+    if shape.kind == Kind.CYLINDER:
+        return cylinder_rays(latitude, longitude)
+    return cone_rays(latitude, longitude)

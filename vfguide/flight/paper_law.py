@@ -13,13 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.composite_arrays import CompositeArrays
+from vfguide.field.goal_frame import read_goal
 from vfguide.field.obstacle import Rows
 from vfguide.field.rate_law import rate_law
-from vfguide.field.robots import Spacing
+from vfguide.field.robots import Robot, Spacing, write_robot
 from vfguide.field.swarm import fields_of_robots
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import mat3, vec3
+from vfguide.geometry.rows import width
+from vfguide.geometry.vector import mat3, norm, scale, sub, vec3
 
+ROBOT_WIDTH = width(Robot)
+"""How many numbers the row of a robot has."""
 TURN = 0.3
 """The roll of Omega_a is fed forward up to this turn in one step [rad]."""
 
@@ -63,10 +67,10 @@ def fly_paper_law(
     """Speeds (N,) [m/s] and body rates (N, 3) [rad/s] of all robots.
 
     Args:
-        goals: (N, 12), of `goal_rows`.
+        goals: of `goal_rows`, N rows.
         swarm: the robots.
         t: time [s], for the motion of the obstacles.
-        obstacles: (M, COLUMNS), of `obstacle_rows`.
+        obstacles: of `obstacle_rows`, M rows.
         spacing: r_c and r_d; None: robots take no notice of each other.
         gains: of the law.
     """
@@ -77,17 +81,15 @@ def fly_paper_law(
 
 @compiled
 def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
-    """Positions and velocities v_x R e_x (N, 6), NED, and speeds v_x = k_v |p - p_d| (N,)."""
+    """The robots, moving with v_x R e_x, a `Robot` a row; and speeds v_x = k_v |p - p_d| (N,)."""
     count = len(goals)
-    robots, speed = np.zeros((count, 6)), np.zeros(count)
+    robots, speed = np.zeros((count, ROBOT_WIDTH)), np.zeros(count)
     for i in range(count):
-        p = swarm.p_n[i]
+        p_n, R_nb = vec3(swarm.p_n[i]), mat3(swarm.R_nb[i])
         if swarm.moving[i]:
-            x, y, z = p[0] - goals[i, 0], p[1] - goals[i, 1], p[2] - goals[i, 2]
-            speed[i] = k_v * math.sqrt(x * x + y * y + z * z)
-        for k in range(3):
-            robots[i, k] = p[k]
-            robots[i, 3 + k] = speed[i] * swarm.R_nb[i, k, 0]
+            speed[i] = k_v * norm(sub(p_n, read_goal(goals[i]).p_n))
+        v_n = scale(speed[i], (R_nb[0][0], R_nb[1][0], R_nb[2][0]))
+        write_robot(Robot(p_n, v_n), robots[i])
     return robots, speed
 
 

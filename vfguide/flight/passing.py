@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.footprint import Band
-from vfguide.field.obstacle import OUT_OF_SIGHT, Rows
+from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
 from vfguide.flight.clearance import clearance_at
 from vfguide.flight.memory import Target
 from vfguide.flight.outlines import hazards_of
@@ -99,29 +99,37 @@ def band_of(heights: Heights) -> Band:
 
 
 @compiled
-def is_above(obstacles: Rows, i: int, z: float, margin: float) -> bool:
-    """Whether a height is above row `i` by the margin [m]."""
-    return z <= obstacles[i, 3] - obstacles[i, 11] - margin
+def is_above(obstacle: PlacedObstacle, z: float, margin: float) -> bool:
+    """Whether a height, down from the origin, is above an obstacle by the margin [m]."""
+    return z <= level_over(obstacle, margin)
+
+
+@compiled
+def level_over(obstacle: PlacedObstacle, margin: float) -> float:
+    """The lowest height above an obstacle by the margin, down from the origin [m]."""
+    return obstacle.p_n[2] - obstacle.semi_axes[2] - margin
 
 
 @compiled
 def is_passed(obstacles: Rows, i: int, heights: Heights, margin: float) -> bool:
     """Whether row `i` is below the way wherever on it the vehicle may meet it."""
-    if not is_above(obstacles, i, heights.level, margin) or not stands_still(obstacles, i):
+    obstacle = read_obstacle(obstacles[i])
+    if not is_above(obstacle, heights.level, margin) or not stands_still(obstacle):
         return False
     here = min(margin, UNDER) if heights.level <= heights.here[2] else margin
     ends = ((heights.here, heights.rise, here), (heights.goal, heights.fall, margin))
     for end, length, over in ends:
-        above = is_above(obstacles, i, end[2], over)
+        above = is_above(obstacle, end[2], over)
         if not above and distance_beside(obstacles, i, end) < length + margin:
             return False
     return True
 
 
 @compiled
-def stands_still(obstacles: Rows, i: int) -> bool:
-    """Whether row `i` does not move."""
-    return obstacles[i, 4] == 0.0 and obstacles[i, 5] == 0.0 and obstacles[i, 6] == 0.0
+def stands_still(obstacle: PlacedObstacle) -> bool:
+    """Whether an obstacle does not move."""
+    north, east, down = obstacle.v_n
+    return north == 0.0 and east == 0.0 and down == 0.0
 
 
 @compiled
@@ -161,8 +169,9 @@ def levels_for(
     levels = np.full(len(obstacles) + 2, math.inf)
     levels[0], levels[1] = here, goal
     for i in range(len(obstacles)):
-        if stands_still(obstacles, i) and obstacles[i, 1] < OUT_OF_SIGHT:
-            levels[i + 2] = obstacles[i, 3] - obstacles[i, 11] - margin
+        obstacle = read_obstacle(obstacles[i])
+        if stands_still(obstacle) and obstacle.p_n[0] < OUT_OF_SIGHT:
+            levels[i + 2] = level_over(obstacle, margin)
     allowed = (levels >= min(highest, here)) & (levels <= max(here, goal))
     levels = distinct(levels[allowed])
     costs = np.empty(len(levels))

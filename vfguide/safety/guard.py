@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.field.near import distance_bound
-from vfguide.field.obstacle import OUT_OF_SIGHT, VISIBLE_FROM, Rows, obstacle_distance
+from vfguide.field.obstacle import Rows, obstacle_distance, put_out_of_sight, read_obstacle
 from vfguide.flight.detour import CLEARANCES
 from vfguide.flight.detour_leg import CLEARANCE, SHIFTED, DetourState
 from vfguide.flight.guidance import azimuth_of, fly_wish, path_of, plan_flight
@@ -193,14 +193,14 @@ def in_sight(hazards: Hazards, guard: GuardState, p_n: Vec3, t: float) -> Hazard
         if guard[KNOWN + i] == 0.0 and comes_into_sight(obstacles, i, p_n, t):
             guard[KNOWN + i] = 1.0
         if guard[KNOWN + i] == 0.0:
-            seen[i, 1] = OUT_OF_SIGHT
+            put_out_of_sight(seen[i])
     return Hazards(seen, hazards.traffic, hazards.fences, hazards.floor, hazards.ceiling)
 
 
 @compiled
 def comes_into_sight(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
     """Whether obstacle `i` is near enough to be seen from `p_n` (NED)."""
-    visible_from = obstacles[i, VISIBLE_FROM]
+    visible_from = read_obstacle(obstacles[i]).visible_from
     if distance_bound(obstacles, i, p_n, t) > visible_from:
         return False
     return obstacle_distance(obstacles, i, p_n, t) <= visible_from

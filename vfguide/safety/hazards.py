@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.footprint import SIDE_WIDTH, Band
-from vfguide.field.near import distance_bound, upright_distance
-from vfguide.field.obstacle import Rows
+from vfguide.field.near import distance_bound
+from vfguide.field.obstacle import Rows, read_obstacle
+from vfguide.field.shapes.cylinder import upright_distance
 from vfguide.flight.outlines import KEEP_OUT, OUTLINE_WIDTH, Outline, Outlines, write_outline
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, table_of, width
@@ -47,7 +48,7 @@ class Hazards(NamedTuple):
     """Everything to keep clear of that is known."""
 
     obstacles: Rows
-    """(M, COLUMNS) of `obstacle_rows`."""
+    """Of `obstacle_rows`, M rows."""
     traffic: Rows
     """An `Intruder` a row."""
     fences: Fences
@@ -136,7 +137,7 @@ def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
 def hazard_speed(hazards: Hazards, i: int) -> float:
     """How fast hazard `i` can come nearer to a point that stands still [m/s]."""
     if i < len(hazards.obstacles):
-        return speed_in(hazards.obstacles, i, 4)
+        return obstacle_speed(hazards.obstacles, i)
     i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
     if i >= 0:
         return intruder_speed(read_intruder(hazards.traffic[i]))
@@ -154,10 +155,13 @@ def intruder_speed(intruder: Intruder) -> float:
 @compiled
 def hazard_growth(hazards: Hazards, i: int) -> float:
     """Growth of the doubt where hazard `i` is that is not in its distance [m/s]."""
-    return MOVER_GROWTH * speed_in(hazards.obstacles, i, 4) if i < len(hazards.obstacles) else 0.0
+    if i >= len(hazards.obstacles):
+        return 0.0
+    return MOVER_GROWTH * obstacle_speed(hazards.obstacles, i)
 
 
 @compiled
-def speed_in(rows: Rows, i: int, k: int) -> float:
-    """Length of the velocity that begins in column `k` of row `i` [m/s]."""
-    return math.sqrt(rows[i, k] ** 2 + rows[i, k + 1] ** 2 + rows[i, k + 2] ** 2)
+def obstacle_speed(obstacles: Rows, i: int) -> float:
+    """How fast row `i` moves [m/s]."""
+    north, east, down = read_obstacle(obstacles[i]).v_n
+    return math.sqrt(north**2 + east**2 + down**2)

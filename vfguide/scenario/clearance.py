@@ -9,11 +9,16 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vfguide.field.obstacle import POSITION, SEMI_AXES, VELOCITY, Rows
+from vfguide.field.obstacle import PlacedObstacle, Rows
 from vfguide.field.obstacle_arrays import distances, levels
+from vfguide.geometry.rows import place
 from vfguide.scenario.path import positions
 from vfguide.scenario.record import Array, FlightRecord
 
+POSITION, VELOCITY, SEMI_AXES = (
+    place(PlacedObstacle, name) for name in ("p_n", "v_n", "semi_axes")
+)
+"""Columns of these fields in a table of obstacles."""
 PARTS = 16
 """A step is looked at in so many parts,"""
 ROUNDS = 4
@@ -44,7 +49,7 @@ def clearances(record: FlightRecord, obstacles: Rows) -> Array:
 
 
 def _min_clearance(record: FlightRecord, row: Rows) -> float:
-    """The same for one obstacle, (1, COLUMNS); exact distances only where they can be the least."""
+    """The same for one obstacle, in one row; exact distances only where they can be the least."""
     offset = record.p_n - centres(row, record.time)
     from_centre = np.linalg.norm(offset, axis=1)
     nearest = int(np.argmin(from_centre))

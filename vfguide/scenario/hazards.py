@@ -2,13 +2,14 @@
 
 import math
 
-from vfguide.field.obstacle import VISIBLE_FROM
+from vfguide.field.obstacle import PlacedObstacle, placed
 from vfguide.flight.outlines import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
+from vfguide.geometry.rows import table_of
 from vfguide.safety.fence import fence_distance, fences
 from vfguide.safety.hazards import Hazards, traffic_rows
 from vfguide.scenario.fence import Fence, check_zones, zone_of
-from vfguide.scenario.obstacles import rows_of
-from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.obstacles import obstacle_of
+from vfguide.scenario.resolved import Obstacle, Scenario
 from vfguide.scenario.source import Source
 from vfguide.scenario.tables import in_words
 from vfguide.scenario.traffic import avoids_traffic
@@ -18,16 +19,19 @@ def hazards_of(scenario: Scenario) -> Hazards | None:
     """Everything to keep clear of that is written; obstacles are known from their distance on."""
     if not (scenario.obstacles or avoids_traffic(scenario)) and scenario.fence == Fence():
         return None
-    rows = rows_of(scenario.obstacles)
-    rows[:, VISIBLE_FROM] = [its.visible_from_m for its in scenario.obstacles]
     fence = scenario.fence
     return Hazards(
-        rows,
+        table_of(PlacedObstacle, map(seen_from_afar, scenario.obstacles)),
         traffic_rows(()),
         fences([zone_of(zone) for zone in fence.zone]),
         -math.inf if fence.floor_m is None else fence.floor_m,
         math.inf if fence.ceiling_m is None else fence.ceiling_m,
     )
+
+
+def seen_from_afar(obstacle: Obstacle) -> PlacedObstacle:
+    """The obstacle, known from its distance on also where that is beyond its reactive area."""
+    return placed(obstacle_of(obstacle))._replace(visible_from=obstacle.visible_from_m)
 
 
 def hazard_names(scenario: Scenario) -> tuple[str, ...]:

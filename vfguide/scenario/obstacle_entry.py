@@ -36,10 +36,6 @@ def _velocity(values: tuple[float, float, float]) -> tuple[float, float, float]:
 
 
 Sizes = Annotated[Vector, AfterValidator(_sizes)]
-ShapeName = Annotated[
-    Literal["sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"],
-    word("sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"),
-]
 SIZES: dict[str, tuple[str, ...]] = {
     "sphere": ("radius_m",),
     "ellipsoid": ("semi_axes_m",),
@@ -49,6 +45,10 @@ SIZES: dict[str, tuple[str, ...]] = {
     "cone": ("radius_m", "height_m"),
 }
 """The keys that give the size of each shape: all of them, and no other."""
+ShapeName = Annotated[
+    Literal["sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"], word(*SIZES)
+]
+"""The names of the shapes, those of `SIZES`."""
 
 
 class ObstacleEntry(Table):

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vfguide.field import shape
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.field.obstacle_arrays import levels
-from vfguide.field.shape import Shape
+from vfguide.field.shape import SHAPES
+from vfguide.field.shapes.base import Shape
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.obstacle_entry import SIZES
@@ -36,7 +36,7 @@ def obstacle_of(obstacle: ScenarioObstacle) -> Obstacle:
 def shape_of(obstacle: ScenarioObstacle) -> Shape:
     """Its shape; the sizes are those that `SIZES` lists for it."""
     sizes = [getattr(obstacle, key) for key in SIZES[obstacle.shape]]
-    return getattr(shape, obstacle.shape)(*sizes)
+    return SHAPES[obstacle.shape](*sizes)
 
 
 def check_obstacles(scenario: Scenario, source: Source) -> None:

@@ -7,10 +7,11 @@ import numpy as np
 
 from vfguide.companion.body_step import step_body
 from vfguide.companion.route_memory import fresh_route, packed_memory
+from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
-from vfguide.field.swarm import goal_rows
 from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.geometry.rows import row_of, width
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
@@ -46,7 +47,7 @@ class PaperPilot:
         if avoidance.between_vehicles:
             self._spacing = Spacing(avoidance.safety_radius_m, avoidance.detection_range_m)
         self._flown_to = [-1] * len(legs)
-        self._goals = np.zeros((len(legs), 12))
+        self._goals = np.zeros((len(legs), width(GoalFrame)))
 
     def courses(self, bodies: Bodies) -> Rows:
         """The noses: a robot that stands has a course too."""
@@ -58,7 +59,7 @@ class PaperPilot:
         for row, legs in enumerate(self._legs):
             if moving[row] and self._flown_to[row] != legs.leg:
                 self._flown_to[row] = legs.leg
-                self._goals[row] = goal_rows([frame_of(legs.goals[legs.leg])])[0]
+                self._goals[row] = row_of(frame_of(legs.goals[legs.leg]))
         swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
         return Commands(
             *fly_paper_law(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)

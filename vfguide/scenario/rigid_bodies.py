@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfguide.geometry.arrays import euler_angles
+from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, US
 from vfguide.link.codec import Encoder
@@ -19,7 +20,7 @@ from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle, start_us
 from vfguide.scenario.result import FAR_AWAY
 from vfguide.scenario.truth_log import TRUTH_COMPONENT, body_message
-from vfguide.sim.kinematic import Bodies, Commands, advance, sightings
+from vfguide.sim.kinematic import Bodies, Commands, Sighting, advance, sightings
 
 Write = Callable[[int, bytes], None]
 """Takes a time [us since 1970] and the bytes of one frame."""
@@ -108,12 +109,13 @@ class RigidBodies:
 
     def _note(self) -> None:
         """Note the truth of this instant, in the log too."""
-        seen = sightings(self._bodies, self._commands, self._origin)
-        self._noted.append((self._bodies, self._commands, seen[:, 2]))
+        seen = columns(Sighting, sightings(self._bodies, self._commands, self._origin))
+        self._noted.append((self._bodies, self._commands, np.asarray(seen.altitude)))
         now = self._start + round(self._time / US)
         rates = self._commands.omega_b.tolist()
-        for encoder, row, omega_b in zip(self._encoders, seen.tolist(), rates, strict=True):
-            self._write(now, encoder.encode(body_message(now, row, omega_b)))
+        each = map(Sighting, *(np.asarray(column).tolist() for column in seen))
+        for encoder, sighting, omega_b in zip(self._encoders, each, rates, strict=True):
+            self._write(now, encoder.encode(body_message(now, sighting, omega_b)))
 
     def _record(self, i: int, flown: Bodies, driven: Commands, altitude: Array) -> FlightRecord:
         """What was noted of body `i`; the leading axes of the arrays are samples and bodies."""

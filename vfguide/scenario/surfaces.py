@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from vfguide.field.distance import onto_surface
 from vfguide.field.obstacle import Obstacle
-from vfguide.field.shape import Kind, Shape
+from vfguide.field.shape import surface_rays
+from vfguide.field.shapes.base import Shape
 from vfguide.geometry.so3 import rot_z
 
 Array = NDArray[np.float64]
@@ -30,28 +31,11 @@ def surface_mesh(obstacle: Obstacle) -> Array:
 
 
 def mesh_rays(shape: Shape) -> Array:
-    """Directions in the body's own axes, (ROWS, COLUMNS, 3), from z < 0 to z > 0.
-
-    Those of superquadrics and cylinders end on the surface: |x / a|^p = cos(latitude)
-    cos(longitude) and so on makes U a sum of squares, which is 1. A cone has edges at its base
-    only and goes half the way.
-    """
+    """Directions in the body's own axes, (ROWS, COLUMNS, 3), from z < 0 to z > 0 [m]."""
     latitude = np.linspace(-np.pi / 2.0, np.pi / 2.0, ROWS)[:, None]
     longitude = np.linspace(-np.pi, np.pi, COLUMNS)
-    level, up = np.cos(latitude), np.sin(latitude)
-    p, q, r = shape.exponents
-    if shape.kind == Kind.CONE:
-        p, q, r = p / 2.0, q / 2.0, r / 2.0
-    if shape.kind == Kind.SUPERQUADRIC:
-        x, y = root(level * np.cos(longitude), p), root(level * np.sin(longitude), q)
-    else:
-        x, y = root(level, p) * np.cos(longitude), root(level, q) * np.sin(longitude)
-    return np.stack(np.broadcast_arrays(x, y, root(up, r)), axis=-1) * shape.semi_axes
-
-
-def root(values: Array, p: float) -> Array:
-    """The p-th root with the sign of the value; what is zero but for rounding is zero."""
-    return np.where(np.abs(values) < 1e-15, 0.0, np.sign(values) * np.abs(values) ** (1.0 / p))
+    rays = np.broadcast_arrays(*surface_rays(shape, latitude, longitude))
+    return np.stack(rays, axis=-1) * shape.semi_axes
 
 
 def outline(points: Array) -> Array:

@@ -8,6 +8,7 @@ from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
 from vfguide.geometry.vector import Vec3
 from vfguide.link.messages import HilStateQuaternion
+from vfguide.sim.kinematic import Sighting
 from vfguide.sim.truth import Truth
 
 TRUTH_COMPONENT = 25
@@ -53,15 +54,16 @@ def on_the_wire(
     )
 
 
-def body_message(now: int, seen: Sequence[float], omega_b: Sequence[float]) -> HilStateQuaternion:
+def body_message(now: int, seen: Sighting, omega_b: Sequence[float]) -> HilStateQuaternion:
     """The truth of a kinematic body, without air or weight: their fields are zero.
 
     Args:
         now: the date [us since 1970].
-        seen: a row of `sightings`.
+        seen: the body on the earth.
         omega_b: body rates [rad/s].
     """
-    lat, lon, altitude, north, east, down, w, x, y, z = seen
+    north, east, down = seen.v_l
+    w, x, y, z = seen.q_lb
     p, q, r = omega_b
     return HilStateQuaternion(
         now,
@@ -69,9 +71,9 @@ def body_message(now: int, seen: Sequence[float], omega_b: Sequence[float]) -> H
         p,
         q,
         r,
-        round(lat / DEG_E7),
-        round(lon / DEG_E7),
-        fitting(altitude / MM, WHOLE),
+        round(seen.latitude / DEG_E7),
+        round(seen.longitude / DEG_E7),
+        fitting(seen.altitude / MM, WHOLE),
         short(north / CM_S),
         short(east / CM_S),
         short(down / CM_S),

@@ -13,6 +13,7 @@ import numpy as np
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, ned_to_geodetic, tangent_plane
+from vfguide.geometry.rows import width, writer
 from vfguide.geometry.so3 import exp, from_quaternion, to_quaternion
 from vfguide.geometry.vector import (
     Mat3,
@@ -25,6 +26,7 @@ from vfguide.geometry.vector import (
     norm,
     scale,
     transpose,
+    vec3,
 )
 
 FORWARD: Vec3 = (1.0, 0.0, 0.0)
@@ -37,6 +39,25 @@ class Bodies(NamedTuple):
     """(N, 3) positions, NED [m]."""
     R_nb: Rows
     """(N, 3, 3) attitudes, body FRD to NED."""
+
+
+class Sighting(NamedTuple):
+    """A body as it is seen on the earth."""
+
+    latitude: float
+    longitude: float
+    """[rad]."""
+    altitude: float
+    """[m]."""
+    v_l: Vec3
+    """Velocity v_x R e_x, north-east-down where the body is [m/s]."""
+    q_lb: tuple[float, float, float, float]
+    """Attitude w, x, y, z, body to north-east-down where the body is."""
+
+
+SIGHTING_WIDTH = width(Sighting)
+"""How many numbers the row of a sighting has."""
+write_sighting = writer(Sighting)
 
 
 class Commands(NamedTuple):
@@ -79,21 +100,18 @@ def move(R_nb: Mat3, p_n: Vec3, speed: float, omega_b: Vec3, dt: float) -> tuple
 
 @compiled
 def sightings(bodies: Bodies, commands: Commands, origin: Vec3) -> Rows:
-    """The bodies as seen on the earth, (N, 10), from the tangent plane at `origin`.
+    """The bodies as seen on the earth, a `Sighting` a row, from the tangent plane at `origin`.
 
-    The columns are latitude, longitude [rad] and altitude [m]; the velocity v_x R e_x and the
-    attitude w, x, y, z, both against north-east-down where the body is.
+    The origin is latitude, longitude [rad] and altitude [m].
     """
     plane = tangent_plane(origin[0], origin[1], origin[2])
-    seen = np.empty((len(bodies.p_n), 10))
+    seen = np.empty((len(bodies.p_n), SIGHTING_WIDTH))
     for i in range(len(seen)):
-        p, R_nb = bodies.p_n[i], mat3(bodies.R_nb[i])
-        lat, lon, alt = ned_to_geodetic(plane, (p[0], p[1], p[2]))
+        R_nb = mat3(bodies.R_nb[i])
+        lat, lon, alt = ned_to_geodetic(plane, vec3(bodies.p_n[i]))
         R_lb = matmul(transpose(R_level(plane, lat, lon)), R_nb)
         v_l = matvec(R_lb, (commands.speed[i], 0.0, 0.0))
-        values = (lat, lon, alt, *v_l, *to_quaternion(R_lb))
-        for k in range(10):
-            seen[i, k] = values[k]
+        write_sighting(Sighting(lat, lon, alt, v_l, to_quaternion(R_lb)), seen[i])
     return seen
 
 
@@ -102,8 +120,7 @@ def advance(bodies: Bodies, commands: Commands, dt: float) -> Bodies:
     """All bodies after a step of `dt` [s]."""
     after = Bodies(np.empty_like(bodies.p_n), np.empty_like(bodies.R_nb))
     for i in range(len(bodies.p_n)):
-        p, w = bodies.p_n[i], commands.omega_b[i]
-        p_n, omega_b = (p[0], p[1], p[2]), (w[0], w[1], w[2])
+        p_n, omega_b = vec3(bodies.p_n[i]), vec3(commands.omega_b[i])
         R_nb, p_n = move(mat3(bodies.R_nb[i]), p_n, commands.speed[i], omega_b, dt)
         for k in range(3):
             after.p_n[i, k] = p_n[k]
