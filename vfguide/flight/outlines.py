@@ -23,9 +23,9 @@ from vfguide.field.footprint import (
     section_in,
     sides_round,
 )
-from vfguide.field.obstacle import Rows
+from vfguide.field.obstacle import PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, reader, replacing, table_of, width, writer
+from vfguide.geometry.rows import reader, replacing, table_of, width, writer
 
 KEEP_OUT, KEEP_IN = 1.0, -1.0
 """Sign of an outline: one may not be inside it, or not outside it."""
@@ -87,7 +87,8 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
         section, (since, until) = section_in(obstacles, i, wide), crossing_times(obstacles, i, wide)
         if since > until or section.a <= 0.0 or section.b <= 0.0:
             continue
-        outline = footprint_of(obstacles[i], section, since, until, sides, first)
+        obstacle = read_obstacle(obstacles[i])
+        outline = footprint_of(obstacle, section, since, until, sides, first)
         write_outline(outline, table[used])
         used, first = used + 1, first + outline.sides
     return Outlines(table[:used], sides[:first])
@@ -95,15 +96,20 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
 
 @compiled
 def footprint_of(
-    obstacle: Row, section: Section, since: float, until: float, sides: Rows, first: int
+    obstacle: PlacedObstacle,
+    section: Section,
+    since: float,
+    until: float,
+    sides: Rows,
+    first: int,
 ) -> Outline:
     """The outline of a section of an obstacle; its sides are written from row `first` on."""
     number, radius = 0, section.a
     if not is_round(section):
         number, there = SIDES, sides[first : first + SIDES]
-        there[:] = sides_round(section, obstacle[7], obstacle[8])
+        there[:] = sides_round(section, obstacle.heading_cos, obstacle.heading_sin)
         radius = bounding_radius_of(there)
-    x, y, vx, vy = obstacle[1], obstacle[2], obstacle[4], obstacle[5]
+    (x, y, _), (vx, vy, _) = obstacle.p_n, obstacle.v_n
     place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
     return Outline(*place, radius, first, number, since, until, True)
 

@@ -165,9 +165,3 @@ def obstacle_speed(obstacles: Rows, i: int) -> float:
     """How fast row `i` moves [m/s]."""
     north, east, down = read_obstacle(obstacles[i]).v_n
     return math.sqrt(north**2 + east**2 + down**2)
-
-
-@compiled
-def speed_in(rows: Rows, i: int, k: int) -> float:
-    """Length of the velocity that begins in column `k` of row `i` [m/s]."""
-    return math.sqrt(rows[i, k] ** 2 + rows[i, k + 1] ** 2 + rows[i, k + 2] ** 2)
