@@ -16,7 +16,10 @@ from vfguide.geometry.geodesy import R_level, ned_to_geodetic, tangent_plane
 from vfguide.geometry.so3 import exp, from_quaternion, to_quaternion
 from vfguide.geometry.vector import (
     Mat3,
+    Matrices,
+    Series,
     Vec3,
+    Vectors,
     add,
     cross,
     mat3,
@@ -33,18 +36,18 @@ FORWARD: Vec3 = (1.0, 0.0, 0.0)
 class Bodies(NamedTuple):
     """The states of N bodies."""
 
-    p_n: Rows
+    p_n: Vectors
     """(N, 3) positions, NED [m]."""
-    R_nb: Rows
+    R_nb: Matrices
     """(N, 3, 3) attitudes, body FRD to NED."""
 
 
 class Commands(NamedTuple):
     """What drives N bodies: the four inputs of eq_kine_UVA that are free."""
 
-    speed: Rows
+    speed: Series
     """(N,) along body x [m/s]."""
-    omega_b: Rows
+    omega_b: Vectors
     """(N, 3) body rates [rad/s]."""
 
 
