@@ -154,6 +154,8 @@ def is_like(kind: ast.expr, constant: bool) -> bool:
             kinds = {part_of(part) for part in parts} - {"..."}
             few = len(parts) <= LONGEST or constant or not kinds <= {"float", "int"}
             return few and len(kinds) == 1
+        case ast.Subscript(value=ast.Name(id="tuple")):
+            return True  # of one part
         case ast.Subscript(value=ast.Name(id="ndarray")):
             return INDEX in ast.unparse(kind)
         case ast.Subscript(value=ast.Name(id="Literal")):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import jsbsim
 
+from vfguide.geometry.rows import columns
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.bench import Bench
@@ -12,6 +13,7 @@ from vfguide.sim.condition import FlightCondition, Model, Start, Weather
 from vfguide.sim.identify import Airframe, identify
 from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.rate_loop import Axis, RateTable
 from vfguide.sim.trim import trim
 from vfguide.sim.truth import Truth
 
@@ -62,3 +64,8 @@ def fly(
         if step % every == 0:
             truths.append(plant.truth())
     return truths
+
+
+def terms(rates: RateTable) -> Axis:
+    """The terms of a rate loop's table about roll, pitch and yaw: (3,) or (3, 3), as views."""
+    return columns(Axis, rates.reshape(3, -1))

@@ -184,12 +184,12 @@ def coefficients(**changes) -> np.ndarray:
     found = its.accelerations(condition)
     pressure = 0.5 * its.density * air**2 * AREA
     omega = np.array(condition.omega_b)
-    force = its.mass * (found[:3] + np.cross(omega, condition.v_air_b))
+    force = its.mass * (found.v_dot_b + np.cross(omega, condition.v_air_b))
     force -= (
         its.mass * 9.805 * np.array([-math.sin(condition.pitch), 0.0, math.cos(condition.pitch)])
     )
     inertia = np.array(its.inertia)
-    moment = inertia @ found[3:] + np.cross(omega, inertia @ omega)
+    moment = inertia @ found.omega_dot_b + np.cross(omega, inertia @ omega)
     lift = force[0] * math.sin(condition.alpha) - force[2] * math.cos(condition.alpha)
     return np.array([lift, *moment / (SPAN, CHORD, SPAN)]) / pressure
 

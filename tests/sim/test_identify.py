@@ -3,13 +3,12 @@ import shutil
 
 import numpy as np
 import pytest
-from sim_flights import AEROSONDE, ALTITUDE, CESSNA, airframe, bench, steady
+from sim_flights import AEROSONDE, ALTITUDE, CESSNA, airframe, bench, steady, terms
 
 from vfguide.geometry.units import DEG
 from vfguide.sim.condition import FlightCondition, Model
 from vfguide.sim.fdm import ModelError
-from vfguide.sim.identify import IdentifyError, identify, rate_table
-from vfguide.sim.rate_loop import ALPHA, BETA, INVERSE, ONE, PP_RR, PQ, PR, QR, P, Q, R
+from vfguide.sim.identify import Airframe, IdentifyError, identify, rate_table
 from vfguide.sim.signals import Controls
 from vfguide.sim.thrust_map import throttle_for
 from vfguide.sim.trim import TrimError
@@ -26,24 +25,25 @@ def table_column(coefficients) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("column", "coefficients"),
-    [(ALPHA, (0.0, -2.74, 0.0)), (BETA, (-0.13, 0.0, 0.073))],
+    ("angle", "coefficients"),
+    [("alpha", (0.0, -2.74, 0.0)), ("beta", (-0.13, 0.0, 0.073))],
 )
-def test_static_terms_are_the_coefficients_of_the_book(column, coefficients):
-    assert airframe().rates[:, column] == pytest.approx(table_column(coefficients), abs=3e-4)
+def test_static_terms_are_the_coefficients_of_the_book(angle, coefficients):
+    found = getattr(terms(airframe().rates), angle)
+    assert found == pytest.approx(table_column(coefficients), abs=3e-4)
 
 
 @pytest.mark.parametrize(
-    ("column", "coefficients", "length"),
+    ("rate", "coefficients", "length"),
     [
-        (P, (-0.51, 0.0, 0.069), SPAN),
-        (Q, (0.0, -38.21, 0.0), CHORD),
-        (R, (0.25, 0.0, -0.095), SPAN),
+        (0, (-0.51, 0.0, 0.069), SPAN),
+        (1, (0.0, -38.21, 0.0), CHORD),
+        (2, (0.25, 0.0, -0.095), SPAN),
     ],
 )
-def test_damping_terms_are_the_coefficients_of_the_book(column, coefficients, length):
+def test_damping_terms_are_the_coefficients_of_the_book(rate, coefficients, length):
     expected = 0.5 * length * table_column(coefficients)
-    assert airframe().rates[:, column] == pytest.approx(expected, abs=2e-4)
+    assert terms(airframe().rates).damping[:, rate] == pytest.approx(expected, abs=2e-4)
 
 
 def test_effect_of_the_surfaces_is_that_of_the_book():
@@ -54,7 +54,7 @@ def test_effect_of_the_surfaces_is_that_of_the_book():
             table_column((0.0024, 0.0, -0.069)),
         ]
     )
-    assert airframe().rates[:, INVERSE:] @ effect == pytest.approx(np.eye(3), abs=1e-3)
+    assert terms(airframe().rates).surface @ effect == pytest.approx(np.eye(3), abs=1e-3)
 
 
 def test_gyroscopic_terms_are_the_gammas_of_the_book():
@@ -62,31 +62,38 @@ def test_gyroscopic_terms_are_the_gammas_of_the_book():
     gamma = JX * JZ - JXZ**2
     g1, g2 = JXZ * (JX - JY + JZ) / gamma, (JZ * (JZ - JY) + JXZ**2) / gamma
     g5, g6, g7 = (JZ - JX) / JY, JXZ / JY, ((JX - JY) * JX + JXZ**2) / gamma
-    expected = np.zeros((3, 4))
-    expected[0, PQ - PQ], expected[0, QR - PQ] = g1, -g2
-    expected[1, PR - PQ], expected[1, PP_RR - PQ] = g5, -g6
-    expected[2, PQ - PQ], expected[2, QR - PQ] = g7, -g1
-    assert airframe().rates[:, PQ:INVERSE] == pytest.approx(expected, abs=1e-3)
+    found = terms(airframe().rates)
+    assert found.pq == pytest.approx([g1, 0.0, g7], abs=1e-3)
+    assert found.pr == pytest.approx([0.0, g5, 0.0], abs=1e-3)
+    assert found.qr == pytest.approx([-g2, 0.0, -g1], abs=1e-3)
+    assert found.pp_rr == pytest.approx([0.0, -g6, 0.0], abs=1e-3)
 
 
 def test_in_cruise_the_table_gives_no_acceleration():
-    cruise, table = steady(), airframe().rates
-    static = table[:, ONE] + table[:, ALPHA] * cruise.alpha + table[:, BETA] * cruise.beta
-    effect = np.linalg.inv(table[:, INVERSE:])
+    cruise, its = steady(), terms(airframe().rates)
+    static = its.zero + its.alpha * cruise.alpha + its.beta * cruise.beta
+    effect = np.linalg.inv(its.surface)
     assert static + effect @ cruise.controls[:3] == pytest.approx(np.zeros(3), abs=1e-7)
+
+
+def assert_alike(table: np.ndarray, other: np.ndarray) -> None:
+    """All but the accelerations at no angle and no rate are the same."""
+    table, other = table.copy(), other.copy()
+    terms(table).zero[:], terms(other).zero[:] = 0.0, 0.0
+    assert table == pytest.approx(other, rel=1e-3, abs=1e-3)
 
 
 @pytest.mark.parametrize("airspeed", [18.0, 32.0])
 def test_the_table_is_the_same_at_other_airspeeds(airspeed):
-    # Terms without dimension; the torque of the propeller is in the first column.
+    # The torque of the propeller, which is not the same, is in `zero`.
     other = rate_table(bench(), steady(airspeed))
-    assert other[:, ALPHA:] == pytest.approx(airframe().rates[:, ALPHA:], rel=1e-3, abs=1e-3)
-    assert other[:, ONE] == pytest.approx(airframe().rates[:, ONE], abs=1e-3)
+    assert_alike(other, airframe().rates)
+    assert terms(other).zero == pytest.approx(terms(airframe().rates).zero, abs=1e-3)
 
 
 def test_the_table_is_the_same_in_thin_air():
     high = identify(AEROSONDE, 25.0, 3000.0)
-    assert high.rates[:, ALPHA:] == pytest.approx(airframe().rates[:, ALPHA:], rel=1e-3, abs=1e-3)
+    assert_alike(high.rates, airframe().rates)
 
 
 def test_full_thrust_is_a_third_of_the_weight():
@@ -130,6 +137,10 @@ def test_setpoints_beyond_0_and_1_are_those():
     assert found[20] < 0.7 < found[40] < 0.9 < found[60]
 
 
+def pitch_damping(its: Airframe) -> float:
+    return terms(its.rates).damping[1, 1]
+
+
 def test_a_model_is_measured_once_and_again_when_its_file_changes(tmp_path):
     shutil.copytree(AEROSONDE.folder, tmp_path / "aerosonde")
     model = Model(tmp_path, "aerosonde")
@@ -137,7 +148,7 @@ def test_a_model_is_measured_once_and_again_when_its_file_changes(tmp_path):
     assert identify(model, 25.0) is first
     assert identify(model, 24.0) is not first
     model.file.write_text(model.file.read_text().replace("> -38.21 <", "> -30 <"))
-    assert abs(identify(model, 25.0).rates[1, Q]) < 0.8 * abs(first.rates[1, Q])
+    assert abs(pitch_damping(identify(model, 25.0))) < 0.8 * abs(pitch_damping(first))
 
 
 def test_equal_models_are_measured_identically(tmp_path):
@@ -172,6 +183,7 @@ def test_a_stock_model_needs_no_coefficients_of_ours():
     assert 0.0 < cessna.cruise.controls.throttle < 1.0
     assert np.isfinite(cessna.rates).all()
     assert math.isfinite(cessna.cruise_thrust)
-    assert cessna.rates[1, ALPHA] < 0.0
-    assert cessna.rates[2, BETA] > 0.0
-    assert (np.diag(cessna.rates[:, [P, Q, R]]) < 0.0).all()
+    its = terms(cessna.rates)
+    assert its.alpha[1] < 0.0
+    assert its.beta[2] > 0.0
+    assert (np.diag(its.damping) < 0.0).all()

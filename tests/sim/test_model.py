@@ -164,8 +164,8 @@ def test_forces_and_moments_are_those_of_the_book(condition):
     v_dot = load[:3] / MASS + gravity - np.cross(omega, condition.v_air_b)
     omega_dot = np.linalg.solve(INERTIA, load[3:] - np.cross(omega, INERTIA @ omega))
     found = bench().accelerations(condition)
-    assert found[:3] == pytest.approx(v_dot, abs=0.02, rel=1e-3)
-    assert found[3:] == pytest.approx(omega_dot, abs=0.02, rel=1e-3)
+    assert found.v_dot_b == pytest.approx(v_dot, abs=0.02, rel=1e-3)
+    assert found.omega_dot_b == pytest.approx(omega_dot, abs=0.02, rel=1e-3)
 
 
 def test_weight_is_that_of_11_kg(fdm):

@@ -4,18 +4,28 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_flights import CESSNA, STEPS_PER_S, airborne, airframe, bench, fly, steady, thrust_in
+from sim_flights import (
+    CESSNA,
+    STEPS_PER_S,
+    airborne,
+    airframe,
+    bench,
+    fly,
+    steady,
+    terms,
+    thrust_in,
+)
 
 from vfguide.geometry.units import DEG
 from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.identify import identify
 from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
-from vfguide.sim.rate_loop import INTEGRAL_MAX, ONE, P, rate_loop
-from vfguide.sim.signals import Controls
+from vfguide.sim.rate_loop import INTEGRAL_MAX, rate_loop
+from vfguide.sim.signals import Controls, Inner
 from vfguide.sim.thrust_map import throttle_for
 
-CRUISE_AIR = (0.0, 0.0, 0.0, 0.055, 0.0, 25.0, 1.15)
+CRUISE_AIR = Inner(0.0, 0.0, 0.0, 0.055, 0.0, airspeed=25.0, density=1.15)
 FRESH = (0.0, 0.0, 0.0)
 
 
@@ -99,7 +109,7 @@ def test_the_integral_waits_at_the_stop_and_comes_back_at_once():
     table = airframe().rates
     _, at_stop = rate_loop(table, CRUISE_AIR, (20.0, 0.0, 0.0), (1.0, 0.0, 0.0), STEP)
     assert at_stop[0] == 1.0
-    turned = (19.9, *CRUISE_AIR[1:])
+    turned = CRUISE_AIR._replace(p=19.9)
     surfaces, back = rate_loop(table, turned, (19.0, 0.0, 0.0), (1.0, 0.0, 0.0), STEP)
     assert surfaces[0] == 1.0
     assert back[0] < 1.0
@@ -108,13 +118,14 @@ def test_the_integral_waits_at_the_stop_and_comes_back_at_once():
 def test_a_wrong_airframe_costs_no_steady_rate():
     # Damping half as large and a trim that is off: the integrals make up for it.
     table = airframe().rates.copy()
-    table[:, P] *= 0.5
-    table[:, ONE] += (0.001, 0.003, 0.001)
+    wrong = terms(table)
+    wrong.damping[:, 0] *= 0.5
+    wrong.zero[:] += (0.001, 0.003, 0.001)
     plant, memory, wanted = airborne(), FRESH, (0.1, 0.0, 0.05)
     throttle = steady().controls.throttle
     rates = []
     for _ in range(3 * STEPS_PER_S):
-        surfaces, memory = rate_loop(table, plant.inner(), wanted, memory, STEP)
+        surfaces, memory = rate_loop(table, Inner(*plant.inner()), wanted, memory, STEP)
         plant.advance((*surfaces, throttle))
         rates.append(plant.inner()[:3])
     assert np.mean(rates[-100:], axis=0) == pytest.approx(wanted, abs=0.5 * DEG)
@@ -123,7 +134,7 @@ def test_a_wrong_airframe_costs_no_steady_rate():
 def test_surfaces_are_those_that_the_table_asks_for():
     # Feed-forward alone: in cruise, without error, the surfaces are those of the trim.
     cruise = steady()
-    inner = (0.0, 0.0, 0.0, cruise.alpha, 0.0, 25.0, airframe().thrust.axes[2])
+    inner = CRUISE_AIR._replace(alpha=cruise.alpha, density=airframe().thrust.axes.density)
     surfaces, memory = rate_loop(airframe().rates, inner, FRESH, FRESH, STEP)
     assert surfaces == pytest.approx(cruise.controls[:3], abs=1e-6)
     assert memory == FRESH
@@ -132,18 +143,19 @@ def test_surfaces_are_those_that_the_table_asks_for():
 def test_an_error_asks_for_an_acceleration_that_the_surfaces_give():
     # Proportional gain 12, 9, 6 1/s: from the trim, an error of 0.05 rad/s asks for so much.
     cruise = steady()
-    inner = (-0.05, -0.05, -0.05, cruise.alpha, 0.0, 25.0, airframe().thrust.axes[2])
+    density = airframe().thrust.axes.density
+    inner = Inner(-0.05, -0.05, -0.05, cruise.alpha, 0.0, airspeed=25.0, density=density)
     surfaces, _ = rate_loop(airframe().rates, inner, FRESH, FRESH, STEP)
     controls = Controls(*surfaces, throttle=cruise.controls.throttle)
-    found = bench().accelerations(replace(cruise, controls=controls))[3:]
-    assert found == pytest.approx([0.6, 0.45, 0.3], abs=0.02)
+    found = bench().accelerations(replace(cruise, controls=controls))
+    assert found.omega_dot_b == pytest.approx([0.6, 0.45, 0.3], abs=0.02)
 
 
 def test_gains_fall_as_dynamic_pressure_rises():
     def aileron_for_an_error(airspeed: float, density: float) -> float:
         table = airframe().rates
-        inner = (-0.1, 0.0, 0.0, 0.05, 0.0, airspeed, density)
-        still = (0.0, *inner[1:])
+        inner = Inner(-0.1, 0.0, 0.0, 0.05, 0.0, airspeed, density)
+        still = inner._replace(p=0.0)
         ((a, _, _), _) = rate_loop(table, inner, FRESH, FRESH, STEP)
         ((b, _, _), _) = rate_loop(table, still, FRESH, FRESH, STEP)
         return a - b
@@ -177,10 +189,10 @@ def test_the_loops_change_nothing_that_they_are_given():
 
 
 def test_the_inner_loop_is_rate_loop_and_throttle():
-    tables, setpoint = airframe().tables, (0.2, 0.1, -0.1, 0.4)
-    controls, memory = inner_loop(tables, CRUISE_AIR, setpoint, FRESH, STEP)
-    assert (controls[:3], memory) == rate_loop(tables[0], CRUISE_AIR, setpoint[:3], FRESH, STEP)
-    assert controls[3] == throttle_for(tables[1], tables[2], 0.4, 25.0, 1.15)
+    its, setpoint = airframe(), (0.2, 0.1, -0.1, 0.4)
+    controls, memory = inner_loop(its.tables, (*CRUISE_AIR,), setpoint, FRESH, STEP)
+    assert (controls[:3], memory) == rate_loop(its.rates, CRUISE_AIR, setpoint[:3], FRESH, STEP)
+    assert controls[3] == throttle_for(its.thrust.throttles, its.thrust.axes, 0.4, 25.0, 1.15)
 
 
 def test_thrust_setpoints_move_the_aeroplane():

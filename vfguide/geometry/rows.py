@@ -10,7 +10,7 @@ the machine code is that of a function written by hand.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_origin, get_type_hints
 
@@ -147,6 +147,13 @@ def _flattener(kind: Any) -> Any:
         for leaf in leaves(kind)
     )
     return source_function(f"def numbers(r):\n    return ({', '.join(parts)},)", "numbers", {})
+
+
+def unflattener(kind: type[T]) -> Callable[[Sequence[float]], T]:
+    """A Python function that makes the record of the numbers of its row."""
+    scope: dict[str, Any] = {}
+    source = _reading(kind, scope, [0])
+    return source_function(f"def record(a):\n    return {source}", "record", scope)
 
 
 def row_of(record: Any) -> Row:

@@ -22,7 +22,7 @@ from vfguide.sim.motor import SOUND, Motor
 from vfguide.sim.noise import RateNoise
 from vfguide.sim.parameters import HOLD_ACTION, Parameters
 from vfguide.sim.port import SECOND, Port
-from vfguide.sim.signals import ControlTuple, Inner
+from vfguide.sim.signals import Controls, ControlTuple, Inner, InnerTuple, without_names
 from vfguide.sim.telemetry import MAKERS, Report
 from vfguide.sim.truth import Truth
 
@@ -84,28 +84,28 @@ class Autopilot:
         self._thrust_share = motor.share(first.time)
         self._is_flyable = True  # else PX4 puts all surfaces to trim and stops the motor
         self._integral: Vec3 = (0.0, 0.0, 0.0)
-        self._throttle = 0.0
+        self._controls: ControlTuple = Controls()
 
     @property
     def origin(self) -> tuple[float, float, float]:
         """Latitude, longitude [rad] and altitude [m] of the local frame."""
         return self._estimator.origin
 
-    def control(self, inner: Inner, dt: float) -> ControlTuple:
+    def control(self, inner: InnerTuple, dt: float) -> ControlTuple:
         """The rate loop and the thrust map: at every step of the plant."""
         if not self._is_flyable:
-            self._throttle = 0.0
-            return (*self._airframe.cruise.controls[:3], 0.0)
+            self._controls = self._airframe.cruise.controls._replace(throttle=0.0)
+            return self._controls
         if self._rates is not None:
             inner = self._rates.measure(inner, self._estimator.error.airspeed)
         if not self._has_airspeed:
-            inner = (*inner[:5], self._cruise, inner[6])  # PX4 then scales with the trim airspeed
+            # PX4 then scales with the trim airspeed.
+            inner = without_names(Inner(*inner)._replace(airspeed=self._cruise))
         p, q, r, thrust = self._wanted
-        controls, self._integral = inner_loop(
+        self._controls, self._integral = inner_loop(
             self._tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt
         )
-        self._throttle = controls[3]
-        return controls
+        return self._controls
 
     def update(self, now: int, truth: Truth) -> None:
         """The slower part: estimate, loss of the stream, attitude setpoints, hold."""
@@ -143,7 +143,7 @@ class Autopilot:
             self.mode,
             True,
             self.setpoint if self.mode is Mode.OFFBOARD else None,
-            self._throttle,
+            Controls(*self._controls).throttle,
         )
 
     def take_setpoint(self, setpoint: SetAttitudeTarget) -> None:

@@ -1,12 +1,9 @@
 """A JSBSim model in the wind tunnel: what acts on it at any flight condition."""
 
-import numpy as np
-from numpy.typing import NDArray
-
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3
 from vfguide.sim.condition import FlightCondition, Model, Start
-from vfguide.sim.plant import Plant
+from vfguide.sim.plant import Accelerations, Plant
 
 _CLEAR_OF_GROUND = 1000.0
 """Height of the bench above the ground [m], where the ground has no effect."""
@@ -41,10 +38,10 @@ class Bench:
         """Inertia tensor, body FRD [kg m^2]."""
         return self._plant.inertia()
 
-    def accelerations(self, condition: FlightCondition) -> NDArray[np.float64]:
-        """Derivatives of u, v, w [m/s^2] and of p, q, r [rad/s^2]; shape (6,)."""
+    def accelerations(self, condition: FlightCondition) -> Accelerations:
+        """The accelerations at a flight condition."""
         self._plant.place(self._start(condition))
-        return np.array(self._plant.accelerations())
+        return self._plant.accelerations()
 
     def thrust(self, condition: FlightCondition) -> float:
         """Steady thrust along body x [N]."""

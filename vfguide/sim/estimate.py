@@ -101,7 +101,9 @@ class Estimator:
         origin = self.origin
         latitude, longitude, altitude = self._place(truth)
         told, own = self._airspeeds(truth, v_n, wind_n)
-        x, y, calibrated = on_instruments(*origin[:2], latitude, longitude, told, truth.altitude)
+        x, y, calibrated = on_instruments(
+            origin.latitude, origin.longitude, latitude, longitude, told, truth.altitude
+        )
         return Estimate(
             truth.time,
             latitude,

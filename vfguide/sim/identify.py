@@ -2,25 +2,37 @@
 
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from vfguide.geometry.rows import place, row_of, unflattener, width
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Mat3
-from vfguide.sim import rate_loop
+from vfguide.geometry.vector import Mat3, Matrix, Vec3, Vector
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model
 from vfguide.sim.inner_loop import Tables
-from vfguide.sim.rate_loop import RateTable
+from vfguide.sim.rate_loop import Axis, RateTable
 from vfguide.sim.signals import Controls
 from vfguide.sim.thrust_map import ThrustMap, thrust_map
 from vfguide.sim.trim import trim
 
-Vector = NDArray[np.float64]
 
-_STEPS = np.array([1.0 * DEG, 1.0 * DEG, 5.0 * DEG, 5.0 * DEG, 5.0 * DEG, 0.1, 0.1, 0.1])
-"""To each side, for the differences: alpha, beta, p, q, r, aileron, elevator, rudder."""
+class Variables(NamedTuple):
+    """What the accelerations of an airframe in given air depend on."""
+
+    alpha: float
+    beta: float
+    """Angles of attack and sideslip [rad]."""
+    omega_b: Vec3
+    """Body rates [rad/s]."""
+    surfaces: Vec3
+    """Aileron, elevator, rudder, -1 to 1."""
+
+
+_variables_of = unflattener(Variables)
+_STEPS = row_of(Variables(1.0 * DEG, 1.0 * DEG, (5.0 * DEG, 5.0 * DEG, 5.0 * DEG), (0.1, 0.1, 0.1)))
+"""To each side, for the differences."""
 _CONDITION_MAX = 1e4
 """Condition number of the control effectiveness beyond which an axis is without control."""
 
@@ -44,7 +56,7 @@ class Airframe:
     @property
     def tables(self) -> Tables:
         """For `inner_loop`."""
-        return (self.rates, self.thrust.throttles, self.thrust.axes)
+        return (self.rates, self.thrust.throttles, self.thrust.axes.numbers)
 
 
 def identify(model: Model, airspeed: float, altitude: float = 0.0) -> Airframe:
@@ -75,40 +87,46 @@ def rate_table(bench: Bench, cruise: FlightCondition) -> RateTable:
     Raises:
         IdentifyError: the control effectiveness is singular.
     """
-    middle = _variables(cruise)
-    slopes = _slopes(bench, cruise, middle)
+    slopes = _slopes(bench, cruise, _variables(cruise))
     momentum = bench.density * cruise.airspeed
     pressure = momentum * cruise.airspeed
-    static, damping, effect = slopes[:, :2] / pressure, slopes[:, 2:5] / momentum, slopes[:, 5:]
-    table = np.zeros((3, rate_loop.COLUMNS))
-    table[:, rate_loop.ONE] = -(slopes @ middle) / pressure
-    table[:, rate_loop.ALPHA : rate_loop.P] = static
-    table[:, rate_loop.P : rate_loop.PQ] = damping
-    table[:, rate_loop.PQ : rate_loop.INVERSE] = _gyroscopic(bench.inertia)
-    table[:, rate_loop.INVERSE :] = pressure * _inverse(effect, bench)
-    return table
+    effect = slopes[:, place(Variables, "surfaces")]
+    parts = {
+        "zero": -(slopes @ _variables(cruise)) / pressure,
+        "alpha": slopes[:, place(Variables, "alpha")] / pressure,
+        "beta": slopes[:, place(Variables, "beta")] / pressure,
+        "damping": slopes[:, place(Variables, "omega_b")] / momentum,
+        "surface": pressure * _inverse(effect, bench),
+        **_gyroscopic(bench.inertia),
+    }
+    table = np.zeros((3, width(Axis)))
+    for name, part in parts.items():
+        table[:, place(Axis, name)] = part.reshape(3, -1)
+    return table.ravel()
 
 
 def _variables(condition: FlightCondition) -> Vector:
-    """alpha, beta, p, q, r, aileron, elevator, rudder."""
-    surfaces = condition.controls[:3]
-    return np.array([condition.alpha, condition.beta, *condition.omega_b, *surfaces])
+    """The row of `Variables` of a flight condition."""
+    aileron, elevator, rudder, _ = condition.controls
+    surfaces = (aileron, elevator, rudder)
+    return row_of(Variables(condition.alpha, condition.beta, condition.omega_b, surfaces))
 
 
-def _with_variables(condition: FlightCondition, variables: Vector) -> FlightCondition:
-    alpha, beta, p, q, r, *surfaces = map(float, variables)
+def _with_variables(condition: FlightCondition, row: Vector) -> FlightCondition:
+    """A flight condition with the row of other `Variables`."""
+    alpha, beta, omega_b, surfaces = _variables_of(row.tolist())
     controls = Controls(*surfaces, throttle=condition.controls.throttle)
-    return replace(condition, alpha=alpha, beta=beta, omega_b=(p, q, r), controls=controls)
+    return replace(condition, alpha=alpha, beta=beta, omega_b=omega_b, controls=controls)
 
 
-def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Vector:
-    """Derivatives of (p', q', r') by the eight variables, from differences of both sides; (3, 8).
+def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Matrix:
+    """Derivatives of (p', q', r') by the variables, (3, width), from differences of both sides.
 
     A surface near its stop is moved up to there only.
     """
 
     def omega_dot(variables: Vector) -> Vector:
-        return bench.accelerations(_with_variables(cruise, variables))[3:]
+        return np.array(bench.accelerations(_with_variables(cruise, variables)).omega_dot_b)
 
     def slope(column: int) -> Vector:
         low, high = middle.copy(), middle.copy()
@@ -119,9 +137,10 @@ def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Vector:
     return np.column_stack([slope(column) for column in range(middle.size)])
 
 
-def _gyroscopic(inertia_b: Mat3) -> Vector:
-    """Coefficients of pq, pr, qr, p^2 - r^2 in (p', q', r') = -J^-1 (w x J w); (3, 4).
+def _gyroscopic(inertia_b: Mat3) -> dict[str, Vector]:
+    """Coefficients of pq, pr, qr, p^2 - r^2 in (p', q', r') = -J^-1 (w x J w), (3,) each.
 
+    They have the names of an `Axis`.
     Beard and McLain (3.17), for an airframe with a plane of symmetry.
     """
     J = np.array(inertia_b)
@@ -130,16 +149,16 @@ def _gyroscopic(inertia_b: Mat3) -> Vector:
         omega = np.array([p, q, r])
         return -np.linalg.solve(J, np.cross(omega, J @ omega))
 
-    squares = [omega_dot(1.0, 0.0, 0.0), omega_dot(0.0, 1.0, 0.0), omega_dot(0.0, 0.0, 1.0)]
-    products = [
-        omega_dot(1.0, 1.0, 0.0) - squares[0] - squares[1],
-        omega_dot(1.0, 0.0, 1.0) - squares[0] - squares[2],
-        omega_dot(0.0, 1.0, 1.0) - squares[1] - squares[2],
-    ]
-    return np.column_stack([*products, squares[0]])
+    pp, qq, rr = omega_dot(1.0, 0.0, 0.0), omega_dot(0.0, 1.0, 0.0), omega_dot(0.0, 0.0, 1.0)
+    return {
+        "pq": omega_dot(1.0, 1.0, 0.0) - pp - qq,
+        "pr": omega_dot(1.0, 0.0, 1.0) - pp - rr,
+        "qr": omega_dot(0.0, 1.0, 1.0) - qq - rr,
+        "pp_rr": pp,
+    }
 
 
-def _inverse(effect: Vector, bench: Bench) -> Vector:
+def _inverse(effect: Matrix, bench: Bench) -> Matrix:
     """Surfaces for angular accelerations, of how these answer to the surfaces."""
     if np.linalg.cond(effect) > _CONDITION_MAX:
         name = bench.model.name

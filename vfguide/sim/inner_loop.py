@@ -3,17 +3,17 @@
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.rate_loop import RateTable, rate_loop
-from vfguide.sim.signals import ControlTuple, Inner
-from vfguide.sim.thrust_map import Throttles, throttle_for
+from vfguide.sim.signals import ControlTuple, Inner, InnerTuple
+from vfguide.sim.thrust_map import Axes, AxesTuple, Throttles, throttle_for
 
-Tables = tuple[RateTable, Throttles, Vec3]
+Tables = tuple[RateTable, Throttles, AxesTuple]
 """What the loop knows of its airframe: the table of `rate_loop`, then those of `throttle_for`."""
 
 
 @compiled
 def inner_loop(
     tables: Tables,
-    inner: Inner,
+    inner: InnerTuple,
     setpoint: tuple[float, float, float, float],
     memory: Vec3,
     dt: float,
@@ -24,6 +24,8 @@ def inner_loop(
     """
     rates, throttles, axes = tables
     p, q, r, thrust = setpoint
-    surfaces, memory = rate_loop(rates, inner, (p, q, r), memory, dt)
-    throttle = throttle_for(throttles, axes, thrust, inner[5], inner[6])
-    return (surfaces[0], surfaces[1], surfaces[2], throttle), memory
+    measured = Inner(*inner)
+    surfaces, memory = rate_loop(rates, measured, (p, q, r), memory, dt)
+    airspeed, density = measured.airspeed, measured.density
+    throttle = throttle_for(throttles, Axes(*axes), thrust, airspeed, density)
+    return (*surfaces, throttle), memory

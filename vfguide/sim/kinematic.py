@@ -17,7 +17,10 @@ from vfguide.geometry.rows import width, writer
 from vfguide.geometry.so3 import exp, from_quaternion, to_quaternion
 from vfguide.geometry.vector import (
     Mat3,
+    Matrices,
+    Series,
     Vec3,
+    Vectors,
     add,
     cross,
     mat3,
@@ -35,9 +38,9 @@ FORWARD: Vec3 = (1.0, 0.0, 0.0)
 class Bodies(NamedTuple):
     """The states of N bodies."""
 
-    p_n: Rows
+    p_n: Vectors
     """(N, 3) positions, NED [m]."""
-    R_nb: Rows
+    R_nb: Matrices
     """(N, 3, 3) attitudes, body FRD to NED."""
 
 
@@ -63,9 +66,9 @@ write_sighting = writer(Sighting)
 class Commands(NamedTuple):
     """What drives N bodies: the four inputs of eq_kine_UVA that are free."""
 
-    speed: Rows
+    speed: Series
     """(N,) along body x [m/s]."""
-    omega_b: Rows
+    omega_b: Vectors
     """(N, 3) body rates [rad/s]."""
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.instruments import Errors
-from vfguide.sim.signals import Inner
+from vfguide.sim.signals import InnerTuple
 
 BLOCK = 4096
 """Random numbers are drawn by so many: one at a time costs a microsecond."""
@@ -19,6 +19,17 @@ ATTITUDE_TIME = 30.0
 """Time constant of the drift of the attitude [s]."""
 WIND_TIME = 30.0
 """Time constant of the drift of the wind estimate [s]."""
+
+
+class Bias(NamedTuple):
+    """Constant parts of the errors."""
+
+    roll: float
+    pitch: float
+    yaw: float
+    """[rad]."""
+    airspeed: float
+    """[m/s]."""
 
 
 class Errs(NamedTuple):
@@ -69,8 +80,8 @@ class StateNoise:
         self._errors = errors
         self._source = normals(seed)
         e = errors
-        bias = (e.attitude_bias, e.attitude_bias, e.yaw_bias, e.airspeed_bias)
-        self._bias = tuple(sigma * next(self._source) for sigma in bias)
+        sigmas = Bias(e.attitude_bias, e.attitude_bias, e.yaw_bias, e.airspeed_bias)
+        self._bias = Bias(*(sigma * next(self._source) for sigma in sigmas))
         drift = e.drift_time
         kinds = (
             *((e.position, drift), (e.position, drift), (e.height, drift)),
@@ -87,8 +98,8 @@ class StateNoise:
         return Errs(
             (n, e, d),
             (vn, ve, vd),
-            (roll + bias[0], pitch + bias[1], yaw + bias[2]),
-            self._errors.airspeed * next(self._source) + bias[3],
+            (roll + bias.roll, pitch + bias.pitch, yaw + bias.yaw),
+            self._errors.airspeed * next(self._source) + bias.airspeed,
             (wn, we, 0.0),
         )
 
@@ -105,7 +116,7 @@ class RateNoise:
         """What was added last [rad/s]."""
         self._bias = self.last
 
-    def measure(self, inner: Inner, airspeed_error: float) -> Inner:
+    def measure(self, inner: InnerTuple, airspeed_error: float) -> InnerTuple:
         """What the inner loop gets to see; the airspeed is off by `airspeed_error` [m/s]."""
         p, q, r, alpha, beta, airspeed, density = inner
         sigma, source, bias = self._sigma, self._source, self._bias

@@ -1,14 +1,16 @@
 """The simulated aeroplane: one JSBSim instance, seen in SI units."""
 
-import math
 from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
 
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
 from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
 from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
-from vfguide.sim.signals import ControlTuple, Inner
+from vfguide.sim.signals import ControlTuple, InnerTuple
 from vfguide.sim.truth import Truth
 
 STEP = 1.0 / 200.0
@@ -24,6 +26,15 @@ _SEEDS = 2**31
 """JSBSim keeps its seed in a signed integer of 32 bits."""
 
 Getter = Callable[[], float]
+
+
+class Accelerations(NamedTuple):
+    """How the motion of an aeroplane changes, body FRD."""
+
+    v_dot_b: Vec3
+    """Derivatives of u, v, w [m/s^2]."""
+    omega_dot_b: Vec3
+    """Derivatives of p, q, r [rad/s^2]."""
 
 
 class Plant:
@@ -59,7 +70,7 @@ class Plant:
         self._weather = weather if weather.varies else None
         self.place(start, weather.wind_at(0.0, start.altitude - ground_altitude))
         self._stir(weather)
-        if not all(map(math.isfinite, self.accelerations())):
+        if not np.isfinite(self.accelerations()).all():
             raise model_error(model, "accelerations are not finite at the start")
 
     @property
@@ -89,8 +100,8 @@ class Plant:
             self._run()
         self.steps += steps
 
-    def inner(self) -> Inner:
-        """Body rates and air data, for the inner loop at every time step."""
+    def inner(self) -> InnerTuple:
+        """`Inner` without its names, for the inner loop at every time step."""
         return (
             self._p(),
             self._q(),
@@ -136,9 +147,9 @@ class Plant:
         self._set_wind(wind_n)
         self._settle(start.condition.controls)
 
-    def accelerations(self) -> tuple[float, float, float, float, float, float]:
-        """Derivatives of u, v, w [m/s^2] and of p, q, r [rad/s^2] at this instant."""
-        return (*self._v_dot_b(), *self._omega_dot_b())
+    def accelerations(self) -> Accelerations:
+        """The accelerations at this instant."""
+        return Accelerations(self._v_dot_b(), self._omega_dot_b())
 
     def thrust(self) -> float:
         """All force along body x but the aerodynamic one [N]."""

@@ -82,7 +82,7 @@ class Port:
         if not self._queue:
             return []
         ready = [message for at, message in self._queue if at <= now]
-        self._queue = [entry for entry in self._queue if entry[0] > now]
+        self._queue = [(at, message) for at, message in self._queue if at > now]
         return ready
 
     def due(self, now: int) -> list[int]:

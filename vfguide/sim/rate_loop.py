@@ -1,38 +1,72 @@
 """The rate loop of the software autopilot: body rates to surfaces, by inverting the airframe.
 
-What the loop knows of the airframe is a table, three rows (p', q', r') by the columns named
-below: the angular accelerations are its product with
+What the loop knows of the airframe is a record: the angular acceleration about each axis is
 
-    rho V^2 (1, alpha, beta),  rho V (p, q, r),  (p q, p r, q r, p^2 - r^2),
+    rho V^2 (zero + alpha, beta terms),  rho V (p, q, r terms),  and p q, p r, q r, p^2 - r^2 terms,
 
-plus rho V^2 times the control effectiveness, of which the last three columns are the inverse.
+plus rho V^2 times the control effectiveness, which is kept inverted, a surface for each axis.
 So every term keeps its size in units of the air: static moments and controls grow with
 dynamic pressure, damping with rho V, gyroscopic terms with neither.
 """
 
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.rows import Row, reader
+from vfguide.geometry.vector import Vec3, dot, sub
 from vfguide.sim.signals import Inner, Surfaces
 
-ONE, ALPHA, BETA = 0, 1, 2
-P, Q, R = 3, 4, 5
-PQ, PR, QR, PP_RR = 6, 7, 8, 9
-INVERSE = 10
-"""First of three columns: surfaces per angular acceleration, times rho V^2."""
-COLUMNS = 13
 
-RateTable = NDArray[np.float64]
-"""Shape (3, COLUMNS)."""
+class Axis(NamedTuple):
+    """What turns the airframe about one body axis with the surfaces at zero, and its surface."""
+
+    zero: float
+    """Angular acceleration at no angle and no rate, by rho V^2 [1/(kg/m)]."""
+    alpha: float
+    beta: float
+    """Its growth with the angles of attack and sideslip, by rho V^2 [1/(kg/m rad)]."""
+    damping: Vec3
+    """Its growth with the body rates p, q, r, by rho V [m^2/kg]."""
+    pq: float
+    pr: float
+    qr: float
+    pp_rr: float
+    """Gyroscopic: by the products of body rates, and by p^2 - r^2 [1]."""
+    surface: Vec3
+    """Aileron, elevator or rudder for an angular acceleration about x, y, z, times rho V^2."""
+
+
+class Rates(NamedTuple):
+    """What the loop knows of the airframe."""
+
+    roll: Axis
+    pitch: Axis
+    yaw: Axis
+
+
+RateTable = Row
+"""The row of `Rates`: an array crosses into compiled code sooner than a record."""
+read_rates = reader(Rates)
+
+
+class Air(NamedTuple):
+    """The air as the airframe feels it."""
+
+    pressure: float
+    """rho V^2 [kg/(m s^2)]."""
+    momentum: float
+    """rho V [kg/(m^2 s)]."""
+    alpha: float
+    beta: float
+    """Angles of attack and sideslip [rad]."""
+
 
 LOWEST_AIRSPEED = 10.0
 """Below it the loop takes this, so that its gains stay finite [m/s]."""
 PROPORTIONAL: Vec3 = (12.0, 9.0, 6.0)
 """Bandwidths about the three axes [1/s]; the servos leave room for about 20."""
 INTEGRAL: Vec3 = (20.0, 30.0, 8.0)
-"""[1/s^2]"""
+"""Gains of the integrals of the rate errors about the three axes [1/s^2]."""
 INTEGRAL_MAX = 6.0
 """Largest angular acceleration the integrals may ask for [rad/s^2]."""
 
@@ -48,28 +82,30 @@ def rate_loop(
     the rates wished for, which need not wait for an error.
 
     Args:
-        table: the airframe, see above.
+        table: the airframe, the row of `Rates`.
         inner: what the loop measures.
         omega_b: setpoint of the body rates [rad/s].
         memory: integrals [rad/s^2], zero at first.
         dt: time step [s].
     """
-    p, q, r, alpha, beta, airspeed, density = inner
-    airspeed = max(airspeed, LOWEST_AIRSPEED)
-    air = (density * airspeed * airspeed, density * airspeed, alpha, beta)
-    error = (omega_b[0] - p, omega_b[1] - q, omega_b[2] - r)
+    roll, pitch, yaw = read_rates(table)
+    airspeed = max(inner.airspeed, LOWEST_AIRSPEED)
+    pressure, momentum = inner.density * airspeed * airspeed, inner.density * airspeed
+    air = Air(pressure, momentum, inner.alpha, inner.beta)
+    measured_b = (inner.p, inner.q, inner.r)
+    error = sub(omega_b, measured_b)
     lack = (
-        PROPORTIONAL[0] * error[0] + memory[0] - _uncontrolled(table, 0, air, omega_b, (p, q, r)),
-        PROPORTIONAL[1] * error[1] + memory[1] - _uncontrolled(table, 1, air, omega_b, (p, q, r)),
-        PROPORTIONAL[2] * error[2] + memory[2] - _uncontrolled(table, 2, air, omega_b, (p, q, r)),
+        PROPORTIONAL[0] * error[0] + memory[0] - _uncontrolled(roll, air, omega_b, measured_b),
+        PROPORTIONAL[1] * error[1] + memory[1] - _uncontrolled(pitch, air, omega_b, measured_b),
+        PROPORTIONAL[2] * error[2] + memory[2] - _uncontrolled(yaw, air, omega_b, measured_b),
     )
-    aileron = _surface(table, 0, air[0], lack)
-    elevator = _surface(table, 1, air[0], lack)
-    rudder = _surface(table, 2, air[0], lack)
+    aileron = dot(roll.surface, lack) / pressure
+    elevator = dot(pitch.surface, lack) / pressure
+    rudder = dot(yaw.surface, lack) / pressure
     growth = (
-        _growth(INTEGRAL[0] * error[0], aileron, table[0, INVERSE]),
-        _growth(INTEGRAL[1] * error[1], elevator, table[1, INVERSE + 1]),
-        _growth(INTEGRAL[2] * error[2], rudder, table[2, INVERSE + 2]),
+        _growth(INTEGRAL[0] * error[0], aileron, roll.surface[0]),
+        _growth(INTEGRAL[1] * error[1], elevator, pitch.surface[1]),
+        _growth(INTEGRAL[2] * error[2], rudder, yaw.surface[2]),
     )
     memory = (
         _clip(memory[0] + growth[0] * dt, INTEGRAL_MAX),
@@ -80,30 +116,17 @@ def rate_loop(
 
 
 @compiled
-def _uncontrolled(
-    table: RateTable,
-    axis: int,
-    air: tuple[float, float, float, float],
-    damped_b: Vec3,
-    omega_b: Vec3,
-) -> float:
-    """Angular acceleration about `axis` with the surfaces at zero [rad/s^2]."""
-    row = table[axis]
-    pressure, momentum, alpha, beta = air
+def _uncontrolled(axis: Axis, air: Air, damped_b: Vec3, omega_b: Vec3) -> float:
+    """Angular acceleration about an axis with the surfaces at zero [rad/s^2].
+
+    The damping is that of the body rates `damped_b`, the rest of `omega_b` [rad/s].
+    """
     p, q, r = omega_b
-    static = row[ONE] + row[ALPHA] * alpha + row[BETA] * beta
-    damping = row[P] * damped_b[0] + row[Q] * damped_b[1] + row[R] * damped_b[2]
-    gyroscopic = row[PQ] * p * q + row[PR] * p * r + row[QR] * q * r
-    gyroscopic += row[PP_RR] * (p * p - r * r)
-    return pressure * static + momentum * damping + gyroscopic
-
-
-@compiled
-def _surface(table: RateTable, axis: int, pressure: float, lack: Vec3) -> float:
-    """Surface of `axis` that makes up for the lacking angular accelerations, unlimited."""
-    row = table[axis]
-    sum_ = row[INVERSE] * lack[0] + row[INVERSE + 1] * lack[1] + row[INVERSE + 2] * lack[2]
-    return sum_ / pressure
+    static = axis.zero + axis.alpha * air.alpha + axis.beta * air.beta
+    damping = dot(axis.damping, damped_b)
+    gyroscopic = axis.pq * p * q + axis.pr * p * r + axis.qr * q * r
+    gyroscopic += axis.pp_rr * (p * p - r * r)
+    return air.pressure * static + air.momentum * damping + gyroscopic
 
 
 @compiled

@@ -1,14 +1,30 @@
 """What passes between the simulated aeroplane and the inner loop of its autopilot.
 
-Plain tuples: at every time step they cross into compiled code, where records cost a
-microsecond each.
+At every time step these cross into compiled code and back as plain tuples, since records cost
+a microsecond each. `without_names` takes the names off, `Inner(*numbers)` puts them on again.
 """
 
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
-Inner = tuple[float, float, float, float, float, float, float]
-"""What the inner loop measures, gusts included: body rates p, q, r [rad/s], angles of attack and
-sideslip [rad], true airspeed [m/s], air density [kg/m^3]."""
+
+class Inner(NamedTuple):
+    """What the inner loop measures, gusts included."""
+
+    p: float
+    q: float
+    r: float
+    """Body rates [rad/s]."""
+    alpha: float
+    beta: float
+    """Angles of attack and sideslip [rad]."""
+    airspeed: float
+    """True airspeed [m/s]."""
+    density: float
+    """Air density [kg/m^3]."""
+
+
+InnerTuple = tuple[float, float, float, float, float, float, float]
+"""`Inner`, or the same seven numbers without names."""
 
 Surfaces = tuple[float, float, float]
 """Aileron, elevator, rudder, -1 to 1; what a sign does is the model's own affair."""
@@ -26,3 +42,8 @@ class Controls(NamedTuple):
     """Surfaces, -1 to 1."""
     throttle: float = 0.0
     """0 to 1."""
+
+
+def without_names(inner: Inner) -> InnerTuple:
+    """The same numbers as a plain tuple."""
+    return cast("InnerTuple", (*inner,))

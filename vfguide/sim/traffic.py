@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.geometry.geodesy import (
     R_level,
@@ -15,12 +14,10 @@ from vfguide.geometry.geodesy import (
     tangent_plane,
 )
 from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MM
-from vfguide.geometry.vector import Vec3, add, matvec, norm, sub, transpose
+from vfguide.geometry.vector import Series, Vec3, Vector, Vectors, add, matvec, norm, sub, transpose
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.sim.truth import Truth
-
-Array = NDArray[np.float64]
 
 EVERYTHING = int(
     AdsbFlags.VALID_COORDS
@@ -52,11 +49,11 @@ class Turn(NamedTuple):
 class Flight(NamedTuple):
     """A path: instants between which the velocity changes linearly."""
 
-    times: Array
+    times: Series
     """(n,) [s]."""
-    places: Array
+    places: Vectors
     """(n, 3), NED [m]."""
-    velocities: Array
+    velocities: Vectors
     """(n, 3), NED [m/s]."""
 
 
@@ -66,12 +63,12 @@ def flight_of(p_n: Vec3, v_n: Vec3, turns: Sequence[Turn]) -> Flight:
     for turn in turns:
         times += [turn.time, turn.time + turn.within]
         velocities += [velocities[-1], turn.v_n]
-    v = np.array(velocities, dtype=float)
+    v: Vectors = np.array(velocities, dtype=float)
     steps = 0.5 * np.diff(times)[:, None] * (v[:-1] + v[1:])
     return Flight(np.array(times), np.cumsum(np.vstack((p_n, steps)), axis=0), v)
 
 
-def motion_at(flight: Flight, t: Array) -> tuple[Array, Array]:
+def motion_at(flight: Flight, t: Series) -> tuple[Vectors, Vectors]:
     """Positions [m] and velocities [m/s], NED, (n, 3), at times (n,) [s]."""
     times, v = flight.times, flight.velocities
     i = np.searchsorted(times, t, "right") - 1
@@ -144,7 +141,7 @@ class Receiver:
         ]
 
 
-def vec3(row: Array) -> Vec3:
+def vec3(row: Vector) -> Vec3:
     """A row of three as a tuple."""
     return (float(row[0]), float(row[1]), float(row[2]))
 

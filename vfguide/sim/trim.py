@@ -2,35 +2,51 @@
 
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from vfguide.geometry.rows import row_of, table_of
 from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Matrix, Vector
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
+from vfguide.sim.plant import Accelerations
 from vfguide.sim.signals import Controls
 
-Vector = NDArray[np.float64]
 
-_WEIGHTS = np.array([1.0, 1.0, 1.0, 5.0, 5.0, 5.0])
+class Unknowns(NamedTuple):
+    """What a trim looks for."""
+
+    alpha: float
+    """Angle of attack [rad]."""
+    bank: float
+    """Roll angle [rad]."""
+    aileron: float
+    elevator: float
+    rudder: float
+    """Surfaces, -1 to 1."""
+    throttle: float
+    """0 to 1."""
+
+
+_WEIGHTS = np.ravel(Accelerations((1.0, 1.0, 1.0), (5.0, 5.0, 5.0)))
 """By these, 1 m/s^2 and 0.2 rad/s^2 count alike."""
 _RESIDUAL_MAX = 1e-4
 """Largest weighted acceleration that still is a trim: 1e-5 g."""
-
-# The unknowns: alpha, bank, aileron, elevator, rudder, throttle.
-_GUESSES = np.array(
+_GUESSES = table_of(
+    Unknowns,
     [
-        [3.0 * DEG, 0.0, 0.0, 0.0, 0.0, 0.5],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 0.8],
-        [8.0 * DEG, 0.0, 0.0, -0.2, 0.0, 0.7],
-    ]
+        Unknowns(3.0 * DEG, 0.0, 0.0, 0.0, 0.0, throttle=0.5),
+        Unknowns(0.0, 0.0, 0.0, 0.0, 0.0, throttle=0.8),
+        Unknowns(8.0 * DEG, 0.0, 0.0, elevator=-0.2, rudder=0.0, throttle=0.7),
+    ],
 )
 """Tried one after the other: middle, fast and slow flight."""
-_LOWEST = np.array([-20.0 * DEG, -30.0 * DEG, -1.0, -1.0, -1.0, 0.0])
-_HIGHEST = np.array([30.0 * DEG, 30.0 * DEG, 1.0, 1.0, 1.0, 1.0])
-_SCALE = np.array([0.05, 0.02, 0.05, 0.1, 0.05, 0.2])
+_LOWEST = row_of(Unknowns(-20.0 * DEG, -30.0 * DEG, -1.0, -1.0, -1.0, 0.0))
+_HIGHEST = row_of(Unknowns(30.0 * DEG, 30.0 * DEG, 1.0, 1.0, 1.0, 1.0))
+_SCALE = row_of(Unknowns(0.05, 0.02, 0.05, 0.1, 0.05, 0.2))
 _STEPS = 1e-3 * _SCALE
 """Of the differences: JSBSim's rounding errors drown the answers to much smaller ones."""
 _MOST_STEPS = 40
@@ -54,7 +70,8 @@ def trim(bench: Bench, airspeed: float, climb: float = 0.0) -> FlightCondition:
     """
 
     def residual(unknowns: Vector) -> Vector:
-        return _WEIGHTS * bench.accelerations(_condition(airspeed, climb, unknowns))
+        condition = _condition(airspeed, climb, unknowns)
+        return _WEIGHTS * np.ravel(bench.accelerations(condition))
 
     worst = np.inf
     for guess in _GUESSES:
@@ -84,7 +101,7 @@ def _solve(residual: Callable[[Vector], Vector], guess: Vector) -> tuple[Vector,
     return solution.x, float(np.max(np.abs(solution.fun)))
 
 
-def _slopes(residual: Callable[[Vector], Vector], unknowns: Vector) -> Vector:
+def _slopes(residual: Callable[[Vector], Vector], unknowns: Vector) -> Matrix:
     """Derivatives of the residual by the unknowns, from differences into the bounds; (6, 6)."""
     middle = residual(unknowns)
     steps = np.where(unknowns + _STEPS <= _HIGHEST, _STEPS, -_STEPS)
@@ -96,6 +113,6 @@ def _slopes(residual: Callable[[Vector], Vector], unknowns: Vector) -> Vector:
 
 
 def _condition(airspeed: float, climb: float, unknowns: Vector) -> FlightCondition:
-    alpha, bank, aileron, elevator, rudder, throttle = map(float, unknowns)
-    controls = Controls(aileron, elevator, rudder, throttle)
-    return FlightCondition(airspeed, alpha, bank=bank, climb=climb, controls=controls)
+    found = Unknowns(*map(float, unknowns))
+    controls = Controls(found.aileron, found.elevator, found.rudder, found.throttle)
+    return FlightCondition(airspeed, found.alpha, bank=found.bank, climb=climb, controls=controls)
