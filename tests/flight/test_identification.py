@@ -13,7 +13,7 @@ from vfguide.flight.attitude import attitude_for_lift
 from vfguide.flight.fit import first_order
 from vfguide.flight.identification import Finding, identify
 from vfguide.flight.response import BEGIN
-from vfguide.flight.samples import Samples, sound
+from vfguide.flight.samples import Sample, Samples, samples_of, sound
 from vfguide.geometry.units import DEG, G0
 
 DT = 0.02
@@ -85,6 +85,17 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
         np.append(asked[late:], np.full(late, asked[-1])),
         delays,
     )
+
+
+def test_the_instants_of_a_flight_are_its_columns():
+    R_nb = ((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0))
+    first = Sample(1.0, R_nb, (4.0, 5.0, 6.0), 25.0, 0.1, 0.2, 0.3, 0.4)
+    samples = samples_of([first, first._replace(time=2.0, delay=0.5)])
+    assert list(samples.time) == [1.0, 2.0]
+    assert samples.R_nb[1].tolist() == [list(row) for row in first.R_nb]
+    assert samples.v_n[1].tolist() == [4.0, 5.0, 6.0]
+    assert [values[0] for values in samples[3:]] == [25.0, 0.1, 0.2, 0.3, 0.4]
+    assert list(samples.delay) == [0.4, 0.5]
 
 
 def found_in(samples, before=AEROSONDE):

@@ -27,28 +27,31 @@ from vfguide.loop.legs import Goal
 from vfguide.safety.hazards import Hazards, hazard_count, hazard_distance
 
 BANK = 30.0 * DEG
+"""The turns are for this bank [rad]."""
 PATH = 4.0 * DEG
-"""Of turns, and of climb and descent on average: between level ends they are steeper."""
+"""Path angle of climb and descent on average [rad]: between level ends they are steeper."""
 CHANGE = 0.15
-"""Of the airspeed, up and down."""
+"""The airspeed goes up and down by this part of it."""
 STRAIGHT = 8.0
-"""Time of a straight leg [s]."""
+"""A straight leg takes this time [s]."""
 SETTLING = 3.0
-"""Time of the first one, which nothing goes before [s]."""
+"""The first leg, which nothing goes before, takes this time [s]."""
 END = 0.7
 """A turn has a straight end, so many radii long."""
 CAREFUL = 0.3
 """As long as the roll response is not known, the gains are for one that is at least so slow [s]."""
-MET, MET_ANGLE = 10.0, 30.0 * DEG
+MET = 10.0
 """A leg that ends this close to its pose is reached [m]; one that does not is left all the same."""
+MET_ANGLE = 30.0 * DEG
+"""Course and climb may be this far off where a leg counts as reached [rad]."""
 NEEDED = 50.0
 """Without so much room round the circuit nothing is tested [m]."""
 SPACING = 25.0
-"""Of the places at which that is asked for [m]."""
+"""Room is looked for at places on the circuit that are no farther apart than this [m]."""
 PATIENCE = 3.0
-"""A leg may take so many times what it takes in still air, ..."""
+"""A leg may take so many times what it takes in still air, if something is in its way."""
 SPARE = 10.0
-"""... and so much more [s], if something is in its way."""
+"""A leg may take so much longer than that [s]."""
 
 
 class Manoeuvre(NamedTuple):

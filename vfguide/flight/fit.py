@@ -16,11 +16,11 @@ from vfguide.geometry.compiled import compiled
 Array = NDArray[np.float64]
 
 TIMES = np.geomspace(0.01, 2.0, 54)
-"""Response times that are tried, 10 % apart [s]."""
+"""Response times that are tried, (54,), 10 % apart [s]."""
 SINGULAR = 1e-9
 """Regressors of length 1 with less than this of their own, squared, are not told apart."""
 FADED = 0.05
-"""Errors are correlated until the autocorrelation falls below this."""
+"""Errors are correlated until the autocorrelation falls below this part of their power."""
 
 
 class Fit(NamedTuple):

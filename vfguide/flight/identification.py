@@ -30,23 +30,29 @@ ENOUGH = 20
 WORTH = 0.2
 """A slope or a time is used with a standard error of less than this part of it."""
 TRIM_WORTH = 0.1
-"""The same of the thrust setpoint of level flight."""
+"""The thrust setpoint of level flight is used with a standard error of less than this, of 1."""
 LOAD_WORTH = 0.05
-"""The same of the setpoint for the load factor, which is small where drag is."""
+"""The thrust setpoint for each unit of n^2 is used with a standard error of less than this, not
+with one in proportion to it: it is small where drag is."""
 LAG_WORTH = 0.5
-"""The same of the response time of thrust, as part of it."""
+"""The response time of thrust is used with a standard error of less than this part of it."""
 SLOW_ENGINE = 1.0
-"""One that is not seen is taken for so slow [s]."""
+"""An engine whose response time is not seen is taken for so slow [s]."""
 ALPHA_WORTH = 1.0 * DEG
-"""The same of the angle of attack at cruise [rad]."""
+"""The lift is used with a standard error of the angle of attack at cruise of less than this
+[rad]."""
 ALPHA_UNKNOWN = 1.0 * DEG
-"""Error of the angle of attack that is not seen in flight [rad]."""
+"""Standard error of the angle of attack of an aircraft file, if it is not seen in flight [rad]."""
 VARIED = 0.2
 """n / V^2 has to change by this part of it, or a flight shows no slope over it."""
 FOLLOWED = 0.5
 """A response is one if this part of the roll rate's variance follows the setpoint."""
-MOST_ALPHA, MOST_LOAD, MOST_WEIGHT = 20.0, 1e5, 20.0
-"""What an aircraft file takes: alpha_zero_deg, alpha_load_deg_m2ps2 and per_climb."""
+MOST_ALPHA = 20.0
+"""An aircraft file takes no larger angle of attack of zero lift [deg]."""
+MOST_LOAD = 1e5
+"""An aircraft file takes no larger slope of the angle of attack over n / V^2 [deg m^2/s^2]."""
+MOST_WEIGHT = 20.0
+"""An aircraft file takes no larger weight over full thrust, without unit."""
 
 
 class Finding(NamedTuple):

@@ -3,7 +3,7 @@
 An extended Kalman filter after the wind triangle: ground velocity = wind + V d, where d is the
 direction of flight through the air (`flight_model`). Along d wind and airspeed cannot be told
 apart; a turn does it, and between turns the airspeed sensor, or else the model of thrust and drag.
-The sensor's bias is a state of the filter, as in Cho et al.
+The sensor's bias is a state of the filter, as its scale factor is in Cho et al.
 
 Errors that last, of slip in gusts and of velocity, count as white noise that carries as little.
 
@@ -36,10 +36,10 @@ from vfguide.geometry.vector import Vec3
 
 PROCESS_NOISE = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
 """Growth of the variances in a second, in the squared units of the state vector: gusts carry wind
-and airspeed away. Chosen so that the deviations are honest in moderate turbulence."""
+and airspeed away, while the others hardly change."""
 INITIAL_SIGMA = (20.0, 20.0, 2.5, 3.0 * DEG, 1.0, 0.15)
-"""Standard deviations before anything is measured, in the units of the state vector: that of the
-wind leaves it to the others."""
+"""Standard deviations before anything is measured, in the units of the state vector: those of the
+wind are so large that airspeed and ground velocity tell it."""
 INITIAL_TIME = 0.1
 """The first ground velocity counts as one that is measured for this time [s]."""
 ALONG_NOISE = 0.8

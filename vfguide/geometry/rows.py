@@ -149,13 +149,6 @@ def _flattener(kind: Any) -> Any:
     return source_function(f"def numbers(r):\n    return ({', '.join(parts)},)", "numbers", {})
 
 
-def unflattener(kind: type[T]) -> Callable[[Sequence[float]], T]:
-    """A Python function that makes the record of the numbers of its row."""
-    scope: dict[str, Any] = {}
-    source = _reading(kind, scope, [0])
-    return source_function(f"def record(a):\n    return {source}", "record", scope)
-
-
 def row_of(record: Any) -> Row:
     """The row of a record."""
     return np.array(flattener(type(record))(record), dtype=float)
@@ -211,8 +204,8 @@ def reader(kind: type[T]) -> Callable[[Row], T]:
     return njit(python_reader(kind))
 
 
-def python_reader(kind: type[T]) -> Callable[[Row], T]:
-    """The same, not compiled."""
+def python_reader(kind: type[T]) -> Callable[[Sequence[float] | Row], T]:
+    """The same in Python, also for a list of the numbers."""
     scope: dict[str, Any] = {}
     source = _reading(kind, scope, [0])
     return source_function(f"def read(a):\n    return {source}", "read", scope)

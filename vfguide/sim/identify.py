@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.rows import place, row_of, unflattener, width
+from vfguide.geometry.rows import place, python_reader, row_of, width
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Matrix, Vec3, Vector
 from vfguide.sim.bench import Bench
@@ -30,7 +30,7 @@ class Variables(NamedTuple):
     """Aileron, elevator, rudder, -1 to 1."""
 
 
-_variables_of = unflattener(Variables)
+_variables_of = python_reader(Variables)
 _STEPS = row_of(Variables(1.0 * DEG, 1.0 * DEG, (5.0 * DEG, 5.0 * DEG, 5.0 * DEG), (0.1, 0.1, 0.1)))
 """To each side, for the differences."""
 _CONDITION_MAX = 1e4
