@@ -15,6 +15,8 @@ from vfguide.flight.performance import unpacked
 from vfguide.flight.wind_estimate import MOST_SLIP, slip
 from vfguide.geometry.units import DEG
 
+pytestmark = pytest.mark.slow
+
 WINDS = st.tuples(st.floats(-18.0, 18.0), st.floats(-18.0, 18.0))
 
 

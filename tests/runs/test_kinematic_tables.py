@@ -13,6 +13,8 @@ from vfguide.field.obstacle import REACH, Obstacle, obstacle_rows
 from vfguide.field.swarm import fields_of_robots
 from vfguide.flight.paper_law import PaperGains
 
+pytestmark = pytest.mark.slow
+
 FINE = PaperGains(GAINS.k_v, GAINS.k_w, 0.005)
 GOAL = goal_frame((0.0, 0.0, 0.0), 0.0, 0.0)
 NOTHING = obstacle_rows([])
