@@ -11,6 +11,8 @@ import pytest
 from pages import DOCS, README, ROOT, commands, files_in
 from programs import VFGUIDE, Program
 
+pytestmark = pytest.mark.slow
+
 PAGES = [README, DOCS / "first-flight.md"]
 SET_UP = {"./tools/first-flight", "./tools/test", ". .venv/bin/activate"}
 """What CI runs itself, and what a test cannot."""

@@ -15,6 +15,8 @@ from pages import ROOT
 
 from vfguide import __version__
 
+pytestmark = pytest.mark.slow
+
 NEEDED = {
     "vfguide/cli/main.py",
     "vfguide/scenario/report.html.j2",

@@ -38,6 +38,8 @@ from vfguide.link.tlog import TlogReader
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolve import place_of
 
+pytestmark = pytest.mark.slow
+
 SCENARIO = """\
 name = "short"
 [wind]

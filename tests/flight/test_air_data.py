@@ -15,6 +15,8 @@ from vfguide.flight.flight_model import SLIP_MAX, slip
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.units import DEG
 
+pytestmark = pytest.mark.slow
+
 WINDS = st.tuples(st.floats(-18.0, 18.0), st.floats(-18.0, 18.0))
 
 

@@ -9,6 +9,8 @@ from point_mass import fly, level
 
 from vfguide.geometry.units import DEG
 
+pytestmark = pytest.mark.slow
+
 WINDS = [0.0, 4.0, 8.0, 12.0]
 LOOPS = 2.0 * TURN
 """No flight is longer than the shortest path and two circles."""

@@ -15,6 +15,8 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import matvec
 from vfguide.safety.limits import guide_within_limits
 
+pytestmark = pytest.mark.slow
+
 PLACES = [0.0, 1e-300, 1e-12, 1e-3, 1.0, -1.0, 33.4, -33.4, 500.0, -500.0, 1e6, -1e9]
 SPEEDS = [0.0, 1e-9, 12.5, -12.5, 25.0, -25.0, 40.0, -40.0]
 AIRSPEEDS = [0.0, 1e-9, 5.0, 18.0, 25.0, 60.0, 1e3]

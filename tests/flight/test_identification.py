@@ -16,6 +16,8 @@ from vfguide.flight.response import BEGIN
 from vfguide.flight.samples import Sample, Samples, samples_of, sound
 from vfguide.geometry.units import DEG, G0
 
+pytestmark = pytest.mark.slow
+
 DT = 0.02
 SLOPE = 0.02
 """Thrust setpoint for each m/s of airspeed in level flight."""

@@ -20,6 +20,8 @@ from vfguide.safety.hazards import Hazards, Intruder, traffic_rows
 from vfguide.scenario.fence import ZoneEntry
 from vfguide.scenario.hazards import Fence, outlines_of
 
+pytestmark = pytest.mark.slow
+
 HEIGHT = -150.0
 FREE = (-math.inf, math.inf)
 

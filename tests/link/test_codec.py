@@ -35,6 +35,8 @@ from vfguide.link.messages import (
     VfrHud,
 )
 
+pytestmark = pytest.mark.slow
+
 every_record = pytest.mark.parametrize("record", RECORDS, ids=lambda record: record.NAME)
 bytes_1_to_255 = st.integers(1, 255)
 

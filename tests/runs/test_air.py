@@ -13,6 +13,8 @@ from vfguide.scenario.logs import Logs
 from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.result import Result, judge
 
+pytestmark = pytest.mark.slow
+
 LIGHT = ("wind.speed_mps=5.0", 'wind.turbulence="light"')
 UNTOLD = "autopilot.wind_message=false"
 

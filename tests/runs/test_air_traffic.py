@@ -5,6 +5,8 @@ import json
 import pytest
 from flights import scenario_file, vfguide
 
+pytestmark = pytest.mark.slow
+
 HEAD_ON = """
 name = "short"
 duration_s = 90.0

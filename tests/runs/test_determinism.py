@@ -9,6 +9,8 @@ from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 
+pytestmark = pytest.mark.slow
+
 
 def fly(path, folder, *changes):
     folder.mkdir()

@@ -10,6 +10,8 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
 
+pytestmark = pytest.mark.slow
+
 
 def flown(folder, start, heading_deg, goals, wind=(0.0, 0.0), *changes):
     """Result and record of a flight; goals (x, y, z, heading, climb), wind (speed, from)."""

@@ -26,6 +26,8 @@ from vfguide.scenario.resolve import place_of
 from vfguide.scenario.result import judge
 from vfguide.scenario.truth_log import TRUTH_COMPONENT
 
+pytestmark = pytest.mark.slow
+
 WORLD = """
 name = "world"
 plant = "kinematic"

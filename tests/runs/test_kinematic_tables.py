@@ -14,6 +14,8 @@ from vfguide.field.swarm import fields_of_robots
 from vfguide.flight.paper_law import PaperGains
 from vfguide.geometry.rows import columns
 
+pytestmark = pytest.mark.slow
+
 FINE = PaperGains(GAINS.k_v, GAINS.k_w, 0.005)
 GOAL = goal_frame((0.0, 0.0, 0.0), 0.0, 0.0)
 NOTHING = obstacle_rows([])

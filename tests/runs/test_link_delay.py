@@ -7,6 +7,8 @@ from vfguide.link.codec import decode
 from vfguide.link.messages import AttitudeQuaternion, CommandAck, CommandLong
 from vfguide.link.tlog import TlogReader
 
+pytestmark = pytest.mark.slow
+
 DOWN, BACK = 100, 60
 """[ms]."""
 LATE = ("--set", f"link.delay_ms={DOWN}", "--set", f"link.delay_back_ms={BACK}")

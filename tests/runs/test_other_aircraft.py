@@ -23,6 +23,8 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 
 

@@ -7,6 +7,8 @@ import measure_poses
 import pytest
 from pose_options import options
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize(("wind", "miss", "course"), [(0.0, 0.5, 1.0), (5.0, 1.0, 2.0)])
 @pytest.mark.parametrize("number", range(10))

@@ -12,6 +12,8 @@ import pytest
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 
+pytestmark = pytest.mark.slow
+
 KINDS = ("field", "movers", "cluster", "overtaking", "dead-end", "fence", "turning", "hills")
 
 

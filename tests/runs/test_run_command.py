@@ -11,6 +11,8 @@ from programs import Program
 from vfguide.link.tlog import TlogReader
 from vfguide.scenario.data import find_aircraft
 
+pytestmark = pytest.mark.slow
+
 RESULT_KEYS = {
     *("name", "version", "seed", "verdict", "reasons", "sim_s", "wall_s", "realtime_factor"),
     *("min_separation_m", "vehicles"),

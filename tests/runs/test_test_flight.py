@@ -14,6 +14,8 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.result import judge
 
+pytestmark = pytest.mark.slow
+
 SCENARIOS = {"aerosonde": "first-flight", "easystar": "easystar", "c172p": "cessna"}
 
 

@@ -17,6 +17,8 @@ from vfguide.safety.hazards import (
 from vfguide.safety.manoeuvre import KINDS, fly_for, fly_out, manoeuvre, remainder
 from vfguide.safety.track_clearance import MOST_GROWTH, clearance_along
 
+pytestmark = pytest.mark.slow
+
 STEP, WIND = 0.2, (4.0, -3.0, 0.0)
 
 

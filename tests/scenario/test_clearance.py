@@ -16,6 +16,8 @@ from vfguide.scenario.path import positions
 from vfguide.scenario.record import FlightRecord
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
+pytestmark = pytest.mark.slow
+
 SHAPES = st.sampled_from(
     (
         shape.sphere(8.0),

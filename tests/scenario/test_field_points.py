@@ -13,6 +13,8 @@ from vfguide.scenario.field_points import fields_at, read_points
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import vehicle_of
 
+pytestmark = pytest.mark.slow
+
 WORLD = """
 name = "points"
 plant = "kinematic"

@@ -30,6 +30,8 @@ from vfguide.scenario.report import render, span, write_report
 from vfguide.scenario.result import Result, judge
 from vfguide.scenario.time_figures import draw_attitude, draw_position, draw_rates, draw_speed
 
+pytestmark = pytest.mark.slow
+
 HEAD = """\
 name = "bodies"
 plant = "kinematic"

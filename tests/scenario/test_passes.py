@@ -12,6 +12,8 @@ from vfguide.geometry.vector import Vec3
 from vfguide.scenario.passes import Legs, Pass, Sample, interpolate
 from vfguide.scenario.resolved import Goal
 
+pytestmark = pytest.mark.slow
+
 ORIGIN = (0.0, 0.0, -100.0)
 
 

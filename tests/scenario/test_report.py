@@ -23,6 +23,8 @@ from vfguide.scenario.report import number, render, span, write_report
 from vfguide.scenario.result import Result, judge
 from vfguide.scenario.time_figures import draw_envelope, draw_position, draw_rates
 
+pytestmark = pytest.mark.slow
+
 COMMAND = "vfguide run x.toml --set 'wind.turbulence=\"none\"'"
 WINDY = ("wind.speed_mps=8", "wind.from_deg=45")
 

@@ -26,6 +26,8 @@ from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.plant import Plant
 from vfguide.sim.signals import Controls, Inner
 
+pytestmark = pytest.mark.slow
+
 CALM_RATES = (0.0, 0.0, 0.0)
 EAST_WIND = Weather((0.0, -8.0, 0.0))
 """It comes from the east."""

@@ -39,6 +39,8 @@ from vfguide.sim.fdm import ModelError
 from vfguide.sim.realtime import RealtimeFlight, Station
 from vfguide.sim.udp import PortTakenError, bound_socket, ground_numbers, offboard_numbers
 
+pytestmark = pytest.mark.slow
+
 HEAD = 'name = "stay"\nduration_s = 1.0\n'
 VEHICLE = """
 [[vehicle]]

@@ -1,0 +1,346 @@
+#!/usr/bin/env python3
+"""Every shipped scenario flown by a reference commit and by the working tree: the same bytes?
+
+    python tools/golden.py
+    python tools/golden.py HEAD~3 --scenario towers --scenario traffic
+    python tools/golden.py --recordings DIR
+
+For changes that must not change any flight. Every `*.tlog` is compared frame by frame, time and
+bytes, and `result.json` key by key but for what the clock says; of each scenario the first
+difference is named. Frames count from 0, seconds from the first frame of the log. Scenarios that
+the reference lacks are named, one that the tree lacks is a difference.
+
+The reference flies in a work tree of its own. Its flights are kept below `~/.cache/vfguide-golden`
+(or XDG_CACHE_HOME), by commit and by kind of machine, so that the next time only the tree flies.
+
+A recording is a `vehicle-ID.tlog` beside the `scenario.toml` that was flown, of a real link or not:
+`vfguide replay` in the tree has to find every setpoint identical.
+
+The exit status is 0 if all is identical, 1 if not, 2 for bad input, 130 when interrupted.
+"""
+
+import argparse
+import hashlib
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from functools import partial
+from importlib.metadata import version
+from pathlib import Path, PurePath
+from typing import NamedTuple, TypeVar
+
+import llvmlite.binding
+from flight_difference import flight_difference, frames_in
+
+ROOT = Path(__file__).resolve().parent.parent
+REFERENCE = "69e415f"
+SAME, DIFFERENT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+RUN = "from vfguide.cli.main import main; main()"
+PACKAGES = ("jsbsim", "llvmlite", "numba", "numpy", "scipy")
+"""What else computes."""
+WIDE = "10000"
+"""Columns of a terminal that breaks no line."""
+
+Job = TypeVar("Job")
+Done = TypeVar("Done")
+
+
+class BadInputError(Exception):
+    """What was asked for cannot be compared; the message says why."""
+
+
+class NoFlightError(Exception):
+    """A scenario was not flown to its end; the message says what the program said last."""
+
+
+class Finding(NamedTuple):
+    """What a comparison found."""
+
+    name: str
+    """Of the scenario or the recording."""
+    same: bool
+    told: str
+
+
+class Side(NamedTuple):
+    """One of the two that fly."""
+
+    tree: Path
+    """The checkout whose package and scenarios are used."""
+    environment: dict[str, str]
+    """Of its programs, beside that of this one."""
+
+    def vfguide(self, *words: str | Path) -> subprocess.CompletedProcess[str]:
+        """A command of its own `vfguide`, in a process of its own."""
+        paths = {"PYTHONPATH": str(self.tree), "COLUMNS": WIDE}
+        return subprocess.run(
+            [sys.executable, "-c", RUN, *map(str, words)],
+            cwd=self.tree,
+            env={**os.environ, **paths, **self.environment},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    def fly(self, name: str, folder: Path) -> None:
+        """Fly a shipped scenario; a flight that is judged bad is one too.
+
+        The folder is there only once the flight is over. Where another process was faster, its
+        flight stays.
+
+        Raises:
+            NoFlightError: there is no result.
+        """
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
+            out = Path(scratch) / "flight"
+            done = self.vfguide("run", name, "--out", out, "--no-report")
+            if not is_flown(done, out):
+                raise NoFlightError(last_line(done))
+            if not folder.exists():
+                out.rename(folder)
+
+
+def is_flown(done: subprocess.CompletedProcess[str], out: Path) -> bool:
+    """Whether a run came to its end: a fault of Python's has the exit status of a bad flight."""
+    judged = done.returncode in (0, 1) and (out / "result.json").exists()
+    return judged and "Traceback" not in done.stderr
+
+
+def lines_of(done: subprocess.CompletedProcess[str]) -> list[str]:
+    """What a program said, its errors if there are any."""
+    return (done.stderr.strip() or done.stdout.strip()).splitlines()
+
+
+def last_line(done: subprocess.CompletedProcess[str]) -> str:
+    """What a program said last."""
+    return (lines_of(done) or [f"exit status {done.returncode}"])[-1]
+
+
+def git(*words: str | Path, at: Path = ROOT) -> str:
+    """What git says.
+
+    Raises:
+        BadInputError: it refuses.
+    """
+    done = subprocess.run(
+        ["git", "-C", str(at), *map(str, words)], capture_output=True, text=True, check=False
+    )
+    if done.returncode:
+        raise BadInputError(f"git {words[0]}: {last_line(done)}")
+    return done.stdout.strip()
+
+
+def commit_of(reference: str) -> str:
+    """The whole hash of a commit.
+
+    Raises:
+        BadInputError: there is none of that name.
+    """
+    try:
+        return git("rev-parse", "--verify", "--end-of-options", f"{reference}^{{commit}}")
+    except BadInputError as error:
+        raise BadInputError(f"{reference}: no commit of the repository {ROOT}") from error
+
+
+def names_of(files: Iterable[str]) -> list[str]:
+    """The names of the scenarios among files, of paths below the folder of scenarios."""
+    paths = map(PurePath, files)
+    names = {its.with_suffix("") for its in paths if its.suffix == ".toml"}
+    return sorted(name.as_posix() for name in names if "aircraft" not in name.parts)
+
+
+def names_at(commit: str) -> list[str]:
+    """The scenarios that a commit ships."""
+    return names_of(git("ls-tree", "-r", "--name-only", f"{commit}:scenarios").splitlines())
+
+
+def names_here() -> list[str]:
+    """The scenarios that the working tree ships."""
+    folder = ROOT / "scenarios"
+    return names_of(str(path.relative_to(folder)) for path in folder.rglob("*.toml"))
+
+
+def machine() -> str:
+    """What the bits of a flight depend on beside the code: processor and libraries."""
+    processor = (platform.machine(), llvmlite.binding.get_host_cpu_name())
+    features = llvmlite.binding.get_host_cpu_features().flatten()
+    libraries = ("python", platform.python_version(), *platform.libc_ver())
+    versions = (f"{package} {version(package)}" for package in PACKAGES)
+    return "\n".join([" ".join(processor), " ".join(libraries), *versions, features, ""])
+
+
+def kept_flights(commit: str) -> Path:
+    """The folder for the flights of a commit on this kind of machine."""
+    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache").absolute()
+    kind = hashlib.sha256(machine().encode()).hexdigest()[:12]
+    folder = home / "vfguide-golden" / commit / kind
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "machine.txt").write_text(machine())
+    return folder
+
+
+@contextmanager
+def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Side]:
+    """The reference as a work tree in `folder`, with the machine code that belongs to it.
+
+    Raises:
+        BadInputError: something else is there already.
+    """
+    tree = folder / commit
+    if not tree.exists():
+        git("worktree", "add", "--detach", tree, commit)
+    elif git("rev-parse", "HEAD", at=tree) != commit or git("status", "--porcelain", at=tree):
+        raise BadInputError(f"{tree}: not a clean checkout of that commit")
+    try:
+        yield Side(tree, {"XDG_CACHE_HOME": str(folder / "cache")})
+    finally:
+        if not keep:
+            git("worktree", "remove", "--force", tree)
+
+
+def in_turn(work: Callable[[Job], Done], jobs: Sequence[Job], workers: int) -> Iterator[Done]:
+    """The first job alone, since it compiles for all; then so many at a time. In their order."""
+    yield from map(work, jobs[:1])
+    with ThreadPoolExecutor(workers) as pool:
+        yield from pool.map(work, jobs[1:])
+
+
+def reference_flights(
+    commit: str, names: Sequence[str], scratch: Path, args: argparse.Namespace
+) -> Path:
+    """The folder of the reference's flights; those of `names` that it lacks are flown.
+
+    Raises:
+        BadInputError: the reference does not fly one of them.
+    """
+    kept = kept_flights(commit)
+    missing = [name for name in names if not (kept / name / "result.json").exists()]
+    say(f"reference {commit[:12]}: {len(missing)} of {len(names)} to fly, kept in {kept}")
+    if missing:
+        with checkout(commit, scratch, keep=args.keep is not None) as side:
+            for _ in in_turn(partial(fly_reference, side, kept), missing, args.workers):
+                pass
+    return kept
+
+
+def fly_reference(side: Side, kept: Path, name: str) -> None:
+    """Fly one scenario as the reference does.
+
+    Raises:
+        BadInputError: it does not.
+    """
+    try:
+        side.fly(name, kept / name)
+    except NoFlightError as error:
+        raise BadInputError(f"the reference does not fly {name}: {error}") from error
+
+
+def compare(side: Side, kept: Path, flown: Path, name: str) -> Finding:
+    """Fly one scenario as the tree does, and compare it with the kept flight."""
+    try:
+        side.fly(name, flown / name)
+    except NoFlightError as error:
+        return Finding(name, same=False, told=f"does not fly: {error}")
+    found = flight_difference(kept / name, flown / name)
+    told = found or f"identical, {frames_in(flown / name):,} frames"
+    return Finding(name, same=found is None, told=told)
+
+
+def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
+    """All scenarios that were asked for."""
+    commit = commit_of(args.reference)
+    before, here = names_at(commit), names_here()
+    if wrong := set(args.scenarios).difference(before, here):
+        raise BadInputError(f"{min(wrong)}: no shipped scenario; shipped: {', '.join(here)}")
+    wanted = args.scenarios or sorted({*before, *here})
+    both = [name for name in wanted if name in before and name in here]
+    kept = reference_flights(commit, both, scratch, args)
+    for name in wanted:
+        if name not in both:
+            lacking = "reference" if name in here else "tree"
+            yield Finding(name, same=name in here, told=f"the {lacking} lacks it")
+    flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
+    yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
+
+
+def recordings_in(folder: Path) -> list[Path]:
+    """The logs of companions that lie beside the scenario that was flown."""
+    logs = sorted(folder.rglob("vehicle-*.tlog"))
+    return [log for log in logs if (log.parent / "scenario.toml").exists()]
+
+
+def compare_recordings(folder: Path | None, workers: int) -> Iterator[Finding]:
+    """All recordings below a folder, replayed by the tree."""
+    logs = recordings_in(folder.absolute()) if folder else []
+    if not logs:
+        say(f"recordings: none in {folder}" if folder else "recordings: no folder given")
+    yield from in_turn(replay, logs, workers)
+
+
+def replay(log: Path) -> Finding:
+    """One recording."""
+    done = Side(ROOT, {}).vfguide("replay", log)
+    name = f"recording {log.parent.name}/{log.name}"
+    return Finding(name, same=done.returncode == 0, told=", ".join(lines_of(done)))
+
+
+def say(line: str) -> None:
+    """Print a line at once."""
+    print(line, flush=True)
+
+
+def whole(text: str) -> int:
+    """A number of processes."""
+    if (number := int(text)) < 1:
+        raise argparse.ArgumentTypeError(f"{number}, allowed is 1 or more")
+    return number
+
+
+def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    """The options."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("reference", nargs="?", default=REFERENCE, help=f"commit, {REFERENCE}")
+    parser.add_argument("--scenario", dest="scenarios", action="append", default=[], metavar="NAME")
+    parser.add_argument("--recordings", type=Path, metavar="DIR", help="replayed by the tree")
+    parser.add_argument(
+        "--keep", type=Path, metavar="DIR", help="for checkout and flights of the tree, to look at"
+    )
+    parser.add_argument("--workers", type=whole, default=2, help="processes at a time")
+    return parser.parse_args(arguments)
+
+
+def findings(args: argparse.Namespace) -> Iterator[Finding]:
+    """Everything that is compared."""
+    if args.keep:
+        args.keep.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        yield from compare_flights((args.keep or Path(temporary)).absolute(), args)
+    yield from compare_recordings(args.recordings, args.workers)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Compare; returns the exit status."""
+    status = SAME
+    try:
+        for finding in findings(parse(arguments)):
+            say(f"{finding.name}: {finding.told}")
+            status = status if finding.same else DIFFERENT
+    except (BadInputError, OSError) as error:
+        print(f"golden.py: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        print("golden.py: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
