@@ -116,7 +116,8 @@ def among(*obstacles):
     return Airspace(hazards(obstacles), NO_FENCE, 0.0, 1.0)
 
 
-NEAR = ball((90.0, 0.0, -150.0))
+NEAR = ball((105.0, 0.0, -150.0))
+TOO_NEAR = ball((90.0, 0.0, -150.0))
 FAR = ball((9000.0, 0.0, -150.0))
 
 
@@ -126,9 +127,12 @@ def test_a_command_that_leaves_a_way_out_passes_as_it_is():
     assert after.decision.reason == Reason.CLEAR
 
 
-def test_a_command_that_leaves_none_is_not_flown():
-    command, after = judged(among(NEAR))
-    assert after.decision.reason == Reason.ESCAPE
+@pytest.mark.parametrize(
+    ("obstacle", "reason"), [(NEAR, Reason.ESCAPE), (TOO_NEAR, Reason.LEAST_BAD)]
+)
+def test_a_command_that_leaves_none_is_not_flown(obstacle, reason):
+    command, after = judged(among(obstacle))
+    assert after.decision.reason == reason
     assert after.stored.acting == 1.0
     assert abs(command.bank) > abs(WISH.bank)
     assert command.load == pytest.approx(math.cos(command.gamma) / math.cos(command.bank))
