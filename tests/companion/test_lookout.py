@@ -4,30 +4,26 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conversations import plan
 
 from vfguide.companion.lookout import BACK, Lookout, way_note
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import DETOUR, GUARD, fresh_route, packed_memory
-from vfguide.flight.detour_leg import (
-    CLEARANCE,
-    COUNT,
-    LEVEL,
-    LOOKED,
-    RADIUS,
-    ROWS,
-    SOUGHT,
-    fresh_detour,
-)
-from vfguide.safety.guard import CONFLICT, HAZARD, REASON
+from vfguide.flight.detour_leg import RouteState, fresh_route_state
+from vfguide.flight.hop import Hop, hop_row
+from vfguide.flight.shortest import Word
+from vfguide.flight.way import Pose
+from vfguide.geometry.rows import Row
+from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.planning.planning import fresh_route
+from vfguide.safety.assurance import Reason
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.member import Member
 
-CLEAR, ESCAPE, LEAST_BAD = 0.0, 1.0, 2.0
+CLEAR, ESCAPE, LEAST_BAD = Reason.CLEAR, Reason.ESCAPE, Reason.LEAST_BAD
+HERE = Pose(0.0, 0.0, 0.0)
 STEP = 0.02
 
 
@@ -37,27 +33,39 @@ def among_towers() -> Plan:
     return replace(plan(), hazards=hazards_of(scenario), hazard_names=hazard_names(scenario))
 
 
-def decided(reason: float, conflict: float = math.inf, hazard: int = -1) -> np.ndarray:
-    memory = packed_memory(fresh_route(5))
-    memory[GUARD + REASON], memory[GUARD + CONFLICT] = reason, conflict
-    memory[GUARD + HAZARD] = hazard
-    return memory
+def decided(reason: Reason, conflict: float = math.inf, hazard: int = -1) -> Row:
+    s = fresh_state(5)
+    decision = s.assurance.decision._replace(reason=reason, conflict=conflict, hazard=hazard)
+    return row_of_state(s._replace(assurance=s.assurance._replace(decision=decision)))
 
 
-def sought(clearance: float, at: float, looked: float | None = None) -> np.ndarray:
-    memory = decided(CLEAR)
-    memory[DETOUR + CLEARANCE], memory[DETOUR + SOUGHT] = clearance, at
-    memory[DETOUR + LOOKED] = at if looked is None else looked
-    return memory
+def on(route: RouteState) -> Row:
+    """The row of a state with a route round hazards."""
+    return row_of_state(fresh_state(5)._replace(planning=fresh_route()._replace(detour=route)))
 
 
-def told(its: Plan, *stretches: tuple[float, np.ndarray]) -> list[tuple[float, str]]:
-    """Times and notes of stretches of so many seconds with the same memory."""
+def searched(clearance: float, at: float, looked: float | None = None) -> RouteState:
+    looked = at if looked is None else looked
+    return fresh_route_state()._replace(clearance=clearance, sought=at, looked=looked)
+
+
+def sought(clearance: float, at: float, looked: float | None = None) -> Row:
+    return on(searched(clearance, at, looked))
+
+
+def with_hops(route: RouteState, radius: float, *words: Word) -> RouteState:
+    hops = route.hops.copy()
+    hops[: len(words)] = [hop_row(Hop(HERE, word)) for word in words]
+    return route._replace(length=len(words), radius=radius, hops=hops)
+
+
+def told(its: Plan, *stretches: tuple[float, Row]) -> list[tuple[float, str]]:
+    """Times and notes of stretches of so many seconds with the same row."""
     lookout, notes, now = Lookout(its), [], 0.0
-    for seconds, memory in stretches:
+    for seconds, row in stretches:
         for _ in range(round(seconds / STEP)):
             now = round(now + STEP, 6)
-            notes += [(now, note) for note in lookout.notes(memory, now)]
+            notes += [(now, note) for note in lookout.notes(row, now)]
     return notes
 
 
@@ -91,9 +99,7 @@ def test_a_way_that_is_not_found_is_told_once_and_when_there_is_one_again(
     among_towers: Plan,
 ) -> None:
     searches = [(1.0, sought(-1.0, at)) for at in (0.5, 1.5, 2.5, 3.5)]
-    found = sought(12.0, 4.5)
-    found[DETOUR + COUNT], found[DETOUR + RADIUS] = 1.0, 80.0
-    found[DETOUR + ROWS + 3 : DETOUR + ROWS + 9] = (1.0, 0.5, 0.0, 2.0, -1.0, 0.5)
+    found = on(with_hops(searched(12.0, 4.5), 80.0, Word(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)))
     notes = [note for _, note in told(among_towers, *searches, (2.0, found))]
     assert notes[0].startswith("no way to goal 1 found")
     assert notes[1:] == ["a way round: 2 turns, 240 m"]
@@ -109,19 +115,14 @@ def test_without_hazards_there_is_nothing_to_tell() -> None:
 
 
 def test_turns_of_hops_that_join_in_one_are_one() -> None:
-    detour = sought(12.0, 0.0)[DETOUR:GUARD]
-    detour[COUNT], detour[RADIUS] = 2.0, 100.0
-    detour[ROWS : ROWS + 18] = (
-        *(0, 0, 0, 1, 0.4, 0, 1.0, 1, 0.3),
-        *(0, 0, 0, 1, 0.2, 0, 1.0, -1, 0.6),
-    )
-    assert way_note(detour) == "a way round: 3 turns, 350 m"
+    first, second = Word(1.0, 0.4, 0.0, 1.0, 1.0, 0.3), Word(1.0, 0.2, 0.0, 1.0, -1.0, 0.6)
+    route = with_hops(searched(12.0, 0.0), 100.0, first, second)
+    assert way_note(route) == "a way round: 3 turns, 350 m"
 
 
 def test_a_way_over_is_told_by_its_height() -> None:
-    detour = fresh_detour()
-    detour[LEVEL] = -184.6
-    assert way_note(detour) == "over what is in the way, at 185 m"
+    route = fresh_route_state()._replace(level=-184.6)
+    assert way_note(route) == "over what is in the way, at 185 m"
 
 
 def test_a_flight_among_towers_tells_of_its_way(

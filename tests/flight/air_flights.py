@@ -25,6 +25,7 @@ class Air:
         self.yaw_error, self.sensor_error, self.rng = yaw_error, sensor_error, rng
         self.acceleration = 0.0
         self.course, self.time, self.air = 0.0, 1.0, fresh_air()
+        self.asked = 0.0  # thrust at the step before
 
     def fly(self, seconds, bank=0.0, sensor=True, told=TOLD, fault=None):
         """States that were flown on, and what was believed after each."""
@@ -33,8 +34,8 @@ class Air:
             self.time += DT
             self.course += DT * G0 * math.tan(bank) / self.airspeed
             state = self.state(bank, sensor, told, fault)
-            state, self.air = sense_air(state, self.air, AEROSONDE, 25.0)
-            self.air = self.air._replace(thrust=self.thrust(bank))
+            state, self.air = sense_air(state, self.air, self.asked, AEROSONDE, 25.0)
+            self.asked = self.thrust(bank)
             believed.append((state, self.air))
         return believed
 

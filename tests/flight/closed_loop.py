@@ -8,12 +8,12 @@ from itertools import pairwise
 import numpy as np
 from point_mass import UPDATE, Moment, fly, level
 
-from vfguide.loop.legs import Goal
 from vfguide.companion.plan import Plan
 from vfguide.flight.performance import Gains
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
+from vfguide.loop.legs import Goal
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 
@@ -59,7 +59,7 @@ def passed(before: Moment, after: Moment, to: Goal):
     miss = norm(sub(off, scale(opening / dot(v_n, v_n), v_n)))
     course = abs(wrap(math.atan2(v_n[1], v_n[0]) - to.course))
     climb = abs(math.atan2(-v_n[2], math.hypot(v_n[0], v_n[1])) - to.climb)
-    on = after.route.goal > before.route.goal
+    on = after.goal > before.goal
     return Pass(after.state.time, miss, course, climb, on)
 
 
@@ -70,13 +70,13 @@ class Flight:
 
     @property
     def finished(self):
-        return self.moments[-1].route.goal == len(self.goals)
+        return self.moments[-1].goal == len(self.goals)
 
     @cached_property
     def passes(self):
         """Every local minimum of the distance to the goal that is flown to."""
-        left = [(a, b) for a, b in pairwise(self.moments) if a.route.goal < len(self.goals)]
-        each = [passed(before, after, self.goals[before.route.goal]) for before, after in left]
+        left = [(a, b) for a, b in pairwise(self.moments) if a.goal < len(self.goals)]
+        each = [passed(before, after, self.goals[before.goal]) for before, after in left]
         return [one for one in each if one]
 
     @property
@@ -113,7 +113,7 @@ def flown(start, heading, goals, wind=STILL, seconds=300.0, **loiter):
     """The flight to the last of the goals; the heading in degrees."""
     body = level(start, heading * DEG, GAINS.airspeed, AEROSONDE)
     plan = plan_of(goals, **loiter)
-    moments = fly(body, plan, wind, seconds, lambda moment: moment.route.goal == len(goals))
+    moments = fly(body, plan, wind, seconds, lambda moment: moment.goal == len(goals))
     return Flight(tuple(goals), moments)
 
 

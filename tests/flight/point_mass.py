@@ -4,16 +4,21 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from loop_steps import step_told
+
+from vfguide.airspace.detection import Airspace
+from vfguide.companion.loop_report import goal_of_row
 from vfguide.companion.plan import Plan
-from vfguide.companion.route_memory import RouteMemory, fresh_route
-from vfguide.companion.step import step
+from vfguide.companion.route import GUST
 from vfguide.flight.memory import Wish
 from vfguide.flight.performance import Performance
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import exp, from_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale, sub, transpose, unit
+from vfguide.loop.state import LoopState, fresh_state, row_of_state, state_of_row
 
 RATE_LAG = 0.08
 """Of the body rates behind their setpoints [s]."""
@@ -36,8 +41,17 @@ class Moment(NamedTuple):
     """What was flown at one update."""
 
     state: FlightState
-    route: RouteMemory
+    row: Row
+    """Of the `LoopState` that the step left."""
     wish: Wish
+
+    @property
+    def goal(self) -> int:
+        return goal_of_row(self.row)
+
+    @property
+    def loop(self) -> LoopState:
+        return state_of_row(self.row)
 
 
 @compiled
@@ -69,22 +83,23 @@ def fly(
     wind_n: Vec3,
     seconds: float,
     until: Callable[[Moment], bool] = lambda moment: False,
-    route: RouteMemory | None = None,
+    loop: LoopState | None = None,
 ) -> list[Moment]:
     """The flight, a moment an update, until a time or until something is so.
 
-    It goes on from a `route`, or begins.
+    It goes on from the state of a `loop`, or begins.
     """
     known = 0 if plan.hazards is None else len(plan.hazards.obstacles)
     flown, airspeed = list[Moment](), math.hypot(*body.air_n)
-    route = fresh_route(known) if route is None else route
+    row = row_of_state(fresh_state(known) if loop is None else loop)
     while body.time < seconds and not (flown and until(flown[-1])):
         v_n = add(body.air_n, wind_n)
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)
-        setpoint, route, wish, _ = step(
-            state, plan.legs, plan.law, route, plan.hazards, plan.fence, body.time
-        )
-        flown.append(Moment(state, route, wish))
+        airspace = None
+        if plan.hazards is not None:
+            airspace = Airspace(plan.hazards, plan.fence, body.time, GUST)
+        omega_b, row, wish = step_told(state, row, plan.legs, airspace, plan.law, plan.vehicle_row)
+        flown.append(Moment(state, row, wish))
         for _ in range(SUBSTEPS):
-            body = advance(body, setpoint.omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)
+            body = advance(body, omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)
     return flown

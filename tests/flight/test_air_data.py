@@ -5,11 +5,13 @@ import math
 import numpy as np
 import pytest
 from air_flights import BANK, DT, Air
-from flight_states import AEROSONDE, GAINS
+from flight_states import AEROSONDE, GAINS, VEHICLE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from vfguide.flight.air_data import FAILURE_TIME, RECOVERY_TIME, cautious, sense_air
+from vfguide.estimation.caution import cautious
+from vfguide.estimation.estimation import known_state
+from vfguide.flight.air_data import FAILURE_TIME, RECOVERY_TIME, sense_air
 from vfguide.flight.air_state import AIRSPEED, EAST, NORTH, fresh_air, report_air, sigma
 from vfguide.flight.flight_model import SLIP_MAX, slip
 from vfguide.geometry.rows import row_of
@@ -144,12 +146,25 @@ def test_a_number_that_stands_still_while_the_airspeed_changes_has_failed():
     assert not report_air(flight.air).trusts_sensor
 
 
+def cautious_gains(flight, state):
+    """The gains of a vehicle that is flown on what is believed of the air."""
+    air = flight.air
+    nav = known_state(state, state.time - DT)._replace(
+        trusts_sensor=air.sensor.trusted,
+        airspeed=air.estimate.x[AIRSPEED],
+        airspeed_sigma=sigma(air.estimate, AIRSPEED),
+    )
+    vehicle = cautious(nav, VEHICLE)
+    assert vehicle._replace(gains=GAINS) == VEHICLE
+    return vehicle.gains
+
+
 def test_without_a_sensor_the_law_is_faster_and_banks_less():
     flight = Air((0.0, 0.0), 20.0)
-    flight.fly(2.0)
-    assert cautious(GAINS, flight.air, AEROSONDE) == GAINS
-    flight.fly(5.0, sensor=False)
-    gains = cautious(GAINS, flight.air, AEROSONDE)
+    state, _ = flight.fly(2.0)[-1]
+    assert cautious_gains(flight, state) == GAINS
+    state, _ = flight.fly(5.0, sensor=False)[-1]
+    gains = cautious_gains(flight, state)
     unsure = 2.0 * sigma(flight.air.estimate, AIRSPEED)
     assert gains.airspeed == max(25.0, 1.2 * 18.0 + unsure)
     load = ((report_air(flight.air).airspeed - unsure) / 18.0) ** 2
@@ -172,7 +187,7 @@ def test_a_step_changes_no_memory_of_the_one_before():
     flight.fly(1.0)
     before = row_of(flight.air)
     state = flight.state(0.0, sensor=True, told=(math.nan,) * 3, fault=None)
-    sense_air(state._replace(time=state.time + DT), flight.air, AEROSONDE, 25.0)
+    sense_air(state._replace(time=state.time + DT), flight.air, flight.asked, AEROSONDE, 25.0)
     assert (row_of(flight.air) == before).all()
 
 

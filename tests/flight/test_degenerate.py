@@ -5,15 +5,22 @@ from random import Random
 
 import numpy as np
 import pytest
-from flight_states import AEROSONDE, GAINS, LAW, is_within_limits, state, steps, turned
+from flight_states import (
+    VEHICLE,
+    fresh_memory,
+    guide,
+    guide_within_limits,
+    is_within_limits,
+    state,
+    steps,
+    turned,
+)
 
-from vfguide.flight.guidance import guide
-from vfguide.flight.memory import Target, fresh_memory
+from vfguide.flight.memory import Target
 from vfguide.flight.state import FlightState
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import matvec
-from vfguide.safety.limits import guide_within_limits
 
 pytestmark = pytest.mark.slow
 
@@ -42,7 +49,9 @@ def flown(here, target, rng):
     """Setpoints of a few steps, with no time at all, too much and backwards between them."""
     memory, time = fresh_memory(), 1.0
     for _ in range(4):
-        setpoint, memory, wish = guide_within_limits(here._replace(time=time), target, LAW, memory)
+        setpoint, memory, wish = guide_within_limits(
+            here._replace(time=time), target, VEHICLE, memory
+        )
         yield setpoint, memory, wish
         time += rng.choice([0.0, 0.02, 50.0, -1.0])
 
@@ -55,8 +64,9 @@ def test_odd_states_give_finite_setpoints_within_the_limits(seed):
         for setpoint, memory, wish in flown(here, target, rng):
             assert is_within_limits(setpoint), (here, target)
             numbers = (*setpoint.q_nb, wish.course, wish.azimuth, wish.gamma, wish.bank)
-            kept = (memory.slope, *memory.omega_a, memory.thrust_integral, memory.alpha_bias)
-            assert all(map(math.isfinite, (*numbers, *kept))), (here, target)
+            slope, kept = memory.guidance.slope, memory.control
+            learned = (*kept.omega_a, kept.thrust_integral, kept.alpha_bias)
+            assert all(map(math.isfinite, (*numbers, slope, *learned))), (here, target)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -94,5 +104,5 @@ def test_the_setpoint_turns_with_the_world_to_the_last_digits(circle):
 def test_from_upside_down_it_rolls_back_the_short_way(roll):
     here = state((-400.0, 0.0, -150.0), 0.0, roll=roll * DEG)
     level = Target((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0)
-    setpoint, _, _ = guide(here, level, AEROSONDE, GAINS, fresh_memory())
+    setpoint, _, _ = guide(here, level, VEHICLE, fresh_memory())
     assert setpoint.omega_b[0] * roll < 0.0

@@ -2,15 +2,21 @@
 
 import pytest
 from closed_loop import blowing, flown, goal
-from flight_states import GAINS, LAW, is_within_limits, state
+from flight_states import (
+    GAINS,
+    VEHICLE,
+    fresh_memory,
+    guide_within_limits,
+    is_within_limits,
+    state,
+)
 
 from vfguide.flight.approach import Planar
 from vfguide.flight.begin import Paths
 from vfguide.flight.leg import AWAY, WAY, new_leg
-from vfguide.flight.memory import Target, fresh_memory
+from vfguide.flight.memory import Target
 from vfguide.flight.planner import fly_leg, leg_course
 from vfguide.geometry.units import DEG
-from vfguide.safety.limits import guide_within_limits
 
 STILL_AIR = (0.0, 0.0)
 
@@ -111,7 +117,7 @@ def test_height_to_gain_without_any_speed_over_ground(v_n):
     """The centre of the circle was a division by zero."""
     here = state((-300.0, 0.0, -20.0), 0.0, wind=(-25.0, 0.0, 0.0))._replace(v_n=v_n)
     setpoint, _, wish = guide_within_limits(
-        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0), LAW, fresh_memory()
+        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0), VEHICLE, fresh_memory()
     )
     assert wish.phase == AWAY
     assert is_within_limits(setpoint)
@@ -122,6 +128,6 @@ def test_an_airspeed_of_zero_in_a_head_wind(circle):
     """As on the ground, or of a blocked tube: zero over zero stopped the companion."""
     here = state((-300.0, 0.0, -20.0), 0.0, wind=(-12.0, 0.0, 0.0))._replace(airspeed=0.0)
     setpoint, _, _ = guide_within_limits(
-        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, circle, 100.0), LAW, fresh_memory()
+        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, circle, 100.0), VEHICLE, fresh_memory()
     )
     assert is_within_limits(setpoint)

@@ -8,7 +8,11 @@ from flight_states import (
     AEROSONDE,
     GAINS,
     GOAL,
-    LAW,
+    VEHICLE,
+    Memory,
+    fresh_memory,
+    guide,
+    guide_within_limits,
     is_within_limits,
     state,
     steps,
@@ -17,20 +21,31 @@ from flight_states import (
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.airspace.detection import Airspace
+from vfguide.control.control import ControlState
+from vfguide.estimation.estimation import known_state
+from vfguide.field.obstacle import obstacle_rows
 from vfguide.flight.detour import Detour
-from vfguide.flight.detour_leg import begin_detour, fresh_detour
+from vfguide.flight.detour_leg import begin_route, fresh_route_state
 from vfguide.flight.energy import thrust_for
-from vfguide.flight.guidance import SPARING, guide, plan_flight, soon
 from vfguide.flight.hop import HOP_COLUMNS, Hop, hop_row, next_word
-from vfguide.flight.horizontal import flyable_radius, usable_bank
-from vfguide.flight.memory import Memory, fresh_memory
-from vfguide.flight.performance import Gains, Performance, packed, turn_length, unpacked
-from vfguide.flight.state import FlightState, RateSetpoint
+from vfguide.flight.horizontal import flyable_radius, soon, usable_bank
+from vfguide.flight.leg import new_leg
+from vfguide.flight.outlines import NO_FENCE
+from vfguide.flight.performance import turn_length
+from vfguide.flight.state import FlightState
 from vfguide.flight.vertical import AT_FLOOR, NEAR_FLOOR, path_limits
 from vfguide.flight.way import Pose
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.vector import matvec
-from vfguide.safety.limits import guide_within_limits, limit_setpoint
+from vfguide.guidance import flight_law
+from vfguide.guidance.flight_law import SPARING
+from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
+from vfguide.planning import planning
+from vfguide.planning.objective import objective_at
+from vfguide.planning.planning import Route, fresh_route
+from vfguide.safety.fence import fences
+from vfguide.safety.hazards import Hazards, traffic_rows
 
 PLACES = st.tuples(st.floats(-900, 900), st.floats(-900, 900), st.floats(-250, -50))
 ANGLES = st.floats(-math.pi, math.pi)
@@ -95,26 +110,15 @@ def test_strange_states_give_finite_setpoints_within_the_limits(strange, circle)
     memory = fresh_memory()
     for time in (1.0, 1.0, 1.02, 50.0):  # no time at all, and too much of it
         setpoint, memory, wish = guide_within_limits(
-            strange._replace(time=time), target, LAW, memory
+            strange._replace(time=time), target, VEHICLE, memory
         )
         assert is_within_limits(setpoint)
         assert all(map(math.isfinite, (wish.course, wish.azimuth, wish.bank, wish.gamma)))
 
 
-ANYTHING = st.floats(allow_nan=True, allow_infinity=True)
-
-
-@given(st.tuples(ANYTHING, ANYTHING, ANYTHING), ANYTHING)
-def test_whatever_goes_in_only_limited_setpoints_come_out(omega, thrust):
-    asked = RateSetpoint(omega, thrust, (1.0, 0.0, 0.0, 0.0))
-    once = limit_setpoint(asked, AEROSONDE)
-    assert is_within_limits(once)
-    assert limit_setpoint(once, AEROSONDE) == once
-
-
 def test_with_a_state_that_is_no_number_the_setpoint_is_level_flight():
     broken = state((math.nan, 0.0, -150.0), 0.0)
-    setpoint, _, _ = guide_within_limits(broken, GOAL, LAW, fresh_memory())
+    setpoint, _, _ = guide_within_limits(broken, GOAL, VEHICLE, fresh_memory())
     assert is_within_limits(setpoint)
 
 
@@ -126,21 +130,11 @@ def test_more_airspeed_allows_more_bank(one, other):
 
 
 def test_the_memory_is_a_record_that_compiled_code_gives_back():
-    _, memory, _ = guide(state((-300.0, 20.0, -140.0), 0.4), GOAL, AEROSONDE, GAINS, fresh_memory())
+    _, memory, _ = guide(state((-300.0, 20.0, -140.0), 0.4), GOAL, VEHICLE, fresh_memory())
     assert isinstance(memory, Memory)
     assert memory.time == 1.0
-
-
-def test_the_law_as_one_array_holds_every_number_in_its_place():
-    numbers = iter(range(1, 100))
-    aircraft = Performance(
-        *(
-            tuple(float(next(numbers)) for _ in range(3)) if name == "rate_max" else next(numbers)
-            for name in Performance._fields
-        )
-    )
-    gains = Gains(*(float(next(numbers)) for _ in Gains._fields))
-    assert unpacked(packed(aircraft, gains)) == (aircraft, gains)
+    kinds = [type(part) for part in (memory.route, memory.guidance, memory.control)]
+    assert kinds == [Route, GuidanceState, ControlState]
 
 
 def test_an_aircraft_slow_to_roll_turns_wider_and_earlier():
@@ -163,22 +157,42 @@ def test_where_the_air_sinks_faster_than_it_can_climb_thrust_is_set_for_all_of_t
     """The airspeed that it brings soon allows a steeper one."""
     below = (-300.0, 0.0, GOAL.p_n[2] + 20.0)
     sinking = state(below, 0.0, wind=(0.0, 0.0, 8.0))._replace(airspeed=27.0)
-    setpoint, _, wish = guide(sinking, GOAL, AEROSONDE, GAINS, fresh_memory())
+    setpoint, _, wish = guide(sinking, GOAL, VEHICLE, fresh_memory())
     v, speed = sinking.v_n, GAINS.airspeed
     assert (
         wish.gamma == path_limits(math.hypot(v[0], v[1], v[2] - 8.0), speed, math.inf, AEROSONDE)[1]
     )
     assert wish.climb > wish.gamma + 0.05
     assert setpoint.thrust == thrust_for(AEROSONDE, speed - 27.0, wish.climb, wish.load, 0.0)
-    _, _, wish = guide(state(below, 0.0), GOAL, AEROSONDE, GAINS, fresh_memory())
+    _, _, wish = guide(state(below, 0.0), GOAL, VEHICLE, fresh_memory())
     assert wish.climb == wish.gamma
+
+
+def above_a_floor(height: float) -> Airspace:
+    """Nothing in the way at the height of the goal, and a floor so far below it."""
+    floor = -GOAL.p_n[2] - height
+    empty = Hazards(obstacle_rows([]), traffic_rows([]), fences([]), floor, math.inf)
+    return Airspace(empty, NO_FENCE, 0.0, 1.0)
+
+
+def planned(here, target, route=None, airspace=None):
+    """The wish for a state, the first one or on a route."""
+    nav, goal = known_state(here, -1.0), objective_at(target, here)
+    before = fresh_route() if route is None else route
+    route = planning.update(nav, goal, None, True, before, 0.0, VEHICLE)
+    return flight_law.update(nav, goal, route, airspace, fresh_guidance(), VEHICLE)[0]
 
 
 def wished(sinking: float, above: float, airspeed: float = 25.0):
     """The wish 300 m beside the goal and at its height, flying away from it."""
     here = state((-300.0, 300.0, GOAL.p_n[2]), 2.0, wind=(0.0, 0.0, sinking))
     here = here._replace(airspeed=airspeed)
-    return plan_flight(here, GOAL, AEROSONDE, GAINS, fresh_memory(), np.zeros(0), above)[0]
+    return planned(here, GOAL, airspace=above_a_floor(above))
+
+
+def test_without_an_airspace_there_is_no_floor():
+    here = state((-300.0, 300.0, GOAL.p_n[2]), 2.0, wind=(0.0, 0.0, 9.0))
+    assert planned(here, GOAL) == wished(9.0, math.inf)
 
 
 def test_near_the_floor_air_that_sinks_is_flown_out_of_with_wings_level():
@@ -210,13 +224,10 @@ def test_the_bank_changes_steadily_with_the_air_and_with_the_height():
 def test_a_hold_is_flown_in_the_middle_of_a_detour_too():
     """In wind that is too strong: the hops are no place to wait."""
     here, begin = state((-300.0, 300.0, GOAL.p_n[2]), 2.0), Pose(-300.0, 300.0, 2.0)
-    detour, end = fresh_detour(), Pose(500.0, 900.0, 0.5)
+    end = Pose(500.0, 900.0, 0.5)
     hop = hop_row(Hop(begin, next_word(begin, end, 80.0, -1.0))).reshape(1, HOP_COLUMNS)
-    begin_detour(detour, Detour(hop, 900.0, 25.0, 1), end, 80.0)
+    found = Detour(hop, 900.0, 25.0, 1)
+    on_route = Route(new_leg(), begin_route(fresh_route_state(), found, end, 80.0))
     circle = GOAL._replace(circle=1.0, radius=120.0)
-
-    def wish(target, on):
-        return plan_flight(here, target, AEROSONDE, GAINS, fresh_memory(), on, math.inf)[0]
-
-    assert wish(circle, detour) == wish(circle, np.zeros(0))
-    assert wish(GOAL, detour) != wish(GOAL, np.zeros(0))
+    assert planned(here, circle, on_route) == planned(here, circle)
+    assert planned(here, GOAL, on_route) != planned(here, GOAL)

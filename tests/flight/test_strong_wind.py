@@ -3,12 +3,10 @@
 import math
 
 import pytest
-from flight_states import AEROSONDE, GAINS, state
+from flight_states import VEHICLE, fresh_memory, guide, state
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.flight.guidance import guide
-from vfguide.flight.memory import fresh_memory
 from vfguide.flight.strong_wind import (
     SETTLING,
     TOO_STRONG,
@@ -60,7 +58,7 @@ def test_it_turns_towards_the_wind_from_any_heading(yaw, toward, speed):
     wind = (speed * math.cos(toward), speed * math.sin(toward), 0.0)
     here = state((50.0, -70.0, -120.0), yaw, roll=0.0, wind=wind)
     target = into_wind(Stand(1.2, True, -120.0), here)
-    _, _, wish = guide(in_air_frame(here), target, AEROSONDE, GAINS, fresh_memory())
+    _, _, wish = guide(in_air_frame(here), target, VEHICLE, fresh_memory())
     assert abs(wrap(wish.azimuth - toward - math.pi)) < 1e-3
     turn = wrap(wish.azimuth - yaw)
     if 0.05 < abs(turn) < 2.5:
@@ -74,5 +72,5 @@ def test_the_height_is_held_while_the_aircraft_is_blown_backwards(height):
     memory = fresh_memory()
     for k in range(50):
         each = in_air_frame(here._replace(time=1.0 + 0.02 * k))
-        _, memory, wish = guide(each, target, AEROSONDE, GAINS, memory)
+        _, memory, wish = guide(each, target, VEHICLE, memory)
     assert wish.gamma * height < 0.0  # down from above, up from below

@@ -8,14 +8,13 @@ import pytest
 from closed_loop import STILL, blowing, goal, plan_of
 from point_mass import fly, level
 
-from vfguide.companion.route_memory import DETOUR, GUARD, packed_memory, take_over
+from vfguide.companion.loop_report import decision_of_row, route_of_row
 from vfguide.field import shape
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_distance, obstacle_rows
-from vfguide.flight.detour_leg import COUNT, LEVEL, LOOKED
 from vfguide.geometry.rows import columns
+from vfguide.loop.state import take_over
 from vfguide.safety.assurance import Reason
 from vfguide.safety.fence import Zone, fence_distance, fences
-from vfguide.safety.guard import REASON
 from vfguide.safety.hazards import Hazards, Intruder, traffic_rows
 from vfguide.scenario.fence import ZoneEntry
 from vfguide.scenario.hazards import Fence, outlines_of
@@ -63,7 +62,7 @@ def least_distance(flown, obstacles):
 
 
 def arrived(at):
-    return at.route.goal == 1
+    return at.goal == 1
 
 
 def start():
@@ -78,7 +77,7 @@ def flown_among(obstacles, wind=STILL, to=None, **known):
 
 
 def acted(flown):
-    return [at for at in flown if packed_memory(at.route)[GUARD + REASON] != Reason.CLEAR]
+    return [at for at in flown if decision_of_row(at.row).reason != Reason.CLEAR]
 
 
 @pytest.mark.parametrize("wind", [STILL, blowing(8.0, 60.0), blowing(8.0, 240.0)])
@@ -92,9 +91,9 @@ def test_a_tower_in_the_way_is_passed_with_room(aside, wind):
 
 def test_a_detour_ends_in_a_way_of_the_leg_itself():
     flown = flown_among([ball(-100.0, 0.0, 60.0)])
-    counts = [packed_memory(at.route)[DETOUR + COUNT] for at in flown]
+    counts = [route_of_row(at.row).length for at in flown]
     assert max(counts) >= 2
-    assert counts[-1] == 0.0
+    assert counts[-1] == 0
 
 
 @pytest.mark.parametrize("gate", [70.0, 110.0])
@@ -238,7 +237,7 @@ def test_the_level_is_kept_over_a_plateau_when_a_tower_comes_into_sight(north, s
     over = [at for at in flown if 160.0 < at.state.p_n[0] < 760.0]
     assert len(over) > 100
     assert min(-at.state.p_n[2] for at in over) > 200.0
-    assert not [at for at in over if packed_memory(at.route)[GUARD + REASON] != Reason.CLEAR]
+    assert not [at for at in over if decision_of_row(at.row).reason != Reason.CLEAR]
 
 
 @pytest.mark.parametrize("sunk", [6.0, 11.0, 18.0])
@@ -252,7 +251,7 @@ def test_sunk_over_a_plateau_it_climbs_again(sunk, north):
     at = flown[-1]
     x, y, z = at.state.p_n
     body = level((x, y, z + sunk), 0.0, 25.0, plan.aircraft)._replace(time=at.state.time)
-    after = fly(body, plan, STILL, at.state.time + 10.0, arrived, at.route)
+    after = fly(body, plan, STILL, at.state.time + 10.0, arrived, at.loop)
     heights_after = heights(after)
     assert heights_after.min() > -z - sunk - 3.0
     assert heights_after[-1] > 200.0
@@ -260,7 +259,7 @@ def test_sunk_over_a_plateau_it_climbs_again(sunk, north):
 
 def test_behind_what_was_passed_the_level_is_dropped():
     flown = flown_far([ridge()])
-    kept = [packed_memory(at.route)[DETOUR + LEVEL] for at in flown]
+    kept = [route_of_row(at.row).level for at in flown]
     there = [at.state.p_n[0] for at, z in zip(flown, kept, strict=True) if z == -205.0]
     assert there[0] < -600.0
     assert 200.0 < there[-1] < 500.0
@@ -313,7 +312,7 @@ def test_a_level_is_found_again_when_the_autopilot_follows_again(sunk):
     at = flown[-1]
     x, y, z = at.state.p_n
     body = level((x, y, z + sunk), 0.0, 25.0, plan.aircraft)._replace(time=at.state.time)
-    after = fly(body, plan, STILL, 300.0, arrived, take_over(at.route))
+    after = fly(body, plan, STILL, 300.0, arrived, take_over(at.loop))
     assert arrived(after[-1])
     assert over_the_plateau(after) > 24.5 - sunk
     assert not acted(after)
@@ -338,8 +337,8 @@ def test_over_a_plateau_the_next_goal_is_not_descended_to_at_once(up, ceiling, t
     plan = among(plan_of(goals), [long_plateau()], heights=(20.0, ceiling))
     plan = replace(plan, hazards=plan.hazards._replace(traffic=traffic_rows(traffic)))
     body = level((-700.0, 0.0, -180.0 - up), 0.0, 25.0, plan.aircraft)
-    flown = fly(body, plan, STILL, 300.0, lambda at: at.route.goal == 2)
-    assert flown[-1].route.goal == 2
+    flown = fly(body, plan, STILL, 300.0, lambda at: at.goal == 2)
+    assert flown[-1].goal == 2
     assert over_the_plateau(flown) > min(up, 25.0) - 3.0
     assert not acted(flown)
 
@@ -363,8 +362,8 @@ def test_a_detour_is_looked_along_after_the_wind_has_changed():
     at = fly(body, plan, STILL, 3.0, arrived)[-1]
     heading = math.atan2(at.state.v_n[1], at.state.v_n[0])
     body = level(at.state.p_n, heading, 25.0, plan.aircraft)._replace(time=at.state.time)
-    flown = fly(body, plan, (9.0, 0.0, 0.0), 200.0, arrived, at.route)
+    flown = fly(body, plan, (9.0, 0.0, 0.0), 200.0, arrived, at.loop)
     assert arrived(flown[-1])
     assert least_distance(flown, blocks) > 25.0
-    looked = [packed_memory(at.route)[DETOUR + LOOKED] for at in flown[:-1]]
+    looked = [route_of_row(at.row).looked for at in flown[:-1]]
     assert max(at.state.time - t for at, t in zip(flown[:-1], looked, strict=True)) < 1.0

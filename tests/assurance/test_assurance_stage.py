@@ -1,71 +1,41 @@
-"""The guard: what is known when, and how an escape is flown."""
+"""The stage of assurance: how an escape is flown, and what passes as it is."""
 
 import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, ball, decide, hazards, motion
+from assurance_samples import AEROSONDE, FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle
-from vfguide.flight.memory import Wish
-from vfguide.flight.state import FlightState
-from vfguide.flight.vertical import ZOOM
-from vfguide.geometry.rows import columns
-from vfguide.geometry.so3 import IDENTITY
-from vfguide.safety.assurance import Decision, Reason
-from vfguide.safety.guard import (
-    KNOWN,
+from vfguide.airspace.detection import Airspace
+from vfguide.assurance import assurance
+from vfguide.assurance.assurance import (
     LASTING,
+    LEAST_ROOM,
+    NARROW,
     as_decided,
-    fresh_guard,
+    fresh_assurance,
     in_air,
-    in_sight,
+    in_room,
     motion_of,
     raised,
 )
+from vfguide.estimation.estimation import known_state
+from vfguide.flight.memory import Wish
+from vfguide.flight.outlines import NO_FENCE
+from vfguide.flight.performance import Gains
+from vfguide.flight.state import FlightState
+from vfguide.flight.vehicle import Vehicle
+from vfguide.flight.vertical import ZOOM
+from vfguide.geometry.so3 import IDENTITY
+from vfguide.safety.assurance import Decision, Reason
 from vfguide.safety.manoeuvre import Manoeuvre, climb_of
 
 HERE = (0.0, 0.0, -150.0)
 WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
-
-
-def with_sight(seen, *obstacles):
-    known = hazards(obstacles)
-    columns(PlacedObstacle, known.obstacles).visible_from[:] = seen
-    return known
-
-
-def north(known):
-    ((north, _, _),) = columns(PlacedObstacle, known.obstacles).p_n
-    return north
-
-
-def test_an_obstacle_is_known_from_its_distance_on_and_stays_known():
-    everything, guard = with_sight(100.0, ball((200.0, 0.0, -150.0))), fresh_guard(1)
-    assert north(in_sight(everything, guard, HERE, 0.0)) == OUT_OF_SIGHT
-    assert guard[KNOWN] == 0.0
-    near = (61.0, 0.0, -150.0)
-    assert north(in_sight(everything, guard, near, 0.0)) == 200.0
-    assert guard[KNOWN] == 1.0
-    assert north(in_sight(everything, guard, (-5000.0, 0.0, -150.0), 0.0)) == 200.0
-    assert north(everything) == 200.0, "what is looked at is left as it was"
-
-
-def test_one_that_moves_comes_into_sight_by_itself():
-    everything = with_sight(100.0, ball((400.0, 0.0, -150.0), v_n=(-20.0, 0.0, 0.0)))
-    guard = fresh_guard(1)
-    in_sight(everything, guard, HERE, 12.9)
-    assert guard[KNOWN] == 0.0
-    in_sight(everything, guard, HERE, 13.1)
-    assert guard[KNOWN] == 1.0
-
-
-def test_without_obstacles_there_is_nothing_to_see():
-    nothing, guard = hazards(floor=100.0), fresh_guard(0)
-    assert in_sight(nothing, guard, HERE, 0.0) is not None
-    assert len(guard) == KNOWN
+VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
+NORTHWARD = FlightState(1.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 0.0))
 
 
 def test_a_wish_that_is_clear_is_flown_as_it_is():
@@ -125,3 +95,51 @@ def test_tracks_begin_with_the_path_over_the_ground():
     """Level over the ground through air that sinks: no track may begin with a climb."""
     here = FlightState(0.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 5.0))
     assert motion_of(here).gamma == 0.0
+
+
+def test_a_way_with_little_room_has_a_smaller_margin():
+    """Else the assurance would forbid it; never a larger one, and never less than some."""
+    assert in_room(FLOWN, 0.0) == in_room(FLOWN, -1.0) == in_room(FLOWN, 25.0) == FLOWN
+    assert in_room(FLOWN, NARROW * FLOWN.margin) == FLOWN
+    narrow = in_room(FLOWN, 8.0)
+    assert narrow.margin == pytest.approx(8.0 / NARROW)
+    assert narrow == FLOWN._replace(margin=narrow.margin)
+    assert in_room(FLOWN, 1.0).margin == LEAST_ROOM
+
+
+def judged(airspace, is_on=True, wish=WISH, state=NORTHWARD):
+    nav = known_state(state, 0.98)
+    return assurance.update(nav, wish, airspace, is_on, 25.0, fresh_assurance(), VEHICLE)
+
+
+def among(*obstacles):
+    return Airspace(hazards(obstacles), NO_FENCE, 0.0, 1.0)
+
+
+NEAR = ball((105.0, 0.0, -150.0))
+TOO_NEAR = ball((90.0, 0.0, -150.0))
+FAR = ball((9000.0, 0.0, -150.0))
+
+
+def test_a_command_that_leaves_a_way_out_passes_as_it_is():
+    command, after = judged(among(FAR))
+    assert command == WISH
+    assert after.decision.reason == Reason.CLEAR
+
+
+@pytest.mark.parametrize(
+    ("obstacle", "reason"), [(NEAR, Reason.ESCAPE), (TOO_NEAR, Reason.LEAST_BAD)]
+)
+def test_a_command_that_leaves_none_is_not_flown(obstacle, reason):
+    command, after = judged(among(obstacle))
+    assert after.decision.reason == reason
+    assert after.stored.acting == 1.0
+    assert abs(command.bank) > abs(WISH.bank)
+    assert command.load == pytest.approx(math.cos(command.gamma) / math.cos(command.bank))
+    kept = ("course", "azimuth", "remaining", "phase", "radius")
+    assert [getattr(command, name) for name in kept] == [getattr(WISH, name) for name in kept]
+
+
+@pytest.mark.parametrize(("airspace", "is_on"), [(None, True), (among(NEAR), False)])
+def test_where_nothing_is_known_or_the_law_is_not_assured_everything_passes(airspace, is_on):
+    assert judged(airspace, is_on) == (WISH, fresh_assurance())

@@ -4,19 +4,24 @@ import math
 from itertools import pairwise
 
 import pytest
+from loop_steps import step_told
 
-from vfguide.loop.legs import Goal, leg_rows
 from vfguide.companion.notes import progress_notes
-from vfguide.loop.progress import MARGIN, after_step, fresh_progress
-from vfguide.companion.route_memory import fresh_route, packed_memory
-from vfguide.companion.step import step
+from vfguide.estimation.estimation import known_state
 from vfguide.flight.leg import AWAY, FIELD, WAY, new_leg
-from vfguide.flight.outlines import NO_FENCE
-from vfguide.flight.performance import Gains, packed
+from vfguide.flight.performance import Gains
 from vfguide.flight.state import FlightState
+from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.angles import TURN
+from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.guidance.laws import FLIGHT
+from vfguide.loop import progress as stage
+from vfguide.loop.legs import Goal, leg_rows, target_of
+from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
+from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.planning.objective import objective_at
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 
@@ -24,7 +29,7 @@ STEP = 0.5
 """Flown in one step [m]."""
 RADIUS = 100.0
 CIRCLE = TURN * RADIUS
-LAW = packed(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
+VEHICLE = row_of(Vehicle(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0)))
 LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 
 
@@ -89,16 +94,16 @@ def test_an_alarm_stays_until_the_leg_is_over():
 
 
 def circling(seconds):
-    """Memories of a vehicle that flies a level circle of 80 m whatever it is told."""
-    memory, flown = fresh_route(), []
+    """Rows of the loop of a vehicle that flies a level circle of 80 m whatever it is told."""
+    row, flown = row_of_state(fresh_state()), []
     for k in range(round(seconds / 0.02)):
         course = 25.0 / 80.0 * 0.02 * k
         place = (80.0 * math.sin(course), -80.0 * math.cos(course), -150.0)
         v_n = (25.0 * math.cos(course), 25.0 * math.sin(course), 0.0)
         R_nb = from_euler(38.0 * DEG, 0.05, course)
         state = FlightState(1.0 + 0.02 * k, place, v_n, R_nb, 25.0, (0.0, 0.0, 0.0))
-        memory = step(state, LEGS, LAW, memory, None, NO_FENCE, 0.0)[1]
-        flown.append(packed_memory(memory))
+        _, row, _ = step_told(state, row, LEGS, None, FLIGHT, VEHICLE)
+        flown.append(row)
     return flown
 
 
@@ -113,3 +118,33 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
     period = TURN * 80.0 / 25.0
     assert period < time < 3.0 * period
     assert note.startswith("no progress to goal 1: flown a full circle more than its way has")
+
+
+def on_the_way(**known):
+    """The vehicle 0.5 m after the last step, and what it flies to."""
+    state = FlightState(
+        1.02, (0.5, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.05, 0.0), 25.0, (0.0,) * 3
+    )
+    nav = known_state(state, 1.0)._replace(is_continuous=True, p_n_before=(0.0, 0.0, -150.0))
+    return nav._replace(**known), objective_at(target_of(LEGS, 0), state)
+
+
+def test_what_is_flown_over_the_ground_is_counted():
+    before, (nav, goal) = Progress(500.0, 510.0, 20.0, False), on_the_way()
+    after = stage.update(nav, goal, in_phase(WAY), 505.0, before)
+    assert after == after_step(before, 505.0, in_phase(WAY), 0.5)
+    assert after.flown == 20.5
+
+
+def test_on_a_circle_in_a_hold_and_after_a_pause_there_is_no_progress():
+    before, (nav, goal) = Progress(500.0, 510.0, 20.0, True), on_the_way()
+    held = goal._replace(is_goal=False)
+    assert stage.update(nav, held, in_phase(WAY), 505.0, before) == before
+    nav, goal = on_the_way(is_continuous=False)
+    assert stage.update(nav, goal, in_phase(WAY), 505.0, before) == before
+
+
+def test_where_a_leg_begins_nothing_of_it_is_flown():
+    before, (nav, goal) = Progress(500.0, 510.0, 20.0, True), on_the_way()
+    begun = goal._replace(begins=True)
+    assert stage.update(nav, begun, in_phase(WAY), 505.0, before) == fresh_progress()

@@ -5,13 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from vfguide.companion.body_step import step_body
-from vfguide.loop.legs import Goal, leg_rows
-from vfguide.companion.route_memory import fresh_route, packed_memory, unpacked_memory
-from vfguide.flight.performance import Gains, packed
+from vfguide.companion.loop_report import goal_of_row
+from vfguide.flight.performance import Gains
+from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.guidance.laws import FLIGHT
+from vfguide.loop.legs import Goal, leg_rows
+from vfguide.loop.rows import step_body
+from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 from vfguide.sim.kinematic import Bodies, Commands, advance
@@ -34,12 +38,13 @@ STARTS = [
 def fly(goals, p_n, euler, seconds, side=1.0):
     """Bodies, rates and legs at every update."""
     legs = leg_rows(goals, side, RADIUS)
-    law = packed(AEROSONDE, Gains(SPEED))
+    vehicle = row_of(Vehicle(AEROSONDE, Gains(SPEED), True))
     bodies = Bodies(np.array([p_n]), np.array([from_euler(*euler)]))
-    memory, flown = packed_memory(fresh_route()), []
+    row, flown = row_of_state(fresh_state()), []
     for k in range(round(seconds / UPDATE)):
-        omega_b, memory = step_body(k * UPDATE, bodies.p_n[0], bodies.R_nb[0], legs, law, memory)
-        flown.append((bodies.p_n[0], bodies.R_nb[0], omega_b, unpacked_memory(memory).goal))
+        p, R = bodies.p_n[0], bodies.R_nb[0]
+        omega_b, row = step_body(k * UPDATE, p, R, row, legs, FLIGHT, vehicle)
+        flown.append((p, R, omega_b, goal_of_row(row)))
         bodies = advance(bodies, Commands(np.array([SPEED]), np.array([omega_b])), UPDATE)
     return [np.array(column) for column in zip(*flown, strict=True)]
 

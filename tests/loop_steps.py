@@ -1,0 +1,28 @@
+"""Steps of the loop for a state that is told, quick enough for whole flights from Python."""
+
+import numpy as np
+
+from vfguide.airspace.detection import Airspace
+from vfguide.estimation.estimation import Inputs
+from vfguide.flight.memory import Wish
+from vfguide.flight.state import FlightState
+from vfguide.flight.vehicle import read_vehicle
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import Row
+from vfguide.geometry.vector import Vec3
+from vfguide.guidance.laws import Law
+from vfguide.loop.legs import Legs
+from vfguide.loop.state import read_state, write_state
+from vfguide.loop.step import step
+
+
+@compiled
+def step_told(
+    state: FlightState, before: Row, legs: Legs, airspace: Airspace | None, law: Law, vehicle: Row
+) -> tuple[Vec3, Row, Wish]:
+    """Body rates, the row of what the step left, and what was flown; nothing is predicted."""
+    inputs, s = Inputs(state, state, False), read_state(before)
+    setpoint, left, outcome = step(inputs, s, legs, airspace, law, read_vehicle(vehicle))
+    after = np.empty(len(before))
+    write_state(left, after)
+    return setpoint.omega_b, after, outcome.command
