@@ -115,7 +115,10 @@ def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
 
 
 def unflattener(kind: type[T]) -> Callable[[Sequence[float]], T]:
-    """A Python function that makes the record of the numbers of its row."""
+    """A Python function that makes the record of the numbers of its row.
+
+    They are a sequence, for which `row.tolist()` is the quickest; the record has no arrays.
+    """
     scope: dict[str, Any] = {}
     source = _reading(kind, scope, [0])
     return source_function(f"def record(a):\n    return {source}", "record", scope)
