@@ -85,7 +85,7 @@ class Route:
     @property
     def noted(self) -> Noted:
         """What records keep of the last step."""
-        return noted_in(self._memory)
+        return Noted(*noted_in(self._memory))
 
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.

@@ -201,13 +201,32 @@ def air_in(memory: PackedMemory) -> AirReport:
     return report_air(memory[AIR:DETOUR])
 
 
-Noted = tuple[float, float, float, float, float, float, float, float, float]
-"""Wind toward north and east and its deviation, airspeed and its deviation [m/s]; reason, margin
-[m], conflict [s] and hazard of the guard's decision."""
+class Noted(NamedTuple):
+    """What records keep of a step."""
+
+    wind_north: float
+    wind_east: float
+    wind_sigma: float
+    """Where the wind is believed to blow to, and the standard deviation of either [m/s]."""
+    airspeed: float
+    airspeed_sigma: float
+    """The true airspeed that is believed, and its standard deviation [m/s]."""
+    reason: float
+    """The value of the `Reason` of the assurance's decision."""
+    margin: float
+    """Least clearance of the way out [m]."""
+    conflict: float
+    """Time to the conflict that was seen [s]."""
+    hazard: float
+    """Number of the hazard."""
+
+
+NotedTuple = tuple[float, float, float, float, float, float, float, float, float]
+"""`Noted`, or the same nine numbers without names."""
 
 
 @compiled
-def noted_in(memory: PackedMemory) -> Noted:
+def noted_in(memory: PackedMemory) -> NotedTuple:
     """What records keep of a step: one call of compiled code, and no names, for each update."""
     air, g = air_in(memory), GUARD + REASON
     believed = (air.wind_north, air.wind_east, air.wind_sigma, air.airspeed, air.airspeed_sigma)
