@@ -3,6 +3,8 @@
 import math
 from itertools import pairwise
 
+import numpy as np
+
 from vfguide.companion.plan import Plan
 from vfguide.companion.route_memory import DETOUR, GUARD, PackedMemory, decision_in, goal_in
 from vfguide.flight.detour_leg import (
@@ -15,10 +17,13 @@ from vfguide.flight.detour_leg import (
     ROWS,
     SOUGHT,
 )
-from vfguide.flight.hop import HOP_COLUMNS
+from vfguide.flight.hop import HOP_COLUMNS, Hop
+from vfguide.flight.shortest import Word
 from vfguide.flight.way_round import LOOK, SEEK
+from vfguide.geometry.rows import unflattener
 from vfguide.safety.assurance import Reason
 
+hop_of = unflattener(Hop)
 QUIET = 1.0
 """Two notes of a kind are at least so far apart, and an escape is over after so long [s]."""
 BACK = "back on the way"
@@ -100,14 +105,16 @@ def way_note(detour: PackedMemory) -> str:
     if math.isfinite(detour[LEVEL]) and detour[COUNT] == 0.0:
         return f"over what is in the way, at {-detour[LEVEL]:.0f} m"
     hops = int(detour[COUNT]) or int(detour[INDEX]) + 1  # the last one flies as the leg's own
-    words = detour[ROWS : ROWS + hops * HOP_COLUMNS].reshape(hops, HOP_COLUMNS)[:, 3:]
+    rows = detour[ROWS : ROWS + hops * HOP_COLUMNS].reshape(hops, HOP_COLUMNS)
+    words = [hop_of(row).word for row in rows.tolist()]
     sides = [side for word in words for side in sides_of(word)]
     turns = sum(one != other for one, other in pairwise((0.0, *sides)) if other != 0.0)
-    length = float(detour[RADIUS] * words[:, 1::2].sum())
+    lengths = np.array([(word.arc, word.reach, word.end) for word in words])
+    length = float(detour[RADIUS] * lengths.sum())
     return f"a way round: {turns} turn{'s' if turns != 1 else ''}, {length:.0f} m"
 
 
-def sides_of(word: PackedMemory) -> list[float]:
+def sides_of(word: Word) -> list[float]:
     """To which side each part of a word that is longer than a degree turns, 0 for a straight."""
-    parts = ((word[0], word[1]), (word[2], word[3]), (word[4], word[5]))
-    return [float(side) for side, length in parts if length > 0.0175]
+    parts = ((word.first, word.arc), (word.middle, word.reach), (word.last, word.end))
+    return [side for side, length in parts if length > 0.0175]
