@@ -8,18 +8,17 @@ from vfguide.companion.route_memory import (
     unpacked_memory,
 )
 from vfguide.companion.step import note_passage, passage_since
-from vfguide.field.obstacle import Rows
 from vfguide.flight.body_guidance import guide_body
 from vfguide.flight.performance import Law, unpacked
 from vfguide.flight.state import FlightState
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3, mat3, matvec
+from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
 from vfguide.safety.limits import limit_rates
 
 
 @compiled
 def step_body(
-    time: float, p: Rows, R: Rows, legs: Legs, law: Law, memory: PackedMemory
+    time: float, p: Vector, R: Matrix, legs: Legs, law: Law, memory: PackedMemory
 ) -> tuple[Vec3, PackedMemory]:
     """Body rates [rad/s] of a body that flies at the law's airspeed, and the next memory.
 
