@@ -38,9 +38,9 @@ ROOT = Path(__file__).parent.parent
 PACKAGES = ("vfguide", "tools")
 ALIASES = Path("vfguide/geometry/vector.py")
 """Where the aliases of `ARRAYS` are defined."""
-ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series")
+ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series", "Indices")
 """Aliases of arrays: one vector, many along the last axis, one matrix, many along the last two
-axes, and a number at each of many instants or of each of many like things."""
+axes, a number at each of many instants or of each of many like things, and indices."""
 SEQUENCES = ("array", "bytearray", "bytes", "deque", "list", "memoryview", "range", "str")
 SEQUENCES += ("LiteralString", "Sequence", "GridSpec", "Match")
 """Types of like things: a `GridSpec` has places of a figure, a `Match` groups of text."""

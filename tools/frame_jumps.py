@@ -13,6 +13,7 @@ from vfguide.field.composite_arrays import CompositeArrays, composite_fields
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
+from vfguide.geometry.vector import Vectors, transpose
 
 SUSPECT = 0.02
 """A turn over one step that differs by more from the one predicted is looked into [rad]."""
@@ -39,7 +40,7 @@ class Jumps(NamedTuple):
     elsewhere: int
 
 
-def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Rows, dt: float) -> Jumps:
+def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> Jumps:
     """The jumps of R_a along a path (T, 3) among static obstacles, steps of `dt` [s]."""
     v_n = np.diff(p_n, axis=0) / dt
     start = field(goal, obstacles, p_n[:-1], v_n)
@@ -64,7 +65,8 @@ def locate(goal: GoalFrame, obstacles: Rows, p: Rows, v: Rows, span: float) -> s
     if halves.max() < JUMP:
         return None
     q = p + begin * v - goal.p_n
-    away, aside = np.linalg.norm(q), np.linalg.norm(np.cross(q, np.array(goal.R_ng)[:, 0]))
+    ahead, _, _ = transpose(goal.R_ng)
+    away, aside = np.linalg.norm(q), np.linalg.norm(np.cross(q, ahead))
     if aside < ON_AXIS * away:
         return "axis"
     return "chi" if here.chi.min() < CHI_ZERO else "else"

@@ -13,9 +13,10 @@ from avoidance_worlds import TICK, World
 
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.rows import reader, width, writer
 from vfguide.safety.motion import Dynamics, Motion, advance
 
+read_motion, write_motion = reader(Motion), writer(Motion)
 ACTIONS, LEVELS, HOLD = 9, 4, 2.0
 
 
@@ -37,7 +38,8 @@ def act(
     least = math.inf
     for k in range(round(hold / TICK)):
         motion = advance(motion, bank, gamma, world.wind_n, limits, TICK)
-        least = min(least, true_distance(world, rows, motion.p_n, t + (k + 1) * TICK)[0])
+        distance, _ = true_distance(world, rows, motion.p_n, t + (k + 1) * TICK)
+        least = min(least, distance)
         if least <= bound:
             break
     return motion, least
@@ -59,24 +61,21 @@ def best_escape(
     `rows` are the obstacles as they move at time `t`, all of them, known or not. A sequence has
     `levels` actions, each for `hold` [s].
     """
-    best = true_distance(world, rows, motion.p_n, t)[0]
+    best, _ = true_distance(world, rows, motion.p_n, t)
     if best <= 0.0:
         return best
     ceiling, best = min(best, enough), -math.inf
-    p_n = np.zeros((levels + 1, 3))
-    angles = np.zeros((levels + 1, 3))
+    motions = np.zeros((levels + 1, width(Motion)))
     least = np.full(levels + 1, ceiling)
     action = np.full(levels + 1, -1)
-    p_n[0, 0], p_n[0, 1], p_n[0, 2] = motion.p_n
-    angles[0, 0], angles[0, 1], angles[0, 2] = motion.azimuth, motion.bank, motion.gamma
     level = 0
+    write_motion(motion, motions[level])
     while level >= 0 and best < ceiling:
         action[level] += 1
         if action[level] == ACTIONS:
             action[level], level = -1, level - 1
             continue
-        at: Vec3 = (p_n[level, 0], p_n[level, 1], p_n[level, 2])
-        before = Motion(at, angles[level, 0], angles[level, 1], angles[level, 2], motion.airspeed)
+        before = read_motion(motions[level])
         start = t + level * hold
         after, found = act(world, rows, before, start, action[level], limits, best, hold)
         found = min(found, least[level])
@@ -87,10 +86,5 @@ def best_escape(
             continue
         level += 1
         least[level] = found
-        p_n[level, 0], p_n[level, 1], p_n[level, 2] = after.p_n
-        angles[level, 0], angles[level, 1], angles[level, 2] = (
-            after.azimuth,
-            after.bank,
-            after.gamma,
-        )
+        write_motion(after, motions[level])
     return best

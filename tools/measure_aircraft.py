@@ -13,22 +13,40 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from vfguide.flight.response import airspeed_gains
 from vfguide.geometry.units import DEG, G0
+from vfguide.geometry.vector import Series, Vec3, Vectors
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Model, Start
 from vfguide.sim.fdm import stock_root
 from vfguide.sim.identify import identify
 from vfguide.sim.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.signals import Inner
 from vfguide.sim.trim import TrimError, trim
 
 STEADY = (0.0, 0.0, 0.0)
 RATES_DPS = (100.0, 80.0, 60.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0)
 """Body rates that are tried, the fastest that is followed is taken [deg/s]."""
+
+
+class Answers(NamedTuple):
+    """What a model does after a step, sample by sample."""
+
+    omega_b: Vectors
+    """(n, 3) body rates [rad/s]."""
+    thrust: Series
+    """(n,) [N]."""
+
+
+def answer_of(plant: Plant) -> tuple[Vec3, float]:
+    """Body rates [rad/s] and thrust [N] of this instant."""
+    now = Inner(*plant.inner())
+    return (now.p, now.q, now.r), plant.thrust()
 
 
 @dataclass(frozen=True)
@@ -47,22 +65,23 @@ class FlightTest:
             return False
         return True
 
-    def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> np.ndarray:
-        """Body rates [rad/s] and thrust [N] from a step at cruise on, (N, 4)."""
+    def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> Answers:
+        """What the model does from a step at cruise on."""
         its = identify(self.model, self.cruise, self.altitude)
         plant = Plant(self.model, Start(0.8, 0.1, self.altitude, 0.0, its.cruise))
         wanted, memory = (*omega_b, its.cruise_thrust + thrust), STEADY
-        rows = [(*plant.inner()[:3], plant.thrust())]
+        answers = [answer_of(plant)]
         for _ in range(round(seconds / STEP)):
             controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
             plant.advance(controls)
-            rows.append((*plant.inner()[:3], plant.thrust()))
-        return np.array(rows)
+            answers.append(answer_of(plant))
+        omega_b, thrusts = zip(*answers, strict=True)
+        return Answers(np.array(omega_b), np.array(thrusts))
 
-    def share(self, axis: int, rate: float) -> np.ndarray:
+    def share(self, axis: int, rate: float) -> Series:
         """Body rate after a step of `rate` [rad/s] about one axis, as a share of it."""
         omega_b = tuple(rate if axis == i else 0.0 for i in range(3))
-        return self.responses(omega_b, 0.0, 0.6)[:, axis] / rate
+        return self.responses(omega_b, 0.0, 0.6).omega_b[:, axis] / rate
 
 
 def last_that(holds: Callable[[float], bool], good: float, bad: float, close: float) -> float:
@@ -79,7 +98,7 @@ def is_followed(test: FlightTest, axis: int, rate: float) -> bool:
     return all(time_to_63(s) < 0.2 and (abs(s[60:] - 1.0) < 0.2).all() for s in shares)
 
 
-def time_to_63(share: np.ndarray) -> float:
+def time_to_63(share: Series) -> float:
     """63 % of a step [s]; infinite if it does not get there."""
     late = share > 1.0 - math.exp(-1.0)
     return STEP * float(np.argmax(late)) if late.any() else math.inf
@@ -118,7 +137,7 @@ def measure(test: FlightTest, name: str, stock: str | None) -> str:
     up, down = (last_that(climbs, 0.0, end * DEG, 0.2 * DEG) / DEG for end in (40.0, -40.0))
     rates = [fastest_rate(test, axis) for axis in range(3)]
     roll_s = time_to_63(test.share(0, rates[0] * DEG))
-    thrusts = test.responses(STEADY, 0.1, 4.0)[:, 3]
+    thrusts = test.responses(STEADY, 0.1, 4.0).thrust
     thrust_s = time_to_63((thrusts - thrusts[0]) / (0.1 * its.thrust.full_thrust))
     per_climb = bench.mass * G0 / its.thrust.full_thrust
     per_airspeed, integral = airspeed_gains(per_climb, thrust_s)

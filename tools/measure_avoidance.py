@@ -119,7 +119,7 @@ def fly_table(table: Table, number: int, args: argparse.Namespace, steps: Steps 
         clearance,
         goal.time_s or np.nan,
         flight.wall_s,
-        0.0 if record.guard is None else float(np.mean(record.guard[:, 0] > 0.0)),
+        0.0 if record.decisions is None else float(np.mean(record.decisions.reason > 0.0)),
         flown_length(record, goal.time_s),
         reference(loaded, number, args) if args.reference_s > 0.0 else np.nan,
         free_length(loaded),

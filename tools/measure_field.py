@@ -24,6 +24,7 @@ from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows, obstacle_surfa
 from vfguide.field.robots import Robot, Spacing
 from vfguide.field.swarm import fields_of_robots, goal_rows
 from vfguide.geometry.rows import columns
+from vfguide.geometry.vector import Matrices
 
 SPACING = Spacing(10.0, 100.0)
 NOBODY = np.zeros((0, 6))
@@ -150,7 +151,7 @@ def turn_rates(scene: Scene, half: float) -> Rows:
     wide = scene.at(2.0 * half).R_na - scene.at(-2.0 * half).R_na
     narrow = scene.at(half).R_na - scene.at(-half).R_na
     S = np.swapaxes(scene.at(0.0).R_na, 1, 2) @ ((8.0 * narrow - wide) / (12.0 * half))
-    skew = 0.5 * (S - np.swapaxes(S, 1, 2))
+    skew: Matrices = 0.5 * (S - np.swapaxes(S, 1, 2))
     return np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
 
 

@@ -27,6 +27,7 @@ from vfguide.field.robots import Spacing
 from vfguide.field.swarm import fields_of_robots
 from vfguide.flight.paper_law import PaperGains
 from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vectors
 
 K_V, K_W = 0.25, 3.5
 NOTHING = obstacle_rows([])
@@ -102,7 +103,7 @@ def fly_starts(seed: tuple[int, int], count: int, gains: PaperGains) -> tuple[Ro
     flight = fly(goals, start, NOTHING, None, LONGEST, gains, NEAR)
     steps = min(len(flight.p_n), round(DECAYED / (gains.k_w * gains.dt)))
     path = zip(flight.p_n[:steps], flight.R_nb[:steps], strict=True)
-    errors = np.array([attitude_errors(goals, p_n, R_nb) for p_n, R_nb in path])
+    errors: Vectors = np.array([attitude_errors(goals, p_n, R_nb) for p_n, R_nb in path])
     decay = np.exp(-gains.k_w * gains.dt * np.arange(steps))[:, None]
     return flight.standing, flight.headings(goals), np.abs(errors - decay * errors[0]).max(axis=0)
 
@@ -139,13 +140,13 @@ def fly_world(seed: int, gains: PaperGains, paths: int, number: int) -> Outcome:
     """The flight through one world; R_a is watched in those before `paths`."""
     world = random_world(seed, number)
     flight = fly(world.goals, world.start, world.obstacles, None, LONGEST, gains)
-    p_n = flight.p_n[:, 0]
+    (p_n,) = np.swapaxes(flight.p_n, 0, 1)
     watched = number < paths
     goal = goal_of(world.goals)
     jumps = count_jumps(goal, world.obstacles, p_n, gains.dt) if watched else None
     level = float(level_at(p_n, world.obstacles).min())
-    heading = float(flight.headings(world.goals)[0])
-    return Outcome(number, bool(flight.standing[0]), heading, level, jumps)
+    (heading,), (stands,) = flight.headings(world.goals), flight.standing
+    return Outcome(number, bool(stands), float(heading), level, jumps)
 
 
 def goal_of(goals: Rows) -> GoalFrame:
@@ -187,7 +188,8 @@ def violations(path: Rows, apart: float) -> tuple[set[tuple[int, int]], float]:
     for p_n in path:
         tree = KDTree(p_n)
         pairs |= tree.query_pairs(apart)
-        nearest = min(nearest, float(tree.query(p_n, k=2)[0][:, 1].min()))
+        distances, _ = tree.query(p_n, k=[2])  # each is its own nearest
+        nearest = min(nearest, float(np.min(distances)))
     return pairs, nearest
 
 

@@ -212,18 +212,19 @@ def beyond(record: FlightRecord, time: float | None, goal: Sequence[float]) -> t
 
 def believed(record: FlightRecord) -> tuple[float, float, float]:
     """Errors of the believed wind, in deviations (99 %) and in m/s (median); of the airspeed."""
-    if record.wind_believed is None or record.airspeed_believed is None:
+    if (air := record.air) is None:
         return math.nan, math.nan, math.nan
     steps = max(1, round(SMOOTHED_S / (record.time[1] - record.time[0])))
     weights = np.ones(steps) / steps
     wind = np.column_stack([np.convolve(its, weights)[: len(its)] for its in record.wind_n.T[:2]])
     late = slice(steps, None)
-    error = np.abs(record.wind_believed[late, :2] - wind[late]).max(axis=1)
-    sigma = record.wind_believed[late, 2]
+    believed = np.column_stack((air.wind_north, air.wind_east))[late]
+    error = np.abs(believed - wind[late]).max(axis=1)
+    sigma = air.wind_sigma[late]
     known = sigma > 0.0
     if not known.any():
         return math.nan, math.nan, math.nan
-    speed = np.abs(record.airspeed_believed[late, 0] - record.airspeed[late])[known]
+    speed = np.abs(air.airspeed[late] - record.airspeed[late])[known]
     deviations = np.quantile(error[known] / sigma[known], 0.99)
     return float(deviations), float(np.median(error[known])), float(np.median(speed))
 

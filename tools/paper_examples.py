@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
 from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vector
 from vfguide.scenario.bodies import OBSTACLE
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
 from vfguide.scenario.load import load_scenario
@@ -50,10 +51,11 @@ def draw_histories(figure: Figure, flights: Flights) -> None:
         left.set_ylabel(f"{AXES[k]} [m]")
         right.set_ylabel(f"{angles[k]} [°]")
         right.yaxis.set_major_locator(MultipleLocator(90.0 if k != 1 else 45.0))
-    for axes in grid[-1]:
+    first, _, last = grid
+    for axes, title in zip(first, ("Position", "Orientation"), strict=True):
+        axes.set_title(title)
+    for axes in last:
         axes.set_xlabel("Time [s]")
-    grid[0, 0].set_title("Position")
-    grid[0, 1].set_title("Orientation")
     figure.legend(handles=vehicle_lines(flights), loc="outside lower center", ncols=6)
 
 
@@ -100,7 +102,8 @@ def draw_space(axes: Any, flights: Flights) -> None:
         length = 0.13 * float((high - low).max())
         axes.scatter(*goal, color=GOAL, s=18)
         axes.quiver(*goal, *ahead, length=length, color=GOAL, lw=1.8)
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    xlim, ylim, zlim = zip(low, high, strict=True)
+    axes.set(xlim=xlim, ylim=ylim, zlim=zlim)
     axes.set_box_aspect(high - low, zoom=0.95)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
     axes.locator_params(nbins=5)
@@ -125,7 +128,7 @@ def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
     axes.set_title(f"Plane {AXES[across]}-z")
 
 
-def goals(flights: Flights) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def goals(flights: Flights) -> Iterator[tuple[Vector, Vector]]:
     """The goals that differ, each with its direction."""
     seen = {}
     for record in flights.records:
@@ -136,7 +139,7 @@ def goals(flights: Flights) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     return ((np.array(position), ahead) for position, ahead in seen.items())
 
 
-def box(flights: Flights) -> tuple[np.ndarray, np.ndarray]:
+def box(flights: Flights) -> tuple[Vector, Vector]:
     """The lowest and highest corner of all that is drawn, with a margin, not too flat."""
     paths = [record.p_n for record in flights.records]
     bodies = [body.surface.reshape(-1, 3) for body in flights.bodies]

@@ -13,6 +13,7 @@ from vfguide.field.arrays import navigation_fields
 from vfguide.field.dual import Dual3
 from vfguide.field.neighbours import Neighbours, robots_in_range, robots_with_priority
 from vfguide.field.obstacle import Obstacle, obstacle_rows, obstacle_surface
+from vfguide.geometry.vector import Vectors
 from vfguide.scenario.drawing import COLOURS, GOAL, MUTED
 
 BLUE, ORANGE, GREEN = COLOURS[:3]
@@ -84,7 +85,7 @@ def segment(axes: Any, ends: tuple[np.ndarray, np.ndarray], colour: str, name: s
     axes.text(*middle, name, color=colour, ha="right", va="bottom", fontsize=12)
 
 
-def arc(axes: Any, points: np.ndarray, name: str) -> None:
+def arc(axes: Any, points: Vectors, name: str) -> None:
     """The bow of an angle with its name."""
     axes.plot(*points.T, color=GREEN, lw=1.4)
     axes.text(*(1.15 * points[len(points) // 2]), name, color=GREEN)
@@ -133,7 +134,11 @@ def integral_curve(aside: np.ndarray, diameter: float) -> np.ndarray:
         return F / np.linalg.norm(F)
 
     phi = 0.03
-    start = diameter * math.sin(phi) * (math.cos(phi) * np.eye(3)[0] + math.sin(phi) * aside)
+    start = (
+        diameter
+        * math.sin(phi)
+        * (math.cos(phi) * np.array((1.0, 0.0, 0.0)) + math.sin(phi) * aside)
+    )
     length = (math.pi - 2.0 * phi) * diameter
     return solve_ivp(along, (0.0, length), start, max_step=0.03 * length, rtol=1e-8).y
 
@@ -144,7 +149,7 @@ def draw_surface(figure: Figure) -> None:
     obstacle = Obstacle(shape.ellipsoid((3.0, 2.2, 1.8)), (-12.0, 2.0, 0.0))
     u, w = np.meshgrid(np.linspace(0.0, 2.0 * math.pi, 61), np.linspace(0.0, math.pi, 31))
     globe = np.stack([np.cos(u) * np.sin(w), np.sin(u) * np.sin(w), np.cos(w)], axis=-1)
-    surface = globe * obstacle.shape.semi_axes + obstacle.p_n
+    surface: Vectors = globe * obstacle.shape.semi_axes + obstacle.p_n
     axes.plot_surface(*np.moveaxis(surface, -1, 0), **EGG)
     draw_triads(axes, obstacle, surface[6:26:4, :-1:4].reshape(-1, 3))
     figure.legend(loc="outside lower center", ncols=3)

@@ -12,6 +12,7 @@ from vfguide.geometry.rows import (
     flattener,
     getter,
     place,
+    python_reader,
     reader,
     replacing,
     row_of,
@@ -69,6 +70,15 @@ def test_a_row_read_in_python_is_the_record():
     cart = read_cart(row_of(a_cart()))
     assert cart._replace(load=None) == a_cart()._replace(load=None)
     assert np.array_equal(cart.load, a_cart().load)
+
+
+def test_the_numbers_of_a_row_make_the_record_in_python_too():
+    wheel = Wheel(0.3, True)
+    assert python_reader(Wheel)(row_of(wheel).tolist()) == wheel
+    assert python_reader(tuple[Wheel, Vec3])([0.4, 0.0, 1.0, 2.0, 3.0]) == (
+        Wheel(0.4, False),
+        (1.0, 2.0, 3.0),
+    )
 
 
 def test_columns_of_a_table_have_the_shapes_of_the_fields():

@@ -14,6 +14,7 @@ from vfguide.scenario.assurance_figure import SHADES, draw_assurance
 from vfguide.scenario.drawing import Flights
 from vfguide.scenario.figures import draw_figures
 from vfguide.scenario.path_figures import draw_plan, draw_side
+from vfguide.scenario.record import Decisions
 from vfguide.scenario.report import render
 from vfguide.scenario.result import judge
 
@@ -47,7 +48,7 @@ def flights(tmp_path: Path) -> Flights:
     guard = np.tile((0.0, 12.0, np.inf, -1.0), (len(record.time), 1))
     guard[500:550] = (1.0, 8.0, 3.0, 0.0)
     guard[800:810] = (2.0, -1.0, 2.0, 2.0)
-    return Flights(loaded, [replace(record, guard=guard)])
+    return Flights(loaded, [replace(record, decisions=Decisions(*guard.T))])
 
 
 def drawn(draw, flights: Flights) -> Figure:

@@ -12,7 +12,7 @@ from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spira
 
 from vfguide import __version__
 from vfguide.scenario.atomic import write_atomically
-from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.record import Decisions, FlightRecord
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.result import judge, min_separation, write_result
 
@@ -258,7 +258,7 @@ def guarded(scenario: Scenario, *acting: tuple[int, int, float, float]) -> Fligh
     guard[:10] = 0.0  # nothing decided yet
     for first, last, reason, hazard in acting:
         guard[first:last] = (reason, 9.0, 3.0, hazard)
-    return replace(record, guard=guard)
+    return replace(record, decisions=Decisions(*guard.T))
 
 
 def test_episodes_of_the_assurance(tmp_path: Path) -> None:

@@ -111,9 +111,10 @@ NO_PROGRESS = (
 
 def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
     """The origin of the local frame was told again: where it was, or elsewhere."""
-    if before is None or after is None or before[:3] == after[:3]:
+    if before is None or after is None:
         return []
-    return [ORIGIN_MOVED]
+    was = (before.latitude, before.longitude, before.altitude)
+    return [] if was == (after.latitude, after.longitude, after.altitude) else [ORIGIN_MOVED]
 
 
 def progress_notes(before: Row, after: Row) -> list[str]:

@@ -25,6 +25,8 @@ Matrices = NDArray[np.float64]
 """Many matrices along the last two axes, (..., m, n)."""
 Series = NDArray[np.float64]
 """One number at each of n instants, or of each of n like things, (n,)."""
+Indices = NDArray[np.int64]
+"""Places in a sequence of like things, or counts of them, (n,)."""
 
 
 @compiled

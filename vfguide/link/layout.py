@@ -57,7 +57,8 @@ class Layout:
         if self._texts:
             values = list(values)
             for i in self._texts:
-                values[i] = values[i].partition(b"\0")[0].decode(errors="replace")
+                text, _, _ = values[i].partition(b"\0")
+                values[i] = text.decode(errors="replace")
         return self._make(values)
 
     def body(self, seq: int, sysid: int, compid: int, message: Message) -> bytes:

@@ -11,8 +11,13 @@ from vfguide.link.codec import Frame, Parser, decode
 from vfguide.link.enums import MavComponent
 from vfguide.link.messages import SetAttitudeTarget
 
-Timed = tuple[int, Frame]
-"""A frame and its time [us since 1970]."""
+
+class Timed(NamedTuple):
+    """A frame and its time."""
+
+    time: int
+    """[us since 1970]."""
+    frame: Frame
 
 
 class Difference(NamedTuple):
@@ -50,13 +55,13 @@ class Replay:
         self._sysid = sysid
         self._session = Session(Companion(sysid, plan, engage=False), record)
 
-    def compare(self, log: Iterable[Timed]) -> Comparison:
+    def compare(self, log: Iterable[tuple[int, Frame]]) -> Comparison:
         """Feed the whole log; setpoints are compared one by one, in their order."""
         recorded: list[Timed] = []
         replayed: list[Timed] = []
         for time, frame in log:
             if self._is_setpoint(frame):
-                recorded.append((time, frame))
+                recorded.append(Timed(time, frame))
             elif frame.compid == MavComponent.AUTOPILOT1:
                 replayed += self._answers(time, frame)
         return Comparison(len(recorded), len(replayed), first_difference(recorded, replayed))
@@ -66,7 +71,7 @@ class Replay:
         for raw in self._session.receive(time, frame.raw):
             for answer in Parser().feed(raw):
                 if self._is_setpoint(answer):
-                    yield time, answer
+                    yield Timed(time, answer)
 
     def _is_setpoint(self, frame: Frame) -> bool:
         companion = frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
@@ -77,13 +82,14 @@ def first_difference(recorded: list[Timed], replayed: list[Timed]) -> Difference
     """The first setpoint whose bytes differ, the time of sending included."""
     for index, (old, new) in enumerate(zip_longest(recorded, replayed)):
         if old is None:
-            return Difference(index, new[0], "the log has no such setpoint, the replay has")
+            return Difference(index, new.time, "the log has no such setpoint, the replay has")
         if new is None:
-            return Difference(index, old[0], "the replay has no such setpoint, the log has")
-        if old[1].payload != new[1].payload:
-            return Difference(index, old[0], field_difference(old[1], new[1]))
-        if old[0] != new[0]:
-            return Difference(index, old[0], f"time of sending: recorded {old[0]}, now {new[0]} us")
+            return Difference(index, old.time, "the replay has no such setpoint, the log has")
+        if old.frame.payload != new.frame.payload:
+            return Difference(index, old.time, field_difference(old.frame, new.frame))
+        if old.time != new.time:
+            what = f"time of sending: recorded {old.time}, now {new.time} us"
+            return Difference(index, old.time, what)
     return None
 
 
@@ -97,6 +103,6 @@ def field_difference(old: Frame, new: Frame) -> str:
     return f"payload: recorded {old.payload.hex()}, now {new.payload.hex()}"
 
 
-def companions_in(log: Iterable[Timed]) -> list[int]:
+def companions_in(log: Iterable[tuple[int, Frame]]) -> list[int]:
     """Systems whose companion speaks in a log, ascending."""
     return sorted({frame.sysid for _, frame in log if frame.compid == MavComponent.PATHPLANNER})

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from statistics import median
+from typing import NamedTuple
 
 import numpy as np
 
@@ -67,34 +68,47 @@ class Bench:
     """Time of a whole run over the time of bare JSBSim for the same steps."""
 
 
+class Times(NamedTuple):
+    """What one repeat took."""
+
+    guidance: float
+    """A guidance step [s]."""
+    message: float
+    """A setpoint to bytes and back [s]."""
+    bare: float
+    """Bare JSBSim for a second of flight [s]."""
+    run: float
+    """A whole run for a second of flight [s]."""
+
+
 def measure() -> Bench:
     """Measure everything, the repeats in turn."""
     loaded = load_scenario(SCENARIO)
     vehicle = loaded.scenario.vehicles[0]
     plan = plan_of(loaded, vehicle)
     warm_up(loaded)
-    times: list[tuple[float, float, float, float]] = []
+    times: list[Times] = []
     for _ in range(REPEATS):
         with tempfile.TemporaryDirectory() as folder:
             flight = fly_scenario(loaded, Path(folder))
         steps = round(flight.sim_s / STEP)
         plant = simulate(loaded, vehicle).plant
         times.append(
-            (
-                seconds(partial(guide_often, plan)) / GUIDANCE_STEPS,
-                seconds(turn_messages) / MESSAGES,
-                seconds(partial(plant.run_bare, steps)) / flight.sim_s,
-                flight.wall_s / flight.sim_s,
+            Times(
+                guidance=seconds(partial(guide_often, plan)) / GUIDANCE_STEPS,
+                message=seconds(turn_messages) / MESSAGES,
+                bare=seconds(partial(plant.run_bare, steps)) / flight.sim_s,
+                run=flight.wall_s / flight.sim_s,
             )
         )
-    guidance, message, bare, run = (median(column) for column in zip(*times, strict=True))
-    ratio = median(time[3] / time[2] for time in times)
+    middle = Times(*(median(column) for column in zip(*times, strict=True)))
+    ratio = median(time.run / time.bare for time in times)
     return Bench(
-        guidance_step_us=round(guidance * 1e6, 2),
-        message_turnaround_us=round(message * 1e6, 2),
-        jsbsim_steps_per_s=round(1.0 / (bare * STEP)),
-        jsbsim_realtime_factor=round(1.0 / bare, 1),
-        run_realtime_factor=round(1.0 / run, 1),
+        guidance_step_us=round(middle.guidance * 1e6, 2),
+        message_turnaround_us=round(middle.message * 1e6, 2),
+        jsbsim_steps_per_s=round(1.0 / (middle.bare * STEP)),
+        jsbsim_realtime_factor=round(1.0 / middle.bare, 1),
+        run_realtime_factor=round(1.0 / middle.run, 1),
         run_over_bare=round(ratio, 2),
     )
 

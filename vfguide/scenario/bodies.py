@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 
+from vfguide.geometry.vector import Series, Vector, Vectors
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle
 from vfguide.scenario.surfaces import Array, outline, surface_mesh
@@ -33,7 +34,7 @@ class Body:
     name: str
     surface: Array
     """(n, m, 3) at the start, NED [m]."""
-    track: Array
+    track: Vectors
     """(2, 3) its centre at the start and at the end."""
 
     @property
@@ -42,10 +43,10 @@ class Body:
         return bool((self.track[0] != self.track[1]).any())
 
     @property
-    def places(self) -> list[tuple[Array, float]]:
+    def places(self) -> list[tuple[Vector, float]]:
         """The ways to where it is shown, (3,) each, and how opaque it is there."""
         way = self.track[1] - self.track[0]
-        parts = np.linspace(0.0, 1.0, TIMES if self.moves else 1)
+        parts: Series = np.linspace(0.0, 1.0, TIMES if self.moves else 1)
         return [(part * way, FAINT) for part in parts[:-1]] + [(way, 1.0)]
 
 
@@ -80,7 +81,7 @@ def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
         write_name(axes, body.name, body.track[1] @ onto, "#374151")
 
 
-def write_name(axes: Axes, name: str, at: Array, color: str) -> None:
+def write_name(axes: Axes, name: str, at: Vector, color: str) -> None:
     """A name in the middle of a place, (2,), readable on lines and surfaces."""
     halo = [withStroke(linewidth=2.5, foreground="white", alpha=0.8)]
     look: Any = {"ha": "center", "va": "center", "fontsize": 8, "path_effects": halo}
@@ -95,7 +96,7 @@ def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
             grid: Any = {"rcount": len(x), "ccount": len(x.T), "axlim_clip": True}
             look: Any = {"color": OBSTACLE, "alpha": 0.35 * opacity, "linewidth": 0.0}
             axes.plot_surface(x, y, z, zorder=1.0, **grid, **look)
-            shadow = outline(np.stack((x, y), axis=-1))
+            shadow: Vectors = outline(np.stack((x, y), axis=-1))
             axes.plot(
                 *np.vstack((shadow, shadow[:1])).T,
                 floor,
@@ -108,7 +109,7 @@ def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
             axes.plot(*east_north_up(body.track).T, zorder=1.5, axlim_clip=True, **_TRACK)
 
 
-def east_north_up(p_n: Array) -> Array:
+def east_north_up(p_n: Vectors) -> Vectors:
     """Positions (..., 3) in the order of the axes of a figure."""
     return p_n[..., [1, 0, 2]] * (1.0, 1.0, -1.0)
 

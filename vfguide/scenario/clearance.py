@@ -12,6 +12,7 @@ import numpy as np
 from vfguide.field.obstacle import PlacedObstacle, Rows
 from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.geometry.rows import place
+from vfguide.geometry.vector import Series
 from vfguide.scenario.path import positions
 from vfguide.scenario.record import Array, FlightRecord
 
@@ -53,11 +54,11 @@ def _min_clearance(record: FlightRecord, row: Rows) -> float:
     offset = record.p_n - centres(row, record.time)
     from_centre = np.linalg.norm(offset, axis=1)
     nearest = int(np.argmin(from_centre))
-    reached = distances(record.p_n[nearest], record.time[nearest], row)[0]
+    (reached,) = distances(record.p_n[nearest], record.time[nearest], row)
     longest = np.linalg.norm(np.diff(offset, axis=0), axis=1).max(initial=0.0)
     candidates = from_centre - np.linalg.norm(row[0, SEMI_AXES]) - longest <= reached
     values = np.full(len(from_centre), np.inf)
-    values[candidates] = distances(record.p_n[candidates], record.time[candidates], row)[:, 0]
+    values[candidates] = distances(record.p_n[candidates], record.time[candidates], row).ravel()
     return _refined(record, values, distances, row)
 
 
@@ -66,11 +67,11 @@ def centres(row: Rows, time: Array) -> Array:
     return row[0, POSITION] + time[:, None] * row[0, VELOCITY]
 
 
-def _refined(record: FlightRecord, values: Array, measure: Measure, row: Rows) -> float:
+def _refined(record: FlightRecord, values: Series, measure: Measure, row: Rows) -> float:
     """The least of `values` at the samples, and of those in the steps between known ones."""
     steps = np.flatnonzero(np.isfinite(values[:-1]) & np.isfinite(values[1:]))
     low, high = record.time[steps], record.time[steps + 1]
-    halfway = _between(record, 0.5 * (low + high)[:, None], measure, row)[:, 0]
+    halfway = _between(record, 0.5 * (low + high), measure, row)
     least = min(float(values.min()), float(halfway.min(initial=np.inf)))
     may_be_least = 2.0 * halfway - np.maximum(values[steps], values[steps + 1]) < least
     low, high = low[may_be_least], high[may_be_least]
@@ -87,4 +88,4 @@ def _refined(record: FlightRecord, values: Array, measure: Measure, row: Rows) -
 
 def _between(record: FlightRecord, time: Array, measure: Measure, row: Rows) -> Array:
     """Values at times between the samples, of the same shape."""
-    return measure(positions(record, time), time, row)[..., 0]
+    return np.squeeze(measure(positions(record, time), time, row), axis=-1)

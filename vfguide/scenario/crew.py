@@ -105,4 +105,5 @@ def blowing(speed: float, from_deg: float) -> Vec3:
 
 def random_seed(seed: int, sysid: int, purpose: int) -> int:
     """The seed of one random stream: nothing else changes it, no other vehicle either."""
-    return int(np.random.SeedSequence([seed, sysid, purpose]).generate_state(1)[0])
+    (state,) = np.random.SeedSequence([seed, sysid, purpose]).generate_state(1).tolist()
+    return int(state)

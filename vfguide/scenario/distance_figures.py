@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from vfguide.geometry.vector import Matrices
 from vfguide.scenario.bodies import short
 from vfguide.scenario.clearance import clearances
 from vfguide.scenario.distance_axis import make_near_large
@@ -30,7 +31,7 @@ def draw_clearance(figure: Figure, flights: Flights) -> None:
     """Clearances from obstacles: a line an obstacle, with several vehicles a panel an obstacle."""
     obstacles = flights.loaded.scenario.obstacles
     rows = rows_of(obstacles)
-    measured = np.array([clearances(record, rows) for record in flights.records])
+    measured: Matrices = np.array([clearances(record, rows) for record in flights.records])
     shown = nearest(measured)
     names = [short(obstacles[which].name) for which in shown]
     title = "Clearance from obstacles"

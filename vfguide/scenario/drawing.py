@@ -13,11 +13,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Series, Vec3
 from vfguide.scenario.bodies import Body, body_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passers import Passer, passers_of
-from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.record import FlightRecord
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Okabe and Ito's palette, of which the yellow is too light on white."""
@@ -68,7 +68,7 @@ class Flights:
     @property
     def guarded(self) -> bool:
         """The run-time assurance had something to keep clear of."""
-        return any(record.guard is not None for record in self.records)
+        return any(record.decisions is not None for record in self.records)
 
     @cached_property
     def bodies(self) -> tuple[Body, ...]:
@@ -122,7 +122,7 @@ def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:
     )
 
 
-def broken(angle_deg: Array) -> Array:
+def broken(angle_deg: Series) -> Series:
     """Angles with NaN where they jump round the circle, so that no line is drawn there."""
     jumps = np.abs(np.diff(angle_deg, prepend=angle_deg[:1])) > 180.0
     return np.where(jumps, np.nan, angle_deg)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.safety.assurance import Reason
-from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.record import Decisions, FlightRecord
 from vfguide.scenario.resolved import Scenario
 
 APART = 1.0
@@ -42,9 +42,9 @@ class AssuranceResult:
 
 def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | None:
     """What the assurance did in a flight; None where there was nothing to keep clear of."""
-    if record.guard is None:
+    if record.decisions is None:
         return None
-    reason, margin, conflict, _ = record.guard.T
+    reason, margin, conflict, _ = record.decisions
     decided = (reason > 0.0) | ~(conflict == 0.0)  # all zero before the first decision
     count, acting = int(decided.sum()), int((reason > 0.0).sum())
     least = float(np.fmin.reduce(margin[decided], initial=math.inf))
@@ -60,30 +60,31 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
 
 def episodes_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
     """The times in which the assurance acted, those less than `APART` from each other as one."""
-    guard = record.guard
-    if guard is None:
+    decisions = record.decisions
+    if decisions is None:
         return ()
-    acting = np.flatnonzero(guard[:, 0] > 0.0)
+    acting = np.flatnonzero(decisions.reason > 0.0)
     new = np.flatnonzero(np.diff(record.time[acting]) > APART) + 1
     each = [its for its in np.split(acting, new) if its.size]
-    return tuple(_episode(scenario, record, guard[its], its) for its in each)
+    return tuple(_episode(scenario, record, decisions, its) for its in each)
 
 
 def _episode(
-    scenario: Scenario, record: FlightRecord, rows: Array, samples: NDArray[np.intp]
+    scenario: Scenario, record: FlightRecord, decisions: Decisions, samples: NDArray[np.intp]
 ) -> Episode:
     step = float(record.time[1] - record.time[0]) if len(record.time) > 1 else 0.0
     first, last = samples[0], samples[-1]
     names = [
         hazard_name(scenario, int(hazard), float(-record.p_n[sample, 2]))
-        for sample, hazard in zip(samples, rows[:, 3], strict=True)
+        for sample, hazard in zip(samples, decisions.hazard[samples], strict=True)
     ]
     known = Counter(name for name in names if name is not None).most_common(1)
+    bad = (decisions.reason[samples] == Reason.LEAST_BAD).any()
     return Episode(
         from_s=round(float(record.time[first]), 6),
         to_s=round(float(record.time[last]) + step, 6),
-        reason="least bad" if (rows[:, 0] == Reason.LEAST_BAD).any() else "escape",
-        hazard=known[0][0] if known else None,
+        reason="least bad" if bad else "escape",
+        hazard=next((name for name, _ in known), None),
     )
 
 

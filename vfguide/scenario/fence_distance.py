@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.safety.fence import fence_distance, fences
 from vfguide.scenario.fence import Fence, zone_of
 from vfguide.scenario.record import Array, FlightRecord
@@ -20,7 +20,7 @@ def fence_rules(fence: Fence) -> list[str]:
     ]
 
 
-def fence_distances(fence: Fence, p_n: Array) -> Array:
+def fence_distances(fence: Fence, p_n: Vectors) -> Array:
     """Distances of places (n, 3) from where each rule is violated, (n, R) [m], negative there."""
     zones = fences([zone_of(zone) for zone in fence.zone])
     places: list[Vec3] = [(x, y, z) for x, y, z in p_n.tolist()]

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Polygon
 
+from vfguide.geometry.vector import Vector, Vectors
 from vfguide.scenario.fence import Fence, ZoneEntry
-from vfguide.scenario.record import Array
 
 INSIDE, OUTSIDE = "#00674a", "#a83c00"
 """Borders of what is to be stayed in, and of what is to be stayed out of."""
@@ -46,7 +46,7 @@ def height_marks(fence: Fence) -> list[Line2D]:
     return [Line2D([], [], label=f"{label} of the fence", **HEIGHT)] if names else []
 
 
-def places_of(fence: Fence, p_n: Array) -> Array:
+def places_of(fence: Fence, p_n: Vector) -> Vectors:
     """Places (k, 3) that show how far the fence reaches, about a place `p_n`."""
     places = [(x, y, p_n[2]) for zone in fence.zone for x, y in _border(zone)]
     heights = [height for height in (fence.floor_m, fence.ceiling_m) if height is not None]

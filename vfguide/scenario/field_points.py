@@ -9,7 +9,7 @@ import csv
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
 from vfguide.flight.state import FlightState
+from vfguide.geometry.rows import Row, Table, columns, python_reader
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale, sub, transpose
@@ -37,9 +38,23 @@ LARGEST = 1e9
 MOMENT = 1e-3
 """Over this long before and after the point the flight law's reference attitude is compared [s]."""
 
-Points = NDArray[np.float64]
-"""(N, 7), see COLUMNS."""
+Points = Table
+"""The rows of N points."""
 LawName = Literal["paper", "flight"]
+
+
+class Point(NamedTuple):
+    """Where and when the field is wanted, in the scenario frame; in the order of COLUMNS."""
+
+    p_n: Vec3
+    """[m]."""
+    v_n: Vec3
+    """[m/s]."""
+    time: float
+    """[s]."""
+
+
+point_of = python_reader(Point)
 
 
 class FieldPoint(NamedTuple):
@@ -120,21 +135,20 @@ def fields_at(
 def paper_fields(scenario: Scenario, vehicle: Vehicle, points: Points) -> list[FieldPoint]:
     """The composite field of the paper among obstacles and the robots to give way to."""
     avoidance = scenario.avoidance
+    at: Any = columns(Point, points)
     fields = composite_fields(
         frame_of(vehicle.goals[0]),
-        points[:, :3],
-        points[:, 3:6],
-        points[:, 6],
+        at.p_n,
+        at.v_n,
+        at.time,
         rows_of(scenario.obstacles),
-        others_at(scenario, vehicle, points[:, 6]),
+        others_at(scenario, vehicle, at.time),
         Spacing(avoidance.safety_radius_m, avoidance.detection_range_m),
     )
-    columns = (array.tolist() for array in fields)
+    lists = (array.tolist() for array in fields)
     return [
-        FieldPoint(
-            vec(F), vec(G), vec(H), (vec(R[0]), vec(R[1]), vec(R[2])), vec(Omega_a), tuple(chi)
-        )
-        for F, G, H, R, Omega_a, chi in zip(*columns, strict=True)
+        FieldPoint(vec(F), vec(G), vec(H), mat(R), vec(Omega_a), tuple(chi))
+        for F, G, H, R, Omega_a, chi in zip(*lists, strict=True)
     ]
 
 
@@ -142,6 +156,12 @@ def vec(values: Sequence[float]) -> Vec3:
     """Three numbers as a vector."""
     x, y, z = values
     return (x, y, z)
+
+
+def mat(rows: Sequence[Sequence[float]]) -> Mat3:
+    """Three rows as a matrix."""
+    x, y, z = rows
+    return (vec(x), vec(y), vec(z))
 
 
 def others_at(scenario: Scenario, vehicle: Vehicle, t: NDArray[np.float64]) -> Points:
@@ -166,13 +186,12 @@ def velocity_at_start(scenario: Scenario, vehicle: Vehicle) -> Vec3:
     return scale(speed, (R_nb[0][0], R_nb[1][0], R_nb[2][0]))
 
 
-def flight_field(plan: Plan, point: NDArray[np.float64]) -> FieldPoint:
+def flight_field(plan: Plan, point: Row) -> FieldPoint:
     """What the flight law wants at a point on the way to the first goal, nothing flown before.
 
     The air is still, the airspeed the one to fly; the law looks at the velocity's direction only.
     """
-    x, y, z, u, v, w, time = point.tolist()
-    p_n, v_n = (x, y, z), (u, v, w)
+    p_n, v_n, time = point_of(point.tolist())
     azimuth, gamma, R_a = flight_reference(plan, p_n, v_n, time)
     step = scale(MOMENT, v_n)
     *_, before = flight_reference(plan, sub(p_n, step), v_n, time - MOMENT)

@@ -23,7 +23,7 @@ from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 from vfguide.scenario.traffic import check_traffic
-from vfguide.scenario.ways import check_ways
+from vfguide.scenario.ways import Flies, check_ways
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
-    flies = [(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
+    flies = [Flies(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
     warnings = (*checks.told_of_law(scenario), *check_ways(scenario, flies, source))
     return replace(loaded, warnings=warnings)
 

@@ -3,12 +3,14 @@
 import math
 from array import array
 from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.geometry.geodesy import place_in_plane
+from vfguide.geometry.rows import columns, flattener, width
 from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
 from vfguide.link.codec import Encoder
@@ -17,7 +19,7 @@ from vfguide.scenario.crew import simulate
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.plans import plan_of
-from vfguide.scenario.record import FlightRecord
+from vfguide.scenario.record import AirBelief, Decisions, FlightRecord, Instant
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.result import TOUCH
@@ -32,9 +34,14 @@ Write = Callable[[int, bytes], None]
 
 ROUNDS = 4
 """Messages go back and forth at most this often at one instant; the rest waits for the next."""
-COLUMNS = 36
-"""Numbers that are noted of one instant, see `_row`."""
-NOTHING_YET = (math.nan, math.nan, math.nan, math.nan)
+numbers_of = flattener(Instant)
+
+
+class Commanded(NamedTuple):
+    """Body rates [rad/s] and thrust (0 to 1) of a setpoint; not numbers before the first."""
+
+    omega_b: Vec3 = (math.nan, math.nan, math.nan)
+    thrust: float = math.nan
 
 
 class Member:
@@ -116,8 +123,28 @@ class Member:
         else:
             self._goals_from = min(self._goals_from, truth.time)
             self.legs.feed(sample)
-        flown = _row(truth, sample, self.sim.autopilot.setpoint)
-        self._noted.extend((*flown, *self._position_error(p_n), *self.companion.route.noted))
+        self._noted.extend(numbers_of(self._instant(truth, sample)))
+
+    def _instant(self, truth: Truth, at: Sample) -> Instant:
+        """What is noted of this instant."""
+        wanted = _commanded(self.sim.autopilot.setpoint)
+        _, _, down = truth.force_b
+        return Instant(
+            time=at.time,
+            p_n=at.p_n,
+            v_n=at.v_n,
+            euler=(truth.roll, truth.pitch, truth.yaw),
+            omega_b=truth.omega_b,
+            omega_wanted_b=wanted.omega_b,
+            thrust=wanted.thrust,
+            airspeed=truth.airspeed,
+            load_factor=-down / G0,
+            wind_n=truth.wind_n,
+            altitude=truth.altitude,
+            height_above_ground=truth.height_above_ground,
+            position_error_n=self._position_error(at.p_n),
+            step=self.companion.route.noted,
+        )
 
     def _position_error(self, p_n: Vec3) -> Vec3:
         """Position that the autopilot tells less the true one, scenario frame [m]."""
@@ -130,56 +157,41 @@ class Member:
 
     def record(self) -> FlightRecord:
         """What was noted."""
-        rows = np.array(self._noted).reshape(-1, COLUMNS)
-        rows, error, air, airspeed, guard = np.split(rows, np.cumsum([24, 3, 3, 2]), axis=1)
-        time, p_n, v_n, euler, omega, wanted, thrust, speed, load, wind, altitude, height = (
-            np.split(rows, np.cumsum([1, 3, 3, 3, 3, 3, 1, 1, 1, 3, 1]), axis=1)
-        )
+        table = np.array(self._noted).reshape(-1, width(Instant))
+        flown: Any = columns(Instant, table)
+        step: Any = flown.step
+        decided = Decisions(step.reason, step.margin, step.conflict, step.hazard)
         return FlightRecord(
-            self.vehicle,
-            time[:, 0],
-            p_n,
-            v_n,
-            euler,
-            omega,
-            wanted,
-            thrust[:, 0],
-            speed[:, 0],
-            load[:, 0],
-            wind,
-            altitude[:, 0],
-            height[:, 0],
-            self.companion.setpoints,
-            position_error_n=error,
-            wind_believed=air,
-            airspeed_believed=airspeed,
+            vehicle=self.vehicle,
+            time=flown.time,
+            p_n=flown.p_n,
+            v_n=flown.v_n,
+            euler=flown.euler,
+            omega_b=flown.omega_b,
+            omega_wanted_b=flown.omega_wanted_b,
+            thrust=flown.thrust,
+            airspeed=flown.airspeed,
+            load_factor=flown.load_factor,
+            wind_n=flown.wind_n,
+            altitude=flown.altitude,
+            height_above_ground=flown.height_above_ground,
+            setpoints=self.companion.setpoints,
+            position_error_n=flown.position_error_n,
+            air=AirBelief(
+                wind_north=step.wind_north,
+                wind_east=step.wind_east,
+                wind_sigma=step.wind_sigma,
+                airspeed=step.airspeed,
+                airspeed_sigma=step.airspeed_sigma,
+            ),
             goals_from=self._goals_from,
             identified=self.companion.route.identified,
-            guard=guard if self.companion.route.plan.is_assured else None,
+            decisions=decided if self.companion.route.plan.is_assured else None,
         )
 
 
-def _row(truth: Truth, at: Sample, setpoint: SetAttitudeTarget | None) -> tuple[float, ...]:
-    """The numbers of one instant, in the order of a FlightRecord's columns."""
-    return (
-        at.time,
-        *at.p_n,
-        *at.v_n,
-        truth.roll,
-        truth.pitch,
-        truth.yaw,
-        *truth.omega_b,
-        *_commanded(setpoint),
-        truth.airspeed,
-        -truth.force_b[2] / G0,
-        *truth.wind_n,
-        truth.altitude,
-        truth.height_above_ground,
-    )
-
-
-def _commanded(sp: SetAttitudeTarget | None) -> tuple[float, float, float, float]:
-    """Body rates and thrust of the latest setpoint."""
+def _commanded(sp: SetAttitudeTarget | None) -> Commanded:
+    """What the latest setpoint commands."""
     if sp is None:
-        return NOTHING_YET
-    return (sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate, sp.thrust)
+        return Commanded()
+    return Commanded((sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate), sp.thrust)

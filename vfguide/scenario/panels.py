@@ -51,7 +51,7 @@ def lay_out(
     height = 0.4 + row * rows + bottom
     figure.set_size_inches(WIDTH, height)
     figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
-    grid: list[Axes] = [*figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]]
+    grid: list[Axes] = [*figure.subplots(rows, 1, sharex=True, squeeze=False).ravel()]
     grid[0].set_title(title)
     grid[-1].set_xlabel("Time [s]")
     if legend:

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from vfguide.geometry.vector import Vector, Vectors
 from vfguide.scenario.bodies import MOST_NAMES, east_north_up, write_name
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
@@ -29,11 +30,11 @@ class Passer:
     """Another aircraft over the time of a run."""
 
     name: str
-    p_n: Array
+    p_n: Vectors
     """(n, 3) its path, NED [m]."""
-    volume: Array
+    volume: Vectors
     """(m, 3) the edges of its volume where it came nearest to a vehicle, NED [m]."""
-    nearest: Array
+    nearest: Vector
     """(3,) where it was then, NED [m]."""
 
 
@@ -42,7 +43,7 @@ def passers_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tuple[Pas
     edges = _edges(scenario.avoidance.traffic_radius_m, scenario.avoidance.traffic_half_height_m)
     passers: list[Passer] = []
     for its in scenario.traffic:
-        p_n = motion_at(path_of(its), records[0].time)[0]
+        p_n, _ = motion_at(path_of(its), records[0].time)
         apart = [volume_distance(scenario.avoidance, p_n - record.p_n) for record in records]
         nearest = p_n[int(np.nan_to_num(np.min(apart, axis=0), nan=np.inf).argmin())]
         passers.append(Passer(its.name, p_n, nearest + edges, nearest))
@@ -73,8 +74,9 @@ def draw_passers_in_space(axes: Any, passers: Sequence[Passer]) -> None:
     """Their paths and volumes in axes east, north, up."""
     for its in passers:
         axes.plot(*east_north_up(its.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
-        for circle in np.split(its.volume, 2):
-            x, y, z = east_north_up(np.vstack((circle, circle[:1]))).T
+        for circle in its.volume.reshape(2, CORNERS, 3):
+            around = np.arange(CORNERS + 1) % CORNERS
+            x, y, z = east_north_up(circle[around]).T
             axes.plot(x, y, z, color=AIRCRAFT, linewidth=0.9, zorder=1.6, axlim_clip=True)
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.geometry.vector import Matrices
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
@@ -37,7 +38,7 @@ def _on_cubics(record: FlightRecord, steps: Steps, since: Array) -> Array:
     return p0 + s * (d0 + s * (b + s * c))
 
 
-def _on_helices(record: FlightRecord, R_nb: Array, steps: Steps, since: Array) -> Array:
+def _on_helices(record: FlightRecord, R_nb: Matrices, steps: Steps, since: Array) -> Array:
     """Each moves on for its own time: speed and rates are multiplied by it, then held for 1 s."""
     speed = np.einsum("ij,ij->i", record.v_n[steps + 1], R_nb[steps + 1, :, 0])
     way = Commands(since * speed, since[:, None] * record.omega_b[steps + 1])

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from vfguide.geometry.vector import Series
 from vfguide.scenario.bodies import draw_outlines, draw_surfaces, east_north_up, write_names
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, goal_axis, line_of
 from vfguide.scenario.fence_figure import draw_heights, draw_zones, height_marks, zone_marks
@@ -38,7 +39,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
         for goal in record.vehicle.goals:
             _arrow_in_space(axes, goal, floor, view.arrow)
     axes.locator_params(nbins=6)
-    extent = np.ptp(box, axis=1)
+    extent: Series = np.ptp(box, axis=1)
     axes.set_box_aspect(extent, zoom=1.2 - 0.4 * extent[2] / extent.max())
     axes.view_init(elev=28, azim=-60)
     figure.suptitle("Path in space", x=0.02, ha="left", fontsize=12, fontweight="bold")

@@ -1,16 +1,64 @@
 """What is recorded of a flight: the truth at the guidance rate, and what was commanded."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.companion.loop_report import Noted
 from vfguide.flight.identification import Identified
+from vfguide.geometry.vector import Matrices, Series, Vec3, Vectors
 from vfguide.scenario.arrivals import Arrivals
 from vfguide.scenario.passes import Legs, Sample
 from vfguide.scenario.resolved import Vehicle
 
 Array = NDArray[np.float64]
+
+
+class Instant(NamedTuple):
+    """What is noted of one instant of an aeroplane's flight: the fields of a `FlightRecord`."""
+
+    time: float
+    p_n: Vec3
+    v_n: Vec3
+    euler: Vec3
+    omega_b: Vec3
+    omega_wanted_b: Vec3
+    thrust: float
+    airspeed: float
+    load_factor: float
+    wind_n: Vec3
+    altitude: float
+    height_above_ground: float
+    position_error_n: Vec3
+    step: Noted
+    """What the companion noted of its last step."""
+
+
+class AirBelief(NamedTuple):
+    """What the companion makes of the air at n instants, [m/s] all; zero before the first step."""
+
+    wind_north: Series
+    wind_east: Series
+    wind_sigma: Series
+    """Where the wind blows to, and the standard deviation of either."""
+    airspeed: Series
+    airspeed_sigma: Series
+    """True airspeed and its standard deviation."""
+
+
+class Decisions(NamedTuple):
+    """What the run-time assurance decided at n instants; all zero before the first decision."""
+
+    reason: Series
+    """The value of a `Reason`."""
+    margin: Series
+    """Least clearance of the way out [m]."""
+    conflict: Series
+    """Time to the conflict that was seen [s]."""
+    hazard: Series
+    """Number of the hazard."""
 
 
 @dataclass(frozen=True)
@@ -21,45 +69,42 @@ class FlightRecord:
     """
 
     vehicle: Vehicle
-    time: Array
+    time: Series
     """(n,) since the start of the run."""
-    p_n: Array
+    p_n: Vectors
     """(n, 3) in the scenario frame."""
-    v_n: Array
+    v_n: Vectors
     """(n, 3) velocity over ground in the scenario frame."""
-    euler: Array
+    euler: Vectors
     """(n, 3) roll, pitch, yaw."""
-    omega_b: Array
+    omega_b: Vectors
     """(n, 3) body rates."""
-    omega_wanted_b: Array
+    omega_wanted_b: Vectors
     """(n, 3) body rates of the latest setpoint; NaN before the first."""
-    thrust: Array
+    thrust: Series
     """(n,) thrust of the latest setpoint, 0 to 1; NaN before the first."""
-    airspeed: Array
+    airspeed: Series
     """(n,) true airspeed."""
-    load_factor: Array
+    load_factor: Series
     """(n,) lift over weight."""
-    wind_n: Array
+    wind_n: Vectors
     """(n, 3) the direction the air moves toward, gusts included."""
-    altitude: Array
+    altitude: Series
     """(n,) above the ellipsoid."""
-    height_above_ground: Array
+    height_above_ground: Series
     """(n,)."""
     setpoints: int
     """How many were sent."""
 
-    R_nb: Array | None = None
+    R_nb: Matrices | None = None
     """(n, 3, 3) attitude of a rigid body, whose speed and body rates are held from one sample to
     the next: those that brought it to the later one. None: an aeroplane."""
-    position_error_n: Array | None = None
+    position_error_n: Vectors | None = None
     """(n, 3) position that the autopilot tells less the true one; None: they are the same."""
-    wind_believed: Array | None = None
-    """(n, 3) what the companion makes of the wind: north, east, standard deviation [m/s]."""
-    airspeed_believed: Array | None = None
-    """(n, 2) of the airspeed: true airspeed, standard deviation [m/s]."""
-    guard: Array | None = None
-    """(n, 4) what the assurance decided: its `Reason`, least clearance of the way out [m], time
-    to the conflict that it saw [s], number of the hazard; None: nothing to keep clear of."""
+    air: AirBelief | None = None
+    """What the companion makes of the air; None: there is none."""
+    decisions: Decisions | None = None
+    """What the run-time assurance decided; None: nothing to keep clear of."""
     goals_from: float = 0.0
     """The goals are flown to from this time on; a test flight goes before."""
     identified: Identified | None = None

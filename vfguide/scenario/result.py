@@ -12,6 +12,7 @@ import numpy as np
 
 from vfguide import __version__
 from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vectors
 from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.clearance import min_clearances, min_levels
 from vfguide.scenario.episodes import AssuranceResult, assurance_of
@@ -151,7 +152,7 @@ def min_separation(records: Sequence[FlightRecord]) -> float | None:
     return min((_least_norm(one.p_n - other.p_n) for one, other in pairs), default=None)
 
 
-def _least_norm(path: Array) -> float:
+def _least_norm(path: Vectors) -> float:
     """Least distance from zero of the line through the points of `path`, (n, 3)."""
     steps = np.diff(path, axis=0)
     lengths = np.maximum(np.einsum("ij,ij->i", steps, steps), np.finfo(float).tiny)

@@ -32,8 +32,9 @@ def is_shut_in(obstacles: Rows, fence: Outlines, band: Band, start: Place, goal:
         return False
     north, east = (low[axis] + CELL * np.arange(cells[axis]) for axis in (0, 1))
     free = [[clearance_at(hazards, x, y, 0.0).distance > 0.0 for y in east] for x in north]
-    regions: Any = ndimage.label(np.array(free), structure=np.ones((3, 3)))
-    one, other = (region_at(regions[0], low, place) for place in (start, goal))
+    labelled: Any = ndimage.label(np.array(free), structure=np.ones((3, 3)))
+    regions, _ = labelled
+    one, other = (region_at(regions, low, place) for place in (start, goal))
     return one > 0 and other > 0 and one != other
 
 

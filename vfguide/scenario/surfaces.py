@@ -40,7 +40,7 @@ def mesh_rays(shape: Shape) -> Array:
 
 def outline(points: Array) -> Array:
     """Corners of the convex hull of `points` (..., 2) in the plane, in order, (k, 2)."""
-    flat = np.unique(points.reshape(-1, 2), axis=0).tolist()
+    flat: list[list[float]] = np.unique(points.reshape(-1, 2), axis=0).tolist()
     return np.array(_chain(flat) + _chain(flat[::-1]))
 
 

@@ -1,13 +1,16 @@
 """Figures over time: position, attitude, speed, flight envelope, body rates."""
 
+from collections.abc import Callable
+
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Series
 from vfguide.scenario.drawing import GOAL, Flights, broken, line_of
 from vfguide.scenario.panels import LIMIT, WANTED, Panel, draw_panels
-from vfguide.scenario.record import Array, FlightRecord
+from vfguide.scenario.record import AirBelief, FlightRecord
 
 
 def draw_position(figure: Figure, flights: Flights) -> None:
@@ -101,17 +104,17 @@ def draw_air(figure: Figure, flights: Flights) -> None:
         Panel(
             "Wind to north [m/s]",
             lambda its: its.wind_n[:, 0],
-            wanted=lambda its: believed(its.wind_believed, its, 0),
+            wanted=lambda its: believed(its, lambda air: (air.wind_north, air.wind_sigma)),
         ),
         Panel(
             "Wind to east [m/s]",
             lambda its: its.wind_n[:, 1],
-            wanted=lambda its: believed(its.wind_believed, its, 1),
+            wanted=lambda its: believed(its, lambda air: (air.wind_east, air.wind_sigma)),
         ),
         Panel(
             "True airspeed [m/s]",
             lambda its: its.airspeed,
-            wanted=lambda its: believed(its.airspeed_believed, its, 0),
+            wanted=lambda its: believed(its, lambda air: (air.airspeed, air.airspeed_sigma)),
         ),
     ]
     true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]
@@ -119,8 +122,12 @@ def draw_air(figure: Figure, flights: Flights) -> None:
     draw_panels(figure, flights, "Wind: true and estimated", panels, [*true, estimated])
 
 
-def believed(values: Array | None, record: FlightRecord, column: int) -> Array:
-    """A column of what was believed; NaN before the companion flew, when nothing was."""
-    if values is None:
+def believed(record: FlightRecord, part: Callable[[AirBelief], tuple[Series, Series]]) -> Series:
+    """A value that was believed; NaN before the companion flew, when nothing was.
+
+    `part` takes the value and its standard deviation.
+    """
+    if record.air is None:
         return np.full_like(record.time, np.nan)
-    return np.where(values[:, -1] > 0.0, values[:, column], np.nan)
+    values, sigma = part(record.air)
+    return np.where(sigma > 0.0, values, np.nan)

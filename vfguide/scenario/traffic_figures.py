@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vfguide.geometry.vector import Series, Vectors
 from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.scenario_file import Avoidance
@@ -37,7 +38,8 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
     half_height = scenario.avoidance.traffic_half_height_m
     results: list[TrafficResult] = []
     for its in scenario.traffic:
-        apart = motion_at(path_of(its), time)[0] - p_n
+        other_n, _ = motion_at(path_of(its), time)
+        apart = other_n - p_n
         horizontal, vertical = np.hypot(apart[:, 0], apart[:, 1]), np.abs(apart[:, 2])
         least = volume_distance(scenario.avoidance, apart).min()
         beside, level = horizontal[vertical <= half_height], vertical[horizontal <= radius]
@@ -45,7 +47,7 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
     return tuple(results)
 
 
-def volume_distance(avoidance: Avoidance, apart: Array) -> Array:
+def volume_distance(avoidance: Avoidance, apart: Vectors) -> Series:
     """Distance of a vehicle from the volume of another aircraft that is `apart`, (n, 3), [m]."""
     beside = np.hypot(apart[:, 0], apart[:, 1]) - avoidance.traffic_radius_m
     return clearance(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
@@ -58,7 +60,7 @@ def clearance(beside: Array, above: Array) -> Array:
     return np.where(deepest > 0.0, outside, deepest)
 
 
-def finely(time: Array, p_n: Array) -> tuple[Array, Array]:
+def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
     """A path with instants in between, so that nothing fast is overlooked."""
     if len(time) < 2:
         return time, p_n

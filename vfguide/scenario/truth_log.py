@@ -39,15 +39,17 @@ def on_the_wire(
         air: true airspeed [m/s] and density [kg/m^3].
         force_b: specific force [m/s^2].
     """
+    latitude, longitude, altitude = place
+    airspeed, density = air
     return (
-        round(place[0] / DEG_E7),
-        round(place[1] / DEG_E7),
-        round(place[2] / MM),
+        round(latitude / DEG_E7),
+        round(longitude / DEG_E7),
+        round(altitude / MM),
         short(v_n[0] / CM_S),
         short(v_n[1] / CM_S),
         short(v_n[2] / CM_S),
-        round(calibrated_airspeed(air[0], air[1]) / CM_S),
-        round(air[0] / CM_S),
+        round(calibrated_airspeed(airspeed, density) / CM_S),
+        round(airspeed / CM_S),
         short(force_b[0] / MILLI_G),
         short(force_b[1] / MILLI_G),
         short(force_b[2] / MILLI_G),

@@ -8,6 +8,7 @@ from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from vfguide.geometry.vector import Vectors
 from vfguide.scenario.bodies import body_marks
 from vfguide.scenario.drawing import GOAL, MUTED, Flights, goal_axis, vehicle_lines
 from vfguide.scenario.fence_figure import places_of
@@ -33,13 +34,13 @@ _MARKS = [
 class View:
     """A box, and how long arrows in it are."""
 
-    limits: Array
+    limits: Vectors
     """(k, 2) least and most along each axis [m]."""
     arrow: float
     """[m]."""
 
 
-def view_of(flights: Flights, axes_n: Array) -> View:
+def view_of(flights: Flights, axes_n: Vectors) -> View:
     """What is to be seen of `flights` along the axes `axes_n`, (k, 3), unit vectors, NED.
 
     All paths and goals, and the obstacles near them, with a margin; not too flat.

@@ -6,6 +6,7 @@ the run-time assurance is going to overrule the guidance.
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from vfguide.flight.way import Pose
 from vfguide.flight.way_round import LOOK
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vector
 from vfguide.safety.assurance import Reason, assurance, assure, fresh_stored
 from vfguide.safety.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.safety.motion import Motion
@@ -37,12 +38,24 @@ from vfguide.scenario.source import Location, Source, dotted
 from vfguide.scenario.tables import in_words
 from vfguide.scenario.traffic import avoids_traffic
 
-Flies = tuple[Performance, Gains]
-"""An aircraft and how it is guided."""
 SPACING = 2.0
 """Between two places that are looked at on the straight end of an approach [m]."""
-Start = tuple[Vec3, float]
-"""Where a leg begins, NED [m], and its course there [rad]."""
+
+
+class Flies(NamedTuple):
+    """An aircraft and how it is guided."""
+
+    aircraft: Performance
+    gains: Gains
+
+
+class Start(NamedTuple):
+    """Where a leg begins."""
+
+    p_n: Vec3
+    """Position, NED [m]."""
+    course: float
+    """[rad]."""
 
 
 def check_ways(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
@@ -58,12 +71,12 @@ def check_ways(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tu
     for index, (vehicle, its) in enumerate(zip(scenario.vehicles, flies, strict=True)):
         at: Location = ("vehicle", index)
         warnings += _check_start(scenario, vehicle, its, hazards, source, at)
-        begin = vehicle.position_m, vehicle.euler_deg[2] * DEG
+        begin = Start(vehicle.position_m, vehicle.euler_deg[2] * DEG)
         for number, goal in enumerate(vehicle.goals):
             place = (*at, "goal", number)
             warnings += _tight_goal(scenario, goal, its, source, place)
             warnings += _check_way(scenario, begin, goal, its, source, place)
-            begin = goal.position_m, goal.heading_deg * DEG
+            begin = Start(goal.position_m, goal.heading_deg * DEG)
     return tuple(warnings)
 
 
@@ -103,7 +116,9 @@ def _tight_goal(
         return []
     final = gains.final * _radius(scenario, gains)
     back = np.arange(0.0, final + SPACING, SPACING)
-    ahead = np.array((math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0))
+    ahead: Vector = np.array(
+        (math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0)
+    )
     ahead[2] = -math.tan(goal.climb_deg * DEG)
     places: list[Vec3] = [
         (x, y, z) for x, y, z in (np.array(goal.position_m) - back[:, None] * ahead).tolist()
@@ -126,19 +141,20 @@ def _check_way(
     Raises:
         InputError: there is none.
     """
-    gains, (north, east, _) = flies[1], _wind(scenario)
+    gains, (north, east, _) = flies.gains, _wind(scenario)
     radius = _radius(scenario, gains)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
     final = gains.final * radius
     entry = Pose(x - final * math.cos(course), y - final * math.sin(course), course)
-    start = Pose(begin[0][0], begin[0][1], begin[1])
-    band = Band(min(z, begin[0][2]), max(z, begin[0][2]))
+    from_x, from_y, from_z = begin.p_n
+    start = Pose(from_x, from_y, begin.course)
+    band = Band(min(z, from_z), max(z, from_z))
     task = Task(start, entry, radius, Air(gains.airspeed, north, east), 0.0)
     fence = outlines_of(_in_band(scenario.fence, band))
     rows = rows_of(_still(scenario).obstacles)
     if len(find_detour(rows, fence, band, task).hops) > 0:
         return []
-    if _passes_over(scenario, rows, begin[0], goal, flies, task):
+    if _passes_over(scenario, rows, begin.p_n, goal, flies, task):
         if not avoids_traffic(scenario):
             return []
         rule = (
@@ -146,7 +162,7 @@ def _check_way(
             "other aircraft are known; open a gap, or start higher"
         )
         return [_warning(source, at, rule)]
-    if is_shut_in(rows, fence, band, begin[0][:2], goal.position_m[:2]):
+    if is_shut_in(rows, fence, band, (from_x, from_y), (x, y)):
         rule = "shut in, no way leads there at these heights; move it, or open a gap"
         raise source.error(at, rule, goal.position_m)
     rule = (
