@@ -11,10 +11,10 @@ import numpy as np
 from avoidance_flights import true_distance
 from avoidance_worlds import TICK, World
 
+from vfguide.aircraft.point_mass import Dynamics, Motion, advance
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
-from vfguide.safety.motion import Dynamics, Motion, advance
 
 read_motion, write_motion = reader(Motion), writer(Motion)
 ACTIONS, LEVELS, HOLD = 9, 4, 2.0
