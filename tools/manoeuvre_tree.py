@@ -17,6 +17,7 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
 
 read_motion, write_motion = reader(Motion), writer(Motion)
+MOTION_NUMBERS = width(Motion)
 ACTIONS, LEVELS, HOLD = 9, 4, 2.0
 
 
@@ -65,7 +66,7 @@ def best_escape(
     if best <= 0.0:
         return best
     ceiling, best = min(best, enough), -math.inf
-    motions = np.zeros((levels + 1, width(Motion)))
+    motions = np.zeros((levels + 1, MOTION_NUMBERS))
     least = np.full(levels + 1, ceiling)
     action = np.full(levels + 1, -1)
     level = 0
