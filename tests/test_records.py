@@ -5,9 +5,6 @@ from pathlib import Path
 import pytest
 from check_records import ALIASES, ROOT, ROWS, violations
 
-PENDING = ("tools/",)
-"""Folders and modules that are not rid yet of what the rule refuses."""
-
 HEAD = """
 from array import array
 from typing import Annotated, Any, NamedTuple
@@ -92,8 +89,7 @@ CHANGED = [
 
 
 def test_the_sources_keep_the_rule():
-    found = [its for its in violations() if not its.path.as_posix().startswith(PENDING)]
-    assert found == []
+    assert violations() == []
 
 
 @pytest.fixture(scope="module")
