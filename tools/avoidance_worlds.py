@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.aircraft.point_mass import Motion
 from vfguide.airspace.fence import Fences, Zone, fences
@@ -12,7 +11,7 @@ from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.geometry.rows import table_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import Shape
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vectors
 
 HEIGHT = 150.0
 AIRSPEED = 25.0
@@ -20,7 +19,7 @@ GUST_LAG = 2.0
 """Time in which gusts are forgotten [s]."""
 TICK = 0.05
 """Time between two decisions [s]."""
-Tracks = NDArray[np.float64]
+Tracks = Vectors
 NO_TRACKS: Tracks = np.zeros((0, 2, 3))
 
 
@@ -49,7 +48,7 @@ class World(NamedTuple):
     ceiling: float
     wind_n: Vec3
     gust: float
-    gusts_n: NDArray[np.float64]
+    gusts_n: Vectors
     """(ticks, 3) [m/s]."""
     tracks: Tracks = NO_TRACKS
     """(K, n, 3), n at least 2: where upright cylinders are at each tick, NED [m]."""
@@ -166,7 +165,7 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
     speed, toward = rng.uniform(0.0, 8.0), rng.uniform(-math.pi, math.pi)
     wind_n = (speed * math.cos(toward), speed * math.sin(toward), 0.0)
     gust = 1.5 * float(number % 2)
-    gusts = np.zeros((round(duration / TICK) + 1, 3))
+    gusts: Vectors = np.zeros((round(duration / TICK) + 1, 3))
     keep = math.exp(-TICK / GUST_LAG)
     for k in range(1, len(gusts)):
         push = rng.normal(size=3) * (gust, gust, 0.5 * gust)

@@ -85,8 +85,9 @@ def named(number: int, start: int, timed: Timed) -> str:
 
 def message_of(timed: Timed) -> str:
     """The name of the message in a frame."""
-    message = decode(timed[1])
-    return f"message {timed[1].msgid}" if message is None else message.NAME
+    _, frame = timed
+    message = decode(frame)
+    return f"message {frame.msgid}" if message is None else message.NAME
 
 
 def fields_of(timed: Timed) -> Iterator[tuple[str, str]]:

@@ -11,14 +11,14 @@ import numpy as np
 from avoidance_flights import true_distance
 from avoidance_worlds import TICK, Tracks, World
 from manoeuvre_tree import HOLD, LEVELS, best_escape
-from numpy.typing import NDArray
 
 from vfguide.aircraft.point_mass import Motion
 from vfguide.airspace.detection import comes_into_sight
 from vfguide.assurance.decision import assurance
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-from vfguide.results.record import Array, FlightRecord
+from vfguide.geometry.vector import Indices, Series, Vectors
+from vfguide.results.record import FlightRecord
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.traffic import path_of
@@ -119,7 +119,7 @@ def known_from(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
 
 
 @compiled
-def first_seen(rows: Rows, p_n: Array, time: Array) -> NDArray[np.int64]:
+def first_seen(rows: Rows, p_n: Vectors, time: Series) -> Indices:
     """For each of the rows the first of the places from which it is seen; -1: none."""
     first = np.full(len(rows), -1)
     for i in range(len(rows)):
@@ -131,7 +131,7 @@ def first_seen(rows: Rows, p_n: Array, time: Array) -> NDArray[np.int64]:
 
 
 @compiled
-def true_distances(world: World, p_n: Array, time: Array) -> tuple[Array, NDArray[np.int64]]:
+def true_distances(world: World, p_n: Vectors, time: Series) -> tuple[Series, Indices]:
     """Distance from what is nearest, at each of the places [m], and which that is."""
     out, nearest = np.empty(len(time)), np.empty(len(time), np.int64)
     for k in range(len(time)):

@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Series
 
 Array = NDArray[np.float64]
 
-TIMES = np.geomspace(0.01, 2.0, 54)
+TIMES: Series = np.geomspace(0.01, 2.0, 54)
 """Response times that are tried, (54,), 10 % apart [s]."""
 SINGULAR = 1e-9
 """Regressors of length 1 with less than this of their own, squared, are not told apart."""
@@ -171,7 +172,7 @@ def persistence(left: Array) -> float:
 
 
 @compiled
-def first_order(time: Array, asked: Array, delay: Array, response_time: float) -> Array:
+def first_order(time: Series, asked: Series, delay: Series, response_time: float) -> Series:
     """What follows setpoints with a lag of first order, at the times of the samples, (N,).
 
     Args:

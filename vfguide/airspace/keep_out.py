@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.airspace.footprint import (
     SIDE_WIDTH,
@@ -26,6 +25,7 @@ from vfguide.airspace.footprint import (
 from vfguide.field.obstacle import PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, replacing, table_of, width, writer
+from vfguide.geometry.vector import Vectors
 
 KEEP_OUT, KEEP_IN = 1.0, -1.0
 """Sign of an outline: one may not be inside it, or not outside it."""
@@ -132,8 +132,8 @@ def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> Outline
 
 def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> Outlines:
     """A polygon of a fence by its corners, NED [m], either way round."""
-    points = np.array(corners, dtype=float)
-    following = np.roll(points, -1, axis=0)
+    points: Vectors = np.array(corners, dtype=float)
+    following: Vectors = np.roll(points, -1, axis=0)
     area = np.sum(points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0])
     points = points[::-1].copy() if area < 0.0 else points
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
@@ -143,9 +143,9 @@ def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> O
     return Outlines(table_of(Outline, (outline,)), sides)
 
 
-def sides_of(corners: NDArray[np.float64]) -> Rows:
+def sides_of(corners: Vectors) -> Rows:
     """Sides of a polygon from its corners (N, 2), a `Side` a row."""
-    along = np.roll(corners, -1, axis=0) - corners
+    along: Vectors = np.roll(corners, -1, axis=0) - corners
     normals = np.column_stack((along[:, 1], -along[:, 0]))
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
     distances = np.sum(normals * corners, axis=1)

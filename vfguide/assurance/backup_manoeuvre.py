@@ -4,10 +4,9 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.point_mass import Dynamics, Motion, advance
-from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vectors
 
 TURN_TIME = 13.44
 """Of a full turn at 25 m/s and 50 degrees of bank, for which the times below are made [s]."""
@@ -79,7 +78,7 @@ def fly_for(motion: Motion, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt
 
 @compiled
 def fly_out(
-    motion: Motion, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float, track: Rows
+    motion: Motion, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float, track: Vectors
 ) -> None:
     """Write the positions (N, 3) of the manoeuvre, `dt` apart [s], into `track`, NED [m]."""
     k, last = 0, len(track) - 1
@@ -105,7 +104,7 @@ def fly_out(
 
 
 @compiled
-def fly_steadily(motion: Motion, wind_n: Vec3, dt: float, track: Rows) -> Motion:
+def fly_steadily(motion: Motion, wind_n: Vec3, dt: float, track: Vectors) -> Motion:
     """The same while neither bank nor path angle changes: every chord turned by one angle."""
     turn = dt * G0 * math.tan(motion.bank) / motion.airspeed
     c, s = math.cos(turn), math.sin(turn)

@@ -18,9 +18,8 @@ from vfguide.assurance.backup_manoeuvre import (
     manoeuvre,
 )
 from vfguide.assurance.trajectory_clearance import Clearance, clearance_along
-from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3, norm
+from vfguide.geometry.vector import Series, Vec3, Vectors, norm
 
 LENGTH = round(HORIZON / STEP) + 1
 """Points of a track."""
@@ -50,7 +49,7 @@ class World(NamedTuple):
     limits: Dynamics
     scale: float
     """Of all times of manoeuvres."""
-    track: Rows
+    track: Vectors
     """Room for one track (LENGTH, 3)."""
 
 
@@ -119,7 +118,7 @@ def way_out(
 
 
 @compiled
-def distances_from_wish(world: World, wish: Command) -> Rows:
+def distances_from_wish(world: World, wish: Command) -> Series:
     """How far each manoeuvre's first command is from the wish, shorter turns first: (KINDS,)."""
     far = np.empty(KINDS)
     limits = world.limits

@@ -14,8 +14,8 @@ from vfguide.airspace.hazards import (
     hazard_growth,
     hazard_speed,
 )
-from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vectors
 
 MOST_GROWTH = 12.0
 """The doubt about a position grows no further than this [m]."""
@@ -35,7 +35,7 @@ class Clearance(NamedTuple):
 @compiled
 def clearance_along(
     hazards: Hazards,
-    track: Rows,
+    track: Vectors,
     t: float,
     dt: float,
     speed: float,

@@ -7,10 +7,9 @@ from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import Quaternion, place_state, place_told, read_measurement
-from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
-from vfguide.geometry.vector import Vec3, mat3, matvec
+from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
@@ -55,7 +54,7 @@ def step_measured(
 
 @compiled
 def step_body(
-    time: float, p: Rows, R: Rows, before: Row, legs: Legs, law: Law, vehicle: Row
+    time: float, p: Vector, R: Matrix, before: Row, legs: Legs, law: Law, vehicle: Row
 ) -> tuple[Vec3, Row]:
     """A step for a rigid body whose state is known: body rates [rad/s], and the next state.
 

@@ -8,7 +8,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.aircraft.path_limits import descent_at_airspeed
 from vfguide.aircraft.performance import Gains, Performance, turn_length
@@ -18,7 +17,7 @@ from vfguide.airspace.keep_out import hazards_of
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Series, Vec3
 from vfguide.paths.distance_for_altitude import path_needed
 from vfguide.planning.objective import Target
 
@@ -152,9 +151,7 @@ def left_in_way(obstacles: Rows, heights: Heights, margin: float) -> Rows:
 
 
 @compiled
-def levels_for(
-    obstacles: Rows, here: float, goal: float, highest: float, margin: float
-) -> NDArray[np.float64]:
+def levels_for(obstacles: Rows, here: float, goal: float, highest: float, margin: float) -> Series:
     """Levels to try, the cheapest first, (N,) [m].
 
     The heights of both ends, and those over one of the obstacles by the margin: MOST_LEVELS that
@@ -167,7 +164,7 @@ def levels_for(
         highest: no level is above this [m], but for the height that the vehicle has.
         margin: over what is passed [m].
     """
-    levels = np.full(len(obstacles) + 2, math.inf)
+    levels: Series = np.full(len(obstacles) + 2, math.inf)
     levels[0], levels[1] = here, goal
     for i in range(len(obstacles)):
         obstacle = read_obstacle(obstacles[i])
@@ -185,7 +182,7 @@ def levels_for(
 
 
 @compiled
-def distinct(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def distinct(values: Series) -> Series:
     """The values, each where it comes first, (N,)."""
     first = np.ones(len(values), dtype=np.bool_)
     for k in range(1, len(values)):

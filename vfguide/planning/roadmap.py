@@ -5,10 +5,10 @@ from heapq import heappush
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table, width
+from vfguide.geometry.vector import Indices, Mask, Series
 from vfguide.paths.dubins import Word, length_of, read_word, write_word
 from vfguide.paths.edge import Hop, next_word
 from vfguide.paths.path_progress import Pose, read_pose
@@ -26,7 +26,7 @@ than the shortest over the same vias by no more than that."""
 
 Queue = list[tuple[float, int]]
 """Edges by the length of the way through them that can be hoped for [m]."""
-Counter = NDArray[np.int64]
+Counter = Indices
 """One number that compiled code counts up, (1,)."""
 POSE_WIDTH, WORD_WIDTH = width(Pose), width(Word)
 """How many numbers the row of a pose has, and that of a word."""
@@ -39,20 +39,20 @@ class Vias(NamedTuple):
     """How many there are."""
     poses: Table
     """A `Pose` a row."""
-    to_go: NDArray[np.float64]
+    to_go: Series
     """Least length to the goal [m], negative while unknown."""
-    gone: NDArray[np.float64]
+    gone: Series
     """Length of the way by which it was reached [m], infinite before."""
-    times: NDArray[np.float64]
+    times: Series
     """When it is reached [s]."""
-    hops: NDArray[np.int64]
+    hops: Indices
     """Of the way by which it was reached."""
-    edges: NDArray[np.int64]
+    edges: Indices
     """The last of that way."""
-    avoids: NDArray[np.bool_]
+    avoids: Mask
     """(vias, hazards): whether hops from here to the vias of a hazard are in the queue."""
-    first: NDArray[np.int64]
-    after: NDArray[np.int64]
+    first: Indices
+    after: Indices
     """(hazards + 1,): first via of each hazard, and the one after its last; both 0 before. The last
     of the hazards stands for poses near the ends."""
 
@@ -62,14 +62,14 @@ class Edges(NamedTuple):
 
     used: Counter
     """How many there are."""
-    begins: NDArray[np.int64]
-    ends: NDArray[np.int64]
+    begins: Indices
+    ends: Indices
     """The vias at both ends."""
-    above: NDArray[np.float64]
+    above: Series
     """Only words longer than this are left to be tried [radii]."""
     words: Table
     """A `Word` a row."""
-    known: NDArray[np.bool_]
+    known: Mask
     """Whether the word has been found."""
 
 

@@ -93,7 +93,7 @@ def hop_between(begin: Pose, end: Pose, radius: float) -> Hop:
 @compiled
 def without(task: Task, hops: Hops, i: int) -> Hops:
     """The way straight from the beginning of the hop before `i` to the end of hop `i`."""
-    trial = np.empty((len(hops) - 1, HOP_COLUMNS))
+    trial: Hops = np.empty((len(hops) - 1, HOP_COLUMNS))
     trial[: i - 1], trial[i:] = hops[: i - 1], hops[i + 1 :]
     begin = hop_in(hops, i - 1).begin
     trial[i - 1] = hop_row(hop_between(begin, end_of(task, hops, i), task.radius))

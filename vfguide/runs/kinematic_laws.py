@@ -7,10 +7,10 @@ from typing import Protocol
 import numpy as np
 
 from vfguide.field.goal_frame import GoalFrame
-from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
 from vfguide.geometry.rows import row_of, width
+from vfguide.geometry.vector import Vectors
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
@@ -28,7 +28,7 @@ class Pilot(Protocol):
         """What drives the bodies from `time` [s] until the next update."""
         ...
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """(N, 3) vectors that point along the courses: velocities, where the bodies never stop."""
         ...
 
@@ -51,7 +51,7 @@ class PaperPilot:
         self._flown_to = [-1] * len(legs)
         self._goals = np.zeros((len(legs), width(GoalFrame)))
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """The noses: a robot that stands has a course too."""
         return bodies.R_nb[:, :, 0]
 
@@ -80,7 +80,7 @@ class FlightPilot:
         self._states = [row_of_state(fresh_state()) for _ in vehicles]
         self._speed = np.array([plan.gains.airspeed for plan in self._plans])
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """The velocities."""
         return self._speed[:, None] * bodies.R_nb[:, :, 0]
 
