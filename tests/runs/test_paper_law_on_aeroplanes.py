@@ -1,11 +1,10 @@
 """Law paper on plant jsbsim: it runs, is judged, and is told as what it is."""
 
 import json
-from subprocess import run
 
 import numpy as np
 import pytest
-from programs import VFGUIDE
+from flights import vfguide
 
 from vfguide.airspace.detection import Airspace
 from vfguide.guidance.laws import PAPER
@@ -15,10 +14,6 @@ from vfguide.runs.steps import Steps
 from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
-
-
-def vfguide(*arguments, cwd):
-    return run([*VFGUIDE, *map(str, arguments)], cwd=cwd, capture_output=True, text=True)
 
 
 def test_it_is_flown_and_judged_with_a_warning(tmp_path):
