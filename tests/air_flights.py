@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from flight_states import AEROSONDE
+from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.flight_model import modelled_flight
 from vfguide.aircraft.state import FlightState

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from aeroplanes import AEROSONDE, EASYSTAR
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.point_mass import PointMass
@@ -11,11 +12,7 @@ from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.assurance.decision import assurance, assure, no_backup
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.geometry.shapes import shape
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
-AEROSONDE = load_aircraft(find_aircraft("aerosonde")).performance()
-EASYSTAR = load_aircraft(find_aircraft("easystar")).performance()
 FLOWN = assurance(AEROSONDE, Gains(25.0))
 SMALL = assurance(EASYSTAR, Gains(11.0))
 STILL = (0.0, 0.0, 0.0)

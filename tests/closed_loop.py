@@ -6,6 +6,7 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
+from aeroplanes import AEROSONDE
 from point_mass import UPDATE, Moment, fly, level
 
 from vfguide.aircraft.performance import Gains
@@ -14,10 +15,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.loop.legs import Goal
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
-AEROSONDE = load_aircraft(find_aircraft("aerosonde")).performance()
 GAINS = Gains(25.0)
 TURN = 2.0 * math.pi
 STILL: Vec3 = (0.0, 0.0, 0.0)

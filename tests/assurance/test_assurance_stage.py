@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import AEROSONDE, FLOWN, ball, decide, hazards, motion
+from aeroplanes import AEROSONDE
+from assurance_samples import FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 

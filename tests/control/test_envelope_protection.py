@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from flight_states import AEROSONDE
+from aeroplanes import AEROSONDE
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -3,7 +3,8 @@
 import math
 
 import pytest
-from flight_states import AEROSONDE, VEHICLE, is_within_limits
+from aeroplanes import AEROSONDE
+from flight_states import VEHICLE, is_within_limits
 from hypothesis import given
 from hypothesis import strategies as st
 

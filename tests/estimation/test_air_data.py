@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from aeroplanes import AEROSONDE
 from air_flights import BANK, DT, Air
-from flight_states import AEROSONDE, GAINS, VEHICLE
+from flight_states import GAINS, VEHICLE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from flight_states import AEROSONDE
+from aeroplanes import AEROSONDE
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -4,7 +4,8 @@ import math
 
 import pytest
 from assurance_samples import ball, hazards
-from flight_states import GOAL, VEHICLE, state
+from flight_states import VEHICLE, state
+from guidance_targets import GOAL
 
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
@@ -16,11 +17,8 @@ from vfguide.guidance.laws import FLIGHT
 from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, row_of_state
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
-AEROSONDE = load_aircraft(find_aircraft("aerosonde")).performance()
 SPEED, UPDATE, RADIUS = 25.0, 0.02, 100.0
 GOALS = (
     Goal((0.0, 0.0, -50.0), 0.5, 0.0, 5.0, 10.0 * DEG),

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from closed_loop import AEROSONDE, GAINS, TURN, blowing, flown, goal, plan_of, shortest
+from aeroplanes import AEROSONDE
+from closed_loop import GAINS, TURN, blowing, flown, goal, plan_of, shortest
 from point_mass import fly, level
 
 from vfguide.geometry.units import DEG

@@ -5,16 +5,8 @@ from random import Random
 
 import numpy as np
 import pytest
-from flight_states import (
-    VEHICLE,
-    fresh_memory,
-    guide,
-    guide_within_limits,
-    is_within_limits,
-    state,
-    steps,
-    turned,
-)
+from flight_states import VEHICLE, is_within_limits, state, turned
+from flown_stages import fresh_memory, guide, guide_within_limits, steps
 
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.so3 import from_euler, rot_z

@@ -3,7 +3,8 @@
 import math
 
 import pytest
-from flight_states import VEHICLE, fresh_memory, guide, state
+from flight_states import VEHICLE, state
+from flown_stages import fresh_memory, guide
 from hypothesis import given
 from hypothesis import strategies as st
 

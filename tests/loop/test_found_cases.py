@@ -2,14 +2,8 @@
 
 import pytest
 from closed_loop import blowing, flown, goal
-from flight_states import (
-    GAINS,
-    VEHICLE,
-    fresh_memory,
-    guide_within_limits,
-    is_within_limits,
-    state,
-)
+from flight_states import GAINS, VEHICLE, is_within_limits, state
+from flown_stages import fresh_memory, guide_within_limits
 
 from vfguide.geometry.units import DEG
 from vfguide.paths.course_laws import Planar

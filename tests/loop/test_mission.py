@@ -5,6 +5,7 @@ from types import SimpleNamespace
 from typing import NamedTuple
 
 import pytest
+from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
@@ -23,8 +24,6 @@ from vfguide.paths.leg import FIELD, ON_PATH
 from vfguide.planning import planning
 from vfguide.planning.excess_wind import WindHold, fresh_wind_hold, in_air_frame, into_wind
 from vfguide.planning.route import fresh_route
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
 GOALS = (
     Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
@@ -32,7 +31,7 @@ GOALS = (
 )
 LEGS = leg_rows(GOALS, -1.0, 120.0)
 STUBBORN = leg_rows([goal._replace(attempts=2) for goal in GOALS], -1.0, 120.0)
-VEHICLE = Vehicle(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
+VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 
 
 def state(p_n, course=0.0, climb=0.0, time=1.0):

@@ -4,20 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from flight_states import (
-    AEROSONDE,
-    GAINS,
-    GOAL,
-    VEHICLE,
-    Memory,
-    fresh_memory,
-    guide,
-    guide_within_limits,
-    is_within_limits,
-    state,
-    steps,
-    turned,
-)
+from aeroplanes import AEROSONDE
+from flight_states import GAINS, VEHICLE, is_within_limits, state, turned
+from flown_stages import Memory, fresh_memory, guide, guide_within_limits, steps
+from guidance_targets import GOAL
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -4,6 +4,7 @@ import math
 from itertools import pairwise
 
 import pytest
+from aeroplanes import AEROSONDE
 from loop_steps import step_told
 
 from vfguide.aircraft.performance import Gains
@@ -22,14 +23,12 @@ from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.paths.leg import FIELD, ON_PATH, OUTBOUND, new_leg
 from vfguide.planning.objective import objective_at
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
 STEP = 0.5
 """Flown in one step [m]."""
 RADIUS = 100.0
 CIRCLE = TURN * RADIUS
-VEHICLE = row_of(Vehicle(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0)))
+VEHICLE = row_of(Vehicle(AEROSONDE, Gains(25.0)))
 LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 
 

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from flight_states import AEROSONDE, GOAL, state
+from aeroplanes import AEROSONDE
+from flight_states import state
+from guidance_targets import GOAL
 from hypothesis import example, given
 from hypothesis import strategies as st
 

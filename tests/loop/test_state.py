@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from aeroplanes import AEROSONDE
 
 from vfguide.companion.loop_report import (
     air_report,
@@ -39,11 +40,8 @@ from vfguide.loop.state import (
     write_state,
 )
 from vfguide.planning.route import fresh_route
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
 OBSTACLES = 3
-AEROSONDE = load_aircraft(find_aircraft("aerosonde")).performance()
 
 
 def numbered() -> Row:

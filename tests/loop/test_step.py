@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from aeroplanes import AEROSONDE
 
 import vfguide
 from vfguide.aircraft.performance import Gains
@@ -35,15 +36,13 @@ from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.loop.step import step
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
 GOALS = (
     Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
     Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
 )
 LEGS = leg_rows(GOALS, -1.0, 120.0)
-VEHICLE = Vehicle(load_aircraft(find_aircraft("aerosonde")).performance(), Gains(25.0))
+VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 ORIGIN = (0.8, 0.1, 400.0)
 MEASURED = Measurement(
     time=1.0,

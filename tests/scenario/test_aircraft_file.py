@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 import pytest
+from aeroplanes import AEROSONDE, EASYSTAR
 
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import AircraftFiles, find_aircraft
@@ -86,3 +87,8 @@ def test_bad_files(tmp_path: Path, old: str, new: str, message: str) -> None:
 
 def test_a_good_file_is_checked_without_a_word() -> None:
     check_file(SHIPPED.performance)
+
+
+@pytest.mark.parametrize(("name", "same"), [("aerosonde", AEROSONDE), ("easystar", EASYSTAR)])
+def test_the_aeroplanes_of_the_other_tests_are_those_of_the_files(name, same) -> None:
+    assert load_aircraft(find_aircraft(name)).performance() == same
