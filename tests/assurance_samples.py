@@ -1,35 +1,17 @@
-"""Aircraft, hazards and states for the tests of the assurance."""
-
-import math
+"""The assurance of two aircraft, asked for decisions."""
 
 import numpy as np
 from aeroplanes import AEROSONDE, EASYSTAR
+from hazard_samples import STILL
 
 from vfguide.aircraft.performance import Gains
-from vfguide.aircraft.point_mass import PointMass
-from vfguide.airspace.fence import fences
-from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.assurance.decision import assurance, assure, no_backup
-from vfguide.field.obstacle import Obstacle, obstacle_rows
+from vfguide.field.obstacle import Obstacle
 from vfguide.geometry.shapes import shape
 
 FLOWN = assurance(AEROSONDE, Gains(25.0))
 SMALL = assurance(EASYSTAR, Gains(11.0))
-STILL = (0.0, 0.0, 0.0)
 LEVEL = (0.0, 0.0)
-
-
-def hazards(obstacles=(), intruders=(), zones=(), floor=-math.inf, ceiling=math.inf):
-    rows = obstacle_rows(list(obstacles))
-    return Hazards(rows, traffic_rows(list(intruders)), fences(list(zones)), floor, ceiling)
-
-
-def motion(p_n=(0.0, 0.0, -150.0), azimuth=0.0, bank=0.0, gamma=0.0, airspeed=25.0):
-    return PointMass(p_n, azimuth, bank, gamma, airspeed)
-
-
-def ball(p_n, radius=40.0, v_n=STILL):
-    return Obstacle(shape.sphere(radius), p_n, v_n=v_n)
 
 
 def decide(at, known, wish=LEVEL, wind_n=STILL, gust=0.0, t=0.0, dt=0.1, backup=None, of=FLOWN):

@@ -1,46 +1,14 @@
-"""Scenario files, analytic flights and their records for the tests of this folder."""
+"""Analytic flights and their records."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
 from vfguide.results.record import Array, FlightRecord
-from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.scenario.resolved import Vehicle
-
-MINIMAL = """\
-name = "minimal"
-
-[[vehicle]]
-id = 1
-position_m = [-500, 0, -100]
-
-[[vehicle.goal]]
-position_m = [0, 0, -100]
-heading_deg = 0
-"""
-
-SECOND = """
-[[vehicle]]
-id = 2
-position_m = [-500, 200, -100]
-
-[[vehicle.goal]]
-position_m = [0, 200, -100]
-heading_deg = 0
-"""
 
 Path3 = Callable[[Array], Array]
 """Positions (n, 3) at times (n,)."""
-
-
-def loaded_from(
-    folder: Path, text: str = MINIMAL, overrides: tuple[str, ...] = ()
-) -> LoadedScenario:
-    file = folder / "x.toml"
-    file.write_text(text)
-    return load_scenario(file, overrides)
 
 
 def spiral(time: Array) -> Array:

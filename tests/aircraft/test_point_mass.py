@@ -2,7 +2,8 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, SMALL, STILL, motion
+from assurance_samples import FLOWN, SMALL
+from hazard_samples import STILL, motion
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp

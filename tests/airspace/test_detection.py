@@ -1,7 +1,7 @@
 """Detection: which obstacles are known when, and that they stay known."""
 
 import numpy as np
-from assurance_samples import ball, hazards
+from hazard_samples import ball, hazards
 
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace import detection

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 from aeroplanes import AEROSONDE
-from assurance_samples import FLOWN, ball, decide, hazards, motion
+from assurance_samples import FLOWN, decide
+from hazard_samples import ball, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -2,7 +2,8 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, LEVEL, SMALL, ball, decide, hazards, motion, random_field
+from assurance_samples import FLOWN, LEVEL, SMALL, decide, random_field
+from hazard_samples import ball, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 

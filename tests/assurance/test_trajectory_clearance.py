@@ -2,7 +2,8 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, SMALL, ball, hazards, motion, random_field
+from assurance_samples import FLOWN, SMALL, random_field
+from hazard_samples import ball, hazards, motion
 
 from vfguide.airspace.fence import Zone
 from vfguide.airspace.hazards import (

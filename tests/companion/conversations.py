@@ -1,6 +1,6 @@
 """A companion with somebody who plays its autopilot."""
 
-from functools import cache
+from plans import FIRST_FLIGHT
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
@@ -17,18 +17,14 @@ from vfguide.link.messages import (
     VfrHud,
 )
 from vfguide.link.px4 import Px4Mode, main_and_sub
-from vfguide.scenario.load import load_scenario
-from vfguide.scenario.plans import plan_of
 
 SECOND = 1_000_000
 TICK = 20_000
 START = 1_767_225_600 * SECOND
 
 
-@cache
 def plan() -> Plan:
-    loaded = load_scenario("first-flight")
-    return plan_of(loaded, loaded.scenario.vehicles[0])
+    return FIRST_FLIGHT
 
 
 def heartbeat(mode: int = Px4Mode.HOLD) -> Heartbeat:

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from conversations import plan
@@ -17,8 +16,6 @@ from vfguide.paths.edge import Edge, edge_row
 from vfguide.paths.path_progress import Pose
 from vfguide.planning.route import fresh_route
 from vfguide.planning.route_following import RouteFollowing, fresh_following
-from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
-from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 
@@ -126,20 +123,3 @@ def test_turns_of_hops_that_join_in_one_are_one() -> None:
 def test_a_way_over_is_told_by_its_height() -> None:
     route = fresh_following()._replace(level=-184.6)
     assert route_summary(route) == "over what is in the way, at 185 m"
-
-
-def test_a_flight_among_towers_tells_of_its_way(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    members: list[JsbsimVehicle] = []
-    begin = JsbsimVehicle.__init__
-
-    def kept(self: JsbsimVehicle, *arguments: object) -> None:
-        members.append(self)
-        begin(self, *arguments)
-
-    monkeypatch.setattr(JsbsimVehicle, "__init__", kept)
-    fly_scenario(load_scenario("towers"), tmp_path)
-    notes = members[-1].companion.news()  # the first warms up
-    assert any(note.startswith("a way round: ") for note in notes)
-    assert sum(note.startswith(("a way", "escape", "NOTHING")) for note in notes) < 20

@@ -27,11 +27,20 @@ from vfguide.geometry.rows import columns, width
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
-from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)
 FAR_AWAY = Ownship(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
+
+ALL = int(
+    AdsbFlags.VALID_COORDS
+    | AdsbFlags.VALID_ALTITUDE
+    | AdsbFlags.VALID_HEADING
+    | AdsbFlags.VALID_VELOCITY
+    | AdsbFlags.VALID_CALLSIGN
+    | AdsbFlags.VERTICAL_VELOCITY_VALID
+    | AdsbFlags.SIMULATED
+)
 
 
 def said(p_n=(1000.0, 500.0, -150.0), *, icao=0xABC123, flags=ALL, **changes) -> AdsbVehicle:

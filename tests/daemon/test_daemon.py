@@ -3,6 +3,7 @@
 import socket
 
 import pytest
+from plans import FIRST_FLIGHT
 
 from vfguide.companion.annunciations import passage_note
 from vfguide.companion.companion import Companion
@@ -16,8 +17,6 @@ from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import CommandLong, Heartbeat
 from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogError, TlogReader, TlogWriter
-from vfguide.scenario.load import load_scenario
-from vfguide.scenario.plans import plan_of
 
 START = 1_767_225_600_000_000
 ENCODER = Encoder(1, 1)
@@ -30,8 +29,7 @@ def heartbeat(mode):
 
 @pytest.fixture(scope="module")
 def plan():
-    loaded = load_scenario("first-flight")
-    return plan_of(loaded, loaded.scenario.vehicles[0])
+    return FIRST_FLIGHT
 
 
 class HeldClock(Clock):

@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from assurance_samples import ball, hazards
 from flight_states import VEHICLE, state
 from guidance_targets import GOAL
+from hazard_samples import ball, hazards
 
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState

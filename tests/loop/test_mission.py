@@ -1,7 +1,6 @@
 """Goals in their order: passed, reached, missed, and the circle after the last one."""
 
 import math
-from types import SimpleNamespace
 from typing import NamedTuple
 
 import pytest
@@ -10,7 +9,6 @@ from aeroplanes import AEROSONDE
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.companion.annunciations import passage_note
 from vfguide.estimation.estimation import known_state
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
@@ -19,10 +17,9 @@ from vfguide.loop import mission
 from vfguide.loop.attempts import Attempts, no_attempts
 from vfguide.loop.legs import Goal, goal_of, leg_rows, target_of
 from vfguide.loop.mission import NO_PASSAGE, MissionState, fresh_mission, passage_of, passage_since
-from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.paths.leg import FIELD, ON_PATH
 from vfguide.planning import planning
-from vfguide.planning.excess_wind import WindHold, fresh_wind_hold, in_air_frame, into_wind
+from vfguide.planning.excess_wind import WindHold, in_air_frame, into_wind
 from vfguide.planning.route import fresh_route
 
 GOALS = (
@@ -152,21 +149,6 @@ def test_when_the_wind_has_fallen_the_leg_begins_anew():
     assert (goal.is_goal, goal.begins) == (True, True)
     assert (goal.target, goal.state) == (target_of(LEGS, 0), nav.state)
     assert (after.goal, after.attempts, passage) == (0, Attempts(1, 0), NO_PASSAGE)
-
-
-def note(goal_before, missed, goal_after, given_up):
-    """What is told where a goal was passed 5.1 m off."""
-    before = MissionState(goal_before, Attempts(missed, 0), fresh_wind_hold())
-    after = MissionState(goal_after, Attempts(0, given_up), fresh_wind_hold())
-    rows = (row_of_state(fresh_state()._replace(mission=each)) for each in (before, after))
-    return passage_note(*rows, 5.1, SimpleNamespace(goals=GOALS))
-
-
-def test_the_operator_is_told_what_became_of_a_goal():
-    assert note(0, 2, 1, 1) == "goal 1 missed 3 times: going on to goal 2"
-    assert note(1, 0, 2, 1) == "goal 2 missed once: loitering"
-    assert note(0, 1, 0, 0) == "goal 1 missed by 5.1 m or by its course: going round"
-    assert note(0, 1, 1, 0) == "goal 1 reached, 5.1 m off; flying to goal 2 of 2"
 
 
 def test_a_goal_that_is_reached_on_the_way_counts():

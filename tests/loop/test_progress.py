@@ -1,26 +1,21 @@
 """An alarm after a full circle without progress, and none where circles are planned."""
 
 import math
-from itertools import pairwise
 
 import pytest
 from aeroplanes import AEROSONDE
-from loop_steps import step_told
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.companion.annunciations import progress_notes
 from vfguide.estimation.estimation import known_state
 from vfguide.geometry.angles import TURN
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
-from vfguide.guidance.laws import FLIGHT
 from vfguide.loop import progress as stage
 from vfguide.loop.legs import Goal, leg_rows, target_of
 from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
-from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.paths.leg import FIELD, ON_PATH, OUTBOUND, new_leg
 from vfguide.planning.objective import objective_at
 
@@ -90,33 +85,6 @@ def test_away_from_the_goal_no_path_is_measured():
 def test_an_alarm_stays_until_the_leg_is_over():
     after = after_step(fly_on(2.0 * CIRCLE), 100.0, in_phase(FIELD), 0.5)
     assert (after.alarmed, after.least, after.flown) == (True, 100.0, 0.0)
-
-
-def circling(seconds):
-    """Rows of the loop of a vehicle that flies a level circle of 80 m whatever it is told."""
-    row, flown = row_of_state(fresh_state()), []
-    for k in range(round(seconds / 0.02)):
-        course = 25.0 / 80.0 * 0.02 * k
-        place = (80.0 * math.sin(course), -80.0 * math.cos(course), -150.0)
-        v_n = (25.0 * math.cos(course), 25.0 * math.sin(course), 0.0)
-        R_nb = from_euler(38.0 * DEG, 0.05, course)
-        state = FlightState(1.0 + 0.02 * k, place, v_n, R_nb, 25.0, (0.0, 0.0, 0.0))
-        _, row, _ = step_told(state, row, LEGS, None, FLIGHT, VEHICLE)
-        flown.append(row)
-    return flown
-
-
-def test_a_vehicle_that_circles_for_ever_is_told_of_once():
-    flown = circling(100.0)
-    notes = [
-        (0.02 * k, note)
-        for k, (before, after) in enumerate(pairwise(flown))
-        for note in progress_notes(before, after)
-    ]
-    ((time, note),) = notes
-    period = TURN * 80.0 / 25.0
-    assert period < time < 3.0 * period
-    assert note.startswith("no progress to goal 1: flown a full circle more than its way has")
 
 
 def on_the_way(**known):

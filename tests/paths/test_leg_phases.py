@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from closed_loop import GAINS
+from flight_states import GAINS
 from hypothesis import assume, given
 from hypothesis import strategies as st
 

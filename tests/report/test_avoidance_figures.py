@@ -5,10 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, loaded_from, record_of, straight
+from flight_samples import record_of, straight
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
+from scenario_samples import MINIMAL, loaded_from
 
 from vfguide.report.assurance_figure import SHADES, draw_assurance
 from vfguide.report.drawing import Flights

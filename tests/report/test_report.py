@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import matplotlib as mpl
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spiral, straight
+from flight_samples import moved, record_of, spiral, straight
 from matplotlib.figure import Figure
 from matplotlib.image import imread
+from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide.report.drawing import Flights, broken, goal_axis, to_png
 from vfguide.report.figures import draw_figures

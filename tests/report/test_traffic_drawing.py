@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, loaded_from, record_of, straight
+from flight_samples import record_of, straight
 from matplotlib.figure import Figure
+from scenario_samples import MINIMAL, loaded_from
 
 from vfguide.report.assurance_figure import nearest_hazard
 from vfguide.report.drawing import Flights

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from flight_samples import loaded_from, record_of, spiral
+from flight_samples import record_of, spiral
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scenario_samples import loaded_from
 from scipy.spatial.transform import Rotation
 
 from vfguide.field.obstacle import Obstacle, obstacle_rows

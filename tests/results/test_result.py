@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spiral, straight
+from flight_samples import moved, record_of, spiral, straight
+from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide import __version__
 from vfguide.results.record import Decisions, FlightRecord

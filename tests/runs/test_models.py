@@ -3,9 +3,10 @@
 from pathlib import Path
 
 import pytest
+from scenario_samples import loaded_from
 
 from vfguide.runs.models import model_of, require_models
-from vfguide.scenario.data import find_aircraft
+from vfguide.scenario.data import find_aircraft, shipped_scenarios
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.sim.fdm import stock_root
@@ -89,3 +90,22 @@ def test_a_resolved_scenario_of_a_stock_model_can_be_flown_again(tmp_path: Path)
     again = load_scenario(run / "scenario.toml")
     assert model_of(again, "mine") == model_of(scenario, "mine")
     assert not list(run.rglob("*.xml"))
+
+
+def test_an_aircraft_without_a_model_cannot_be_simulated(tmp_path: Path) -> None:
+    shipped = find_aircraft("aerosonde").performance.read_text()
+    (tmp_path / "aircraft").mkdir()
+    (tmp_path / "aircraft" / "aerosonde.toml").write_text(shipped)
+    loaded = loaded_from(tmp_path)
+    with pytest.raises(InputError) as error:
+        require_models(loaded)
+    missing = tmp_path / "aircraft" / "aerosonde" / "aerosonde.xml"
+    expected = f"{missing}: no such file, the simulation of aerosonde needs it"
+    assert str(error.value) == expected
+
+
+@pytest.mark.parametrize("name", shipped_scenarios())
+def test_shipped_scenarios_can_be_flown(name: str) -> None:
+    loaded = load_scenario(name)
+    assert loaded.scenario.name == name.replace("/", "-")
+    require_models(loaded)

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from flight_samples import MINIMAL, SECOND
+from scenario_samples import MINIMAL, SECOND
 
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import load_scenario

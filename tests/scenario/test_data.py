@@ -3,9 +3,8 @@
 from pathlib import Path
 
 import pytest
-from flight_samples import MINIMAL, loaded_from
+from scenario_samples import MINIMAL
 
-from vfguide.runs.models import require_models
 from vfguide.scenario.data import data_folder, find_aircraft, find_scenario, shipped_scenarios
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import check_file
@@ -70,15 +69,3 @@ def test_own_aircraft_come_before_shipped_ones(tmp_path: Path) -> None:
     performance.write_text("")
     files = find_aircraft("aerosonde", beside=tmp_path / "x.toml")
     assert files.performance == performance
-
-
-def test_an_aircraft_without_a_model_cannot_be_simulated(tmp_path: Path) -> None:
-    shipped = find_aircraft("aerosonde").performance.read_text()
-    (tmp_path / "aircraft").mkdir()
-    (tmp_path / "aircraft" / "aerosonde.toml").write_text(shipped)
-    loaded = loaded_from(tmp_path)
-    with pytest.raises(InputError) as error:
-        require_models(loaded)
-    missing = tmp_path / "aircraft" / "aerosonde" / "aerosonde.xml"
-    expected = f"{missing}: no such file, the simulation of aerosonde needs it"
-    assert str(error.value) == expected

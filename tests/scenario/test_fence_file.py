@@ -3,11 +3,9 @@
 import math
 import re
 
-import numpy as np
 import pytest
-from flight_samples import MINIMAL
+from scenario_samples import MINIMAL
 
-from vfguide.results.fence_distance import fence_clearance
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.load import load_scenario
@@ -63,13 +61,3 @@ def test_a_fence_is_written_and_read_again(tmp_path):
 
 def test_without_obstacles_and_fence_there_is_nothing_to_keep_clear_of(tmp_path):
     assert hazards_of(loaded(tmp_path, "").scenario) is None
-
-
-def test_the_truth_is_held_against_the_fence(tmp_path):
-    text = f'[fence]\nfloor_m = 20\nceiling_m = 400\n[[fence.zone]]\nkind = "include"\n{SQUARE}'
-    scenario = loaded(tmp_path, text).scenario
-    path = np.array([[0.0, 0.0, -100.0], [880.0, 0.0, -100.0]])
-    assert fence_clearance(scenario, path) == pytest.approx(20.0)
-    assert fence_clearance(scenario, np.add(path, (0.0, 0.0, 95.0))) == pytest.approx(-15.0)
-    assert fence_clearance(scenario, np.add(path, (100.0, 0.0, 0.0))) == pytest.approx(-80.0)
-    assert fence_clearance(scenario, np.add(path, (0.0, 0.0, -310.0))) == pytest.approx(-10.0)

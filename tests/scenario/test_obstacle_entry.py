@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flight_samples import loaded_from
+from scenario_samples import loaded_from
 
 from vfguide.field.obstacle_arrays import levels
 from vfguide.geometry.shapes.shape import SHAPES

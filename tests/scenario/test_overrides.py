@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from flight_samples import loaded_from
+from scenario_samples import loaded_from
 
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.overrides import parse_override

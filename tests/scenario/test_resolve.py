@@ -6,12 +6,10 @@ from pathlib import Path
 
 import pymap3d
 import pytest
-from flight_samples import MINIMAL, SECOND, loaded_from
 from hypothesis import given
 from hypothesis import strategies as st
+from scenario_samples import MINIMAL, SECOND, loaded_from
 
-from vfguide.runs.models import require_models
-from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolved import Scenario
 
@@ -295,13 +293,6 @@ def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None
     assert resolved.files["mine"].model == run / "aircraft" / "mine" / "mine.xml"
     loaded.write_resolved(tmp_path / "scenario.toml")
     assert load_scenario(tmp_path / "scenario.toml").scenario == loaded.scenario
-
-
-@pytest.mark.parametrize("name", shipped_scenarios())
-def test_shipped_scenarios_can_be_flown(name: str) -> None:
-    loaded = load_scenario(name)
-    assert loaded.scenario.name == name.replace("/", "-")
-    require_models(loaded)
 
 
 def test_first_flight_needs_a_turn() -> None:

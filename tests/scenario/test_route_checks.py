@@ -3,10 +3,8 @@
 from pathlib import Path
 
 import pytest
-from flight_samples import MINIMAL, loaded_from
-from typer.testing import CliRunner
+from scenario_samples import MINIMAL, loaded_from
 
-from vfguide.cli.main import app
 from vfguide.scenario.errors import InputError
 
 HEAD = "[[vehicle]]\nid = 1"
@@ -144,12 +142,3 @@ def test_a_dam_that_is_passed_over_is_told_of_where_other_aircraft_forbid_the_cl
 def test_without_hazards_nothing_is_looked_at(tmp_path: Path) -> None:
     kinematic = MINIMAL.replace(HEAD, f'plant = "kinematic"\n\n{HEAD}')
     assert warnings_of(tmp_path, kinematic) == []
-
-
-def test_check_prints_warnings_and_is_content(tmp_path: Path) -> None:
-    file = tmp_path / "x.toml"
-    file.write_text(MINIMAL + box([0, 15, -100], [20, 14, 300]))
-    done = CliRunner().invoke(app, ["check", str(file)])
-    assert done.exit_code == 0
-    assert "warning: " in done.output
-    assert "can be flown" in done.output

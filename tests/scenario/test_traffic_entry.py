@@ -1,11 +1,9 @@
 """Other aircraft as scenarios write them, and how near they came."""
 
-import numpy as np
 import pytest
 
 from vfguide.airspace.hazards import Intruder
 from vfguide.geometry.rows import width
-from vfguide.results.traffic_results import clearance, finely
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import load_scenario
@@ -86,14 +84,3 @@ def test_what_is_not_allowed(tmp_path, text, says):
 def test_the_kinematic_plant_has_none(tmp_path):
     with pytest.raises(InputError, match="allowed none"):
         load(tmp_path, BASE.replace("\n", '\nplant = "kinematic"\n', 1) + ONE)
-
-
-def test_clearance_from_the_volume():
-    beside, above = np.array([3.0, -3.0, 3.0, -3.0]), np.array([4.0, 4.0, -4.0, -4.0])
-    assert clearance(beside, above) == pytest.approx([5.0, 4.0, 3.0, -3.0])
-
-
-def test_nothing_fast_is_overlooked():
-    time, p_n = finely(np.arange(3) * 0.2, np.arange(9.0).reshape(3, 3))
-    assert np.diff(time) == pytest.approx(np.full(20, 0.02))
-    assert p_n[10] == pytest.approx([3.0, 4.0, 5.0])

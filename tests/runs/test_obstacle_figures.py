@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from flight_samples import MINIMAL, SECOND, loaded_from, moved, record_of, spiral, straight
+from flight_samples import moved, record_of, spiral, straight
 from matplotlib.figure import Figure
+from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide.cli import flight_display
 from vfguide.report.distance_figures import MOST_OBSTACLES, draw_clearance, draw_separation, nearest

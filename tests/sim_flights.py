@@ -17,7 +17,7 @@ from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.trim import trim
 from vfguide.sim.truth import Truth
 
-AIRCRAFT = Path(__file__).parents[2] / "aircraft"
+AIRCRAFT = Path(__file__).parents[1] / "aircraft"
 AEROSONDE = Model(AIRCRAFT, "aerosonde")
 CESSNA = Model(Path(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
 """A stock model, with engine and propeller of JSBSim's own, in a folder of engines."""

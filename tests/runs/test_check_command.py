@@ -1,0 +1,23 @@
+"""`vfguide check`: what it prints."""
+
+from pathlib import Path
+
+from scenario_samples import MINIMAL
+from typer.testing import CliRunner
+
+from vfguide.cli.main import app
+
+BOX = '\n[[obstacle]]\nname = "{name}"\nshape = "box"\nposition_m = {at}\nsize_m = {size}\n'
+
+
+def box(at: list[float], size: list[float], more: str = "") -> str:
+    return BOX.format(name="shed", at=at, size=size) + more
+
+
+def test_check_prints_warnings_and_is_content(tmp_path: Path) -> None:
+    file = tmp_path / "x.toml"
+    file.write_text(MINIMAL + box([0, 15, -100], [20, 14, 300]))
+    done = CliRunner().invoke(app, ["check", str(file)])
+    assert done.exit_code == 0
+    assert "warning: " in done.output
+    assert "can be flown" in done.output
