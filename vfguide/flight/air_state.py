@@ -8,11 +8,10 @@ import math
 from typing import Annotated, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Shape
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Matrix, Vec3, Vector
 
 NORTH = 0
 """Place in the state vector of the wind toward north [m/s]."""
@@ -30,9 +29,9 @@ does not know of [m/s^2]."""
 STATES = 6
 """Length of the state vector."""
 
-StateVector = Annotated[NDArray[np.float64], Shape(STATES)]
+StateVector = Annotated[Vector, Shape(STATES)]
 """The estimates, (6,), at the places above."""
-Covariance = Annotated[NDArray[np.float64], Shape(STATES, STATES)]
+Covariance = Annotated[Matrix, Shape(STATES, STATES)]
 """Of their errors, (6, 6)."""
 
 

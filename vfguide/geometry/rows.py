@@ -243,7 +243,7 @@ def written_lines(leaf: Leaf, begin: int) -> list[str]:
     return _writing(leaf.expression, leaf.kind, begin)
 
 
-def _writing(expression: str, shape: Shape, begin: int) -> list[str]:
+def _writing(expression: str, shape: tuple[int, ...], begin: int) -> list[str]:
     """The source that writes an array from the place `begin` on.
 
     Loops take a tenth of the time of an assignment to a reshaped part of the row.

@@ -10,7 +10,7 @@ from vfguide.flight.state import FlightState
 from vfguide.flight.vehicle import read_vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
-from vfguide.geometry.vector import Vec3, mat3, matvec
+from vfguide.geometry.vector import Vec3, mat3, matvec, vec3
 from vfguide.guidance.laws import Law
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
@@ -73,7 +73,7 @@ def step_body(
     body, R_nb = read_vehicle(vehicle), mat3(R)
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
-    state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, CALM)
+    state = FlightState(time, vec3(p), v_n, R_nb, speed, CALM)
     inputs = Inputs(state, state, True)
     setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))
