@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 
-from vfguide.field import shape
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.point_mass import Motion
+from vfguide.airspace.fence import fences
+from vfguide.airspace.hazards import Hazards, traffic_rows
+from vfguide.assurance.decision import assurance, assure, fresh_stored
 from vfguide.field.obstacle import Obstacle, obstacle_rows
-from vfguide.flight.performance import Gains
-from vfguide.safety.assurance import assurance, assure, fresh_stored
-from vfguide.safety.fence import fences
-from vfguide.safety.hazards import Hazards, traffic_rows
-from vfguide.safety.motion import Motion
+from vfguide.geometry.shapes import shape
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 

@@ -3,13 +3,13 @@
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.performance import Gains, Performance
+from vfguide.aircraft.state import FlightState, RateSetpoint
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.control import control, limits
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.estimation import known_state
-from vfguide.flight.memory import Target, Wish
-from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.state import FlightState, RateSetpoint
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
@@ -17,8 +17,8 @@ from vfguide.geometry.vector import matmul, matvec
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.planning import planning
-from vfguide.planning.objective import objective_at
-from vfguide.planning.planning import Route, fresh_route
+from vfguide.planning.objective import Target, objective_at
+from vfguide.planning.route import Route, fresh_route
 
 AEROSONDE = Performance(
     airspeed_min=18.0,

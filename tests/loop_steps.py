@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
-from vfguide.flight.memory import Wish
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import read_vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3

@@ -16,19 +16,12 @@ from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
 from vfguide.link.messages import RECORDS
-from vfguide.scenario import (
-    aircraft_file,
-    episodes,
-    fence,
-    obstacle_entry,
-    result,
-    scenario_file,
-    traffic_entry,
-)
-from vfguide.scenario.bench import Bench
-from vfguide.scenario.tables import Table
-from vfguide.sim.parameters import Parameters
-from vfguide.sim.port import GROUND, ONBOARD
+from vfguide.results import interventions, result
+from vfguide.runs.bench import Bench
+from vfguide.scenario import aircraft_file, fence, obstacle_entry, scenario_file, traffic_entry
+from vfguide.scenario.toml_types import Table
+from vfguide.sim.autopilot.mavlink_channel import GROUND, ONBOARD
+from vfguide.sim.autopilot.parameters import Parameters
 
 SCENARIO, AIRCRAFT = DOCS / "scenario.md", DOCS / "aircraft.md"
 PAPER, PRINT = DOCS / "paper.md", ROOT.parent / "shared" / "paper.tex"
@@ -185,8 +178,8 @@ RESULT_TABLES = (
     result.VehicleResult,
     result.GoalResult,
     result.ObstacleResult,
-    episodes.AssuranceResult,
-    episodes.Episode,
+    interventions.AssuranceResult,
+    interventions.Episode,
 )
 
 

@@ -6,7 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from avoidance_worlds import TICK, Turning, World
 
-from vfguide.field.near import distance_bound
+from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.airspace.distance_bound import distance_bound
+from vfguide.airspace.fence import fence_distance
+from vfguide.airspace.hazards import INTRUDER_WIDTH, Hazards
+from vfguide.assurance.decision import Assurance, Decision, Reason, Stored, assure, fresh_stored
 from vfguide.field.obstacle import (
     PlacedObstacle,
     Rows,
@@ -14,16 +18,12 @@ from vfguide.field.obstacle import (
     read_obstacle,
     write_obstacle,
 )
-from vfguide.field.shapes.cylinder import upright_distance
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, replacing
+from vfguide.geometry.shapes.cylinder import upright_distance
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add, scale, sub
-from vfguide.safety.assurance import Assurance, Decision, Reason, Stored, assure, fresh_stored
-from vfguide.safety.fence import fence_distance
-from vfguide.safety.hazards import INTRUDER_WIDTH, Hazards
-from vfguide.safety.motion import Dynamics, Motion, advance
 
 read_turning = reader(Turning)
 with_motion = replacing(PlacedObstacle, "p_n", "v_n")

@@ -6,13 +6,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.field import shape
+from vfguide.aircraft.point_mass import Motion
+from vfguide.airspace.fence import Fences, Zone, fences
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
-from vfguide.field.shape import Shape
 from vfguide.geometry.rows import table_of
+from vfguide.geometry.shapes import shape
+from vfguide.geometry.shapes.shape import Shape
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.fence import Fences, Zone, fences
-from vfguide.safety.motion import Motion
 
 HEIGHT = 150.0
 AIRSPEED = 25.0

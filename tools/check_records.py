@@ -1,6 +1,6 @@
 """Says where the code takes a part of a record by its number, or changes code while it runs.
 
-    tools/check_records.py
+    python tools/check_records.py
 
 One line for each violation on standard output; the exit status is 1 if there is one. The rules:
 

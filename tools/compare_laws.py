@@ -33,11 +33,11 @@ from measure_avoidance import TREE, Outcome, fly_table, show_failures
 from rich.console import Console
 from rich.table import Table as RichTable
 
-from vfguide.field.shapes.base import EDGED
-from vfguide.flight.paper_law import fly_paper_law
+from vfguide.field.swarm_control import fly_paper_law
+from vfguide.geometry.shapes.base import EDGED
 from vfguide.guidance.laws import FLIGHT, PAPER, Law
 from vfguide.loop.rows import step_measured
-from vfguide.scenario.steps import Steps
+from vfguide.runs.steps import Steps
 
 PAPERS_PLANT, PRINTED, UNASSURED, OURS = LAWS = ("own plant", "printed", "unassured", "ours")
 FLOWN: dict[str, Law] = {

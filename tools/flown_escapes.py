@@ -13,14 +13,14 @@ from avoidance_worlds import TICK, Tracks, World
 from manoeuvre_tree import HOLD, LEVELS, best_escape
 from numpy.typing import NDArray
 
+from vfguide.aircraft.point_mass import Motion
 from vfguide.airspace.detection import comes_into_sight
+from vfguide.assurance.decision import assurance
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-from vfguide.safety.assurance import assurance
-from vfguide.safety.motion import Motion
+from vfguide.results.record import Array, FlightRecord
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario
-from vfguide.scenario.record import Array, FlightRecord
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 

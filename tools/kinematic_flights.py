@@ -7,7 +7,7 @@ import numpy as np
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
-from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.field.swarm_control import PaperGains, Swarm, fly_paper_law
 from vfguide.geometry.rows import columns
 from vfguide.sim.kinematic import Bodies, Commands, advance
 

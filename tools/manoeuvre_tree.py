@@ -11,12 +11,13 @@ import numpy as np
 from avoidance_flights import true_distance
 from avoidance_worlds import TICK, World
 
+from vfguide.aircraft.point_mass import Dynamics, Motion, advance
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
-from vfguide.safety.motion import Dynamics, Motion, advance
 
 read_motion, write_motion = reader(Motion), writer(Motion)
+MOTION_NUMBERS = width(Motion)
 ACTIONS, LEVELS, HOLD = 9, 4, 2.0
 
 
@@ -65,7 +66,7 @@ def best_escape(
     if best <= 0.0:
         return best
     ceiling, best = min(best, enough), -math.inf
-    motions = np.zeros((levels + 1, width(Motion)))
+    motions = np.zeros((levels + 1, MOTION_NUMBERS))
     least = np.full(levels + 1, ceiling)
     action = np.full(levels + 1, -1)
     level = 0

@@ -21,9 +21,9 @@ from avoidance_flights import Flown, fly, repeat_decision, slowed
 from avoidance_worlds import DRAWN, TICK, World, draw_world
 from manoeuvre_tree import best_escape
 
-from vfguide.flight.performance import Gains
-from vfguide.safety.assurance import Assurance, Reason, assurance
-from vfguide.safety.motion import Motion
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.point_mass import Motion
+from vfguide.assurance.decision import Assurance, Reason, assurance
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 

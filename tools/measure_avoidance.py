@@ -28,17 +28,17 @@ from flown_worlds import DRAWN, Table, fenced, scenario_of
 from reference_path import HEIGHT, MISSING, is_installed, reference_length
 from search_worlds import World
 
+from vfguide.aircraft.envelope import turn_radius
 from vfguide.field.obstacle import PlacedObstacle
-from vfguide.flight.leg import turn_radius
-from vfguide.flight.way import Pose
 from vfguide.geometry.rows import place
-from vfguide.scenario.fence_distance import fence_clearance
+from vfguide.paths.path_progress import Pose
+from vfguide.results.fence_distance import fence_clearance
+from vfguide.results.record import FlightRecord
+from vfguide.results.result import TOUCH, judge
+from vfguide.runs.lockstep import fly_scenario
+from vfguide.runs.steps import STEPS, Steps
 from vfguide.scenario.load import LoadedScenario, load_scenario
-from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of
-from vfguide.scenario.record import FlightRecord
-from vfguide.scenario.result import TOUCH, judge
-from vfguide.scenario.steps import STEPS, Steps
 
 TREE = {"hit": 0.0, "near": 12.0, "all": math.inf, "none": -math.inf}
 """Clearance up to which the tree is asked [m], by the names of the option."""

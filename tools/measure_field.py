@@ -14,16 +14,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.field import shape
 from vfguide.field.composite_arrays import CompositeArrays, composite_fields
-from vfguide.field.distance import onto_surface
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.field.neighbours import robots_in_range
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows, obstacle_surface
 from vfguide.field.robots import Robot, Spacing
 from vfguide.field.swarm import fields_of_robots, goal_rows
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.rows import columns
+from vfguide.geometry.shapes import shape
+from vfguide.geometry.shapes.distance import onto_surface
 from vfguide.geometry.vector import Matrices
 
 SPACING = Spacing(10.0, 100.0)

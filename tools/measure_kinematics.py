@@ -25,7 +25,7 @@ from vfguide.field.goal_frame import GoalFrame, read_goal
 from vfguide.field.obstacle import Rows, obstacle_rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm import fields_of_robots
-from vfguide.flight.paper_law import PaperGains
+from vfguide.field.swarm_control import PaperGains
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vectors
 

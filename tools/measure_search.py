@@ -17,12 +17,12 @@ import numpy as np
 from reference_path import MISSING, is_installed, reference_length
 from search_worlds import HEIGHT, World, draw
 
-from vfguide.field.footprint import Band
-from vfguide.flight.detour import Detour, find_detour
-from vfguide.flight.hop import next_word
-from vfguide.flight.hop_check import Air, Task, way_is_clear
-from vfguide.flight.outlines import NO_FENCE, hazards_of
-from vfguide.flight.shortest import length_of
+from vfguide.airspace.footprint import Band
+from vfguide.airspace.keep_out import NO_FENCE, hazards_of
+from vfguide.paths.dubins import length_of
+from vfguide.paths.edge import next_word
+from vfguide.planning.collision_check import Air, Task, way_is_clear
+from vfguide.planning.route_search import Detour, find_detour
 
 LEVEL = Band(-HEIGHT, -HEIGHT)
 REPEATS = 3

@@ -13,11 +13,11 @@ from matplotlib.ticker import MultipleLocator
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vector
-from vfguide.scenario.bodies import OBSTACLE
-from vfguide.scenario.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
+from vfguide.report.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
+from vfguide.report.meshes import outline
+from vfguide.report.obstacle_drawing import OBSTACLE
+from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
-from vfguide.scenario.surfaces import outline
 
 AXES = "xyz"
 

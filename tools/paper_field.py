@@ -8,13 +8,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from scipy.integrate import solve_ivp
 
-from vfguide.field import shape
 from vfguide.field.arrays import navigation_fields
-from vfguide.field.dual import Dual3
 from vfguide.field.neighbours import Neighbours, robots_in_range, robots_with_priority
 from vfguide.field.obstacle import Obstacle, obstacle_rows, obstacle_surface
+from vfguide.geometry.dual import Dual3
+from vfguide.geometry.shapes import shape
 from vfguide.geometry.vector import Vectors
-from vfguide.scenario.drawing import COLOURS, GOAL, MUTED
+from vfguide.report.drawing import COLOURS, GOAL, MUTED
 
 BLUE, ORANGE, GREEN = COLOURS[:3]
 STILL = (0.0, 0.0, 0.0)

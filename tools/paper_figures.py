@@ -17,7 +17,7 @@ import paper_field as field
 from matplotlib.figure import Figure
 from PIL import Image, ImageOps
 
-from vfguide.scenario.drawing import Flights, to_png
+from vfguide.report.drawing import Flights, to_png
 
 MARGIN = 16
 """Of white around a picture [pixels]."""

@@ -3,12 +3,12 @@
 import numpy as np
 from assurance_samples import ball, hazards
 
+from vfguide.aircraft.state import FlightState
 from vfguide.airspace import detection
 from vfguide.airspace.detection import Airspace, DetectionState, in_sight
+from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import known_state
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle
-from vfguide.flight.outlines import NO_FENCE
-from vfguide.flight.state import FlightState
 from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import IDENTITY
 

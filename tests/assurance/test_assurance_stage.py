@@ -8,7 +8,13 @@ from assurance_samples import AEROSONDE, FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.path_limits import ZOOM
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
+from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.assurance import assurance
 from vfguide.assurance.assurance import (
     LASTING,
@@ -21,16 +27,10 @@ from vfguide.assurance.assurance import (
     motion_of,
     raised,
 )
+from vfguide.assurance.backup_manoeuvre import Manoeuvre, climb_of
+from vfguide.assurance.decision import Decision, Reason
 from vfguide.estimation.estimation import known_state
-from vfguide.flight.memory import Wish
-from vfguide.flight.outlines import NO_FENCE
-from vfguide.flight.performance import Gains
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
-from vfguide.flight.vertical import ZOOM
 from vfguide.geometry.so3 import IDENTITY
-from vfguide.safety.assurance import Decision, Reason
-from vfguide.safety.manoeuvre import Manoeuvre, climb_of
 
 HERE = (0.0, 0.0, -150.0)
 WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)

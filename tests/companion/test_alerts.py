@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.airspace.hazards import Intruder
 from vfguide.companion.alerts import ENOUGH, HORIZON, LOOKS, WIDER, Alert, encounter, look
 from vfguide.companion.traffic import Own, Report
-from vfguide.safety.hazards import Intruder
 
 OWN = Own(1000, (0.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 part = st.floats(-300.0, 300.0)

@@ -5,6 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from vfguide.airspace.fence import fences
+from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
 from vfguide.companion.knowledge import ROLLOVER
 from vfguide.companion.surveillance import NEAREST, Surveillance, rows_of
 from vfguide.companion.traffic import (
@@ -25,8 +27,6 @@ from vfguide.geometry.rows import columns, width
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
-from vfguide.safety.fence import fences
-from vfguide.safety.hazards import Hazards, Intruder, traffic_rows
 from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)

@@ -7,8 +7,8 @@ from flight_states import AEROSONDE, VEHICLE, is_within_limits
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.aircraft.state import RateSetpoint
 from vfguide.control import limits
-from vfguide.flight.state import RateSetpoint
 
 ANYTHING = st.floats(allow_nan=True, allow_infinity=True)
 

@@ -4,8 +4,8 @@ import socket
 
 import pytest
 
+from vfguide.companion.annunciations import passage_note
 from vfguide.companion.companion import Companion
-from vfguide.companion.notes import passage_note
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
 from vfguide.daemon.daemon import PATIENCE, Daemon, Outcome

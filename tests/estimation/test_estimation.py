@@ -6,8 +6,8 @@ import pytest
 from flight_states import VEHICLE, state
 
 from vfguide.estimation import estimation
+from vfguide.estimation.air_state import AIRSPEED, sigma
 from vfguide.estimation.estimation import Inputs, fresh_estimation
-from vfguide.flight.air_state import AIRSPEED, sigma
 from vfguide.geometry.rows import row_of
 
 DT = 0.02

@@ -18,7 +18,6 @@ from obstacle_samples import (
     random_goal,
 )
 
-from vfguide.field import dual
 from vfguide.field.avoidance import (
     COLLINEAR,
     Barrier,
@@ -31,9 +30,10 @@ from vfguide.field.avoidance import (
 )
 from vfguide.field.composite import composite_field, free_field
 from vfguide.field.composite_arrays import composite_fields
-from vfguide.field.dual import Dual, Dual3
 from vfguide.field.goal_frame import goal_frame
 from vfguide.field.obstacle import obstacle_surface
+from vfguide.geometry import dual
+from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.vector import cross, dot, norm, scale, sub
 
 AT_ORIGIN = goal_frame(STILL, 0.0, 0.0)

@@ -20,13 +20,12 @@ from obstacle_samples import (
     random_shape,
 )
 
-from vfguide.field import arrays, shape
+from vfguide.field import arrays
 from vfguide.field.attitude import AXIS, attitude
 from vfguide.field.avoidance import COLLINEAR
 from vfguide.field.composite import composite_field
 from vfguide.field.composite_arrays import CompositeArrays, composite_fields
 from vfguide.field.composite_frame import orthogonal_part
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import (
     GoalFrame,
     goal_frame,
@@ -35,6 +34,8 @@ from vfguide.field.goal_frame import (
     position_in_goal,
 )
 from vfguide.field.obstacle import Obstacle, obstacle_rows
+from vfguide.geometry.dual import Dual3
+from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import rot_z
 from vfguide.geometry.vector import add, dot, matmul, matvec, norm
 

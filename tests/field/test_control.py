@@ -12,7 +12,7 @@ from vfguide.field.attitude import attitude
 from vfguide.field.goal_frame import GoalFrame, goal_frame, position_in_goal
 from vfguide.field.rate_law import rate_law
 from vfguide.field.swarm import goal_rows
-from vfguide.flight.paper_law import PaperGains, Swarm, fly_paper_law
+from vfguide.field.swarm_control import PaperGains, Swarm, fly_paper_law
 from vfguide.geometry.so3 import exp
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, norm, scale, sub
 from vfguide.sim import kinematic

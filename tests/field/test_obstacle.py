@@ -6,8 +6,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import SHAPES, STILL, at_level, floats, random_directions
 
-from vfguide.field import shape
-from vfguide.field.dual import Dual3
 from vfguide.field.obstacle import (
     OUT_OF_SIGHT,
     Obstacle,
@@ -19,8 +17,10 @@ from vfguide.field.obstacle import (
     read_obstacle,
 )
 from vfguide.field.obstacle_arrays import distances, levels
-from vfguide.field.shape import shape_level
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.rows import width
+from vfguide.geometry.shapes import shape
+from vfguide.geometry.shapes.shape import shape_level
 
 coordinates = st.floats(-60.0, 60.0)
 points = st.tuples(coordinates, coordinates, coordinates)

@@ -1,8 +1,8 @@
 import pytest
 from obstacle_samples import SPACING, STILL
 
-from vfguide.field.dual import Dual3
 from vfguide.field.robots import robot_barrier
+from vfguide.geometry.dual import Dual3
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.field.dual import Dual
 from vfguide.field.transition import smooth_step, transition
+from vfguide.geometry.dual import Dual
 
 
 @pytest.mark.parametrize("s", [-math.inf, -1e300, -1.0, 0.0, 5e-324, 1e-300, 1e-10, 1e-4])

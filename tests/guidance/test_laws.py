@@ -6,20 +6,20 @@ import pytest
 from assurance_samples import ball, hazards
 from flight_states import GOAL, VEHICLE, state
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
+from vfguide.airspace.hazards import Intruder
+from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import NavState, known_state
-from vfguide.flight.memory import Target, Wish
-from vfguide.flight.outlines import NO_FENCE
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.guidance import flight_law, laws, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw
 from vfguide.planning import planning
-from vfguide.planning.objective import Objective, objective_at
-from vfguide.planning.planning import Route, fresh_route
-from vfguide.safety.hazards import Intruder
+from vfguide.planning.objective import Objective, Target, objective_at
+from vfguide.planning.route import Route, fresh_route
 
 UPDATES = {FlightLaw: flight_law.update, PaperLaw: paper_law.update}
 CIRCLE = GOAL._replace(circle=1.0, radius=120.0)

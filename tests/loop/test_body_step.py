@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.companion.loop_report import goal_of_row
-from vfguide.flight.performance import Gains
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler

@@ -6,29 +6,23 @@ from typing import NamedTuple
 
 import pytest
 
-from vfguide.companion.notes import passage_note
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
+from vfguide.companion.annunciations import passage_note
 from vfguide.estimation.estimation import known_state
-from vfguide.flight.leg import FIELD, WAY
-from vfguide.flight.performance import Gains
-from vfguide.flight.state import FlightState
-from vfguide.flight.strong_wind import Stand, in_air_frame, into_wind, new_stand
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.loop import mission
 from vfguide.loop.attempts import Attempts, no_attempts
 from vfguide.loop.legs import Goal, goal_of, leg_rows, target_of
-from vfguide.loop.mission import (
-    NO_PASSAGE,
-    MissionState,
-    fresh_mission,
-    passage_of,
-    passage_since,
-)
+from vfguide.loop.mission import NO_PASSAGE, MissionState, fresh_mission, passage_of, passage_since
 from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.paths.leg import FIELD, WAY
 from vfguide.planning import planning
-from vfguide.planning.planning import fresh_route
+from vfguide.planning.excess_wind import Stand, in_air_frame, into_wind, new_stand
+from vfguide.planning.route import fresh_route
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 

@@ -6,12 +6,11 @@ from itertools import pairwise
 import pytest
 from loop_steps import step_told
 
-from vfguide.companion.notes import progress_notes
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
+from vfguide.companion.annunciations import progress_notes
 from vfguide.estimation.estimation import known_state
-from vfguide.flight.leg import AWAY, FIELD, WAY, new_leg
-from vfguide.flight.performance import Gains
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.angles import TURN
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
@@ -21,6 +20,7 @@ from vfguide.loop import progress as stage
 from vfguide.loop.legs import Goal, leg_rows, target_of
 from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
 from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.paths.leg import AWAY, FIELD, WAY, new_leg
 from vfguide.planning.objective import objective_at
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft

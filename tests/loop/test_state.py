@@ -17,8 +17,8 @@ from vfguide.companion.loop_report import (
     trusts_sensor_of_row,
 )
 from vfguide.control.control import fresh_control
+from vfguide.estimation.air_state import ACCELERATION_BIAS, AIRSPEED, report_air
 from vfguide.estimation.estimation import fresh_estimation
-from vfguide.flight.air_state import ACCELERATION_BIAS, AIRSPEED, report_air
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, leaves, place, row_of, width
 from vfguide.guidance.guidance_state import fresh_guidance
@@ -38,7 +38,7 @@ from vfguide.loop.state import (
     take_over,
     write_state,
 )
-from vfguide.planning.planning import fresh_route
+from vfguide.planning.route import fresh_route
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 

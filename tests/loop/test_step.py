@@ -11,16 +11,18 @@ import numpy as np
 import pytest
 
 import vfguide
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
+from vfguide.airspace.fence import fences
+from vfguide.airspace.hazards import Hazards, traffic_rows
+from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.place import Measurement, measurement_numbers, place_state, place_told
-from vfguide.field import shape
+from vfguide.estimation.local_frame import Measurement, measurement_numbers, place_state, place_told
 from vfguide.field.obstacle import Obstacle, obstacle_rows
-from vfguide.flight.outlines import NO_FENCE
-from vfguide.flight.performance import Gains
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.rows import row_of
+from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT, PAPER
@@ -28,8 +30,6 @@ from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.loop.step import step
-from vfguide.safety.fence import fences
-from vfguide.safety.hazards import Hazards, traffic_rows
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 

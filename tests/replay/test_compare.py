@@ -6,8 +6,8 @@ from vfguide.link.codec import Encoder, Parser
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.link.tlog import TlogReader
 from vfguide.replay.compare import Comparison, Replay, companions_in, first_difference
+from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
 from vfguide.scenario.plans import plan_of
 
 SECONDS = 4

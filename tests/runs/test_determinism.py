@@ -5,9 +5,9 @@ import json
 import pytest
 from flights import FIRST_FLIGHT, scenario_file, vfguide
 
+from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow
 

@@ -10,8 +10,8 @@ from flown_escapes import best_possible, known_from, true_distances, world_of
 from flown_worlds import fenced, scenario_of
 from measure_avoidance import Outcome
 
+from vfguide.results.record import FlightRecord
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.record import FlightRecord
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 

@@ -16,15 +16,15 @@ from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.link.codec import decode
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.link.tlog import TlogReader
-from vfguide.scenario.crew import start_us
+from vfguide.results.path import positions
+from vfguide.results.result import judge
+from vfguide.runs.lockstep import Ending, fly_scenario
+from vfguide.runs.truth_log import TRUTH_COMPONENT
+from vfguide.runs.vehicle_setup import start_us
 from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import Ending, fly_scenario
 from vfguide.scenario.obstacles import rows_of
-from vfguide.scenario.path import positions
 from vfguide.scenario.resolve import place_of
-from vfguide.scenario.result import judge
-from vfguide.scenario.truth_log import TRUTH_COMPONENT
 
 pytestmark = pytest.mark.slow
 

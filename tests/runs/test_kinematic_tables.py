@@ -7,12 +7,12 @@ from frame_jumps import Jumps, count_jumps
 from kinematic_flights import GAINS, fly
 from kinematic_worlds import level_at, random_world, starts_in_free_space
 
-from vfguide.field import shape
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_rows
 from vfguide.field.swarm import fields_of_robots
-from vfguide.flight.paper_law import PaperGains
+from vfguide.field.swarm_control import PaperGains
 from vfguide.geometry.rows import columns
+from vfguide.geometry.shapes import shape
 
 pytestmark = pytest.mark.slow
 

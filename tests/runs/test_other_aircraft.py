@@ -18,10 +18,10 @@ import pytest
 from flights import vfguide
 from pose_options import options
 
+from vfguide.results.result import judge
+from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.data import data_folder
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
-from vfguide.scenario.result import judge
 
 pytestmark = pytest.mark.slow
 

@@ -10,9 +10,9 @@ from pymavlink import mavutil
 from vfguide.link.codec import decode
 from vfguide.link.messages import Heartbeat, HilStateQuaternion, SetAttitudeTarget
 from vfguide.link.tlog import TlogReader
+from vfguide.runs.lockstep import fly_scenario
+from vfguide.runs.truth_log import TRUTH_COMPONENT
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
-from vfguide.scenario.truth_log import TRUTH_COMPONENT
 
 DURATION = 10.0
 

@@ -8,11 +8,11 @@ import pytest
 import tomli_w
 from flights import vfguide
 
+from vfguide.results.result import judge
+from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.lockstep import fly_scenario
-from vfguide.scenario.result import judge
 
 pytestmark = pytest.mark.slow
 

@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 from flight_samples import MINIMAL, loaded_from
 
+from vfguide.runs.models import require_models
 from vfguide.scenario.data import data_folder, find_aircraft, find_scenario, shipped_scenarios
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import check_file
-from vfguide.scenario.models import require_models
 
 
 def test_shipped_names() -> None:

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from flight_samples import MINIMAL
 
+from vfguide.results.fence_distance import fence_clearance
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.fence_distance import fence_clearance
 from vfguide.scenario.hazards import hazards_of, outlines_of
 from vfguide.scenario.load import load_scenario
 

@@ -7,7 +7,7 @@ import pytest
 from flight_samples import loaded_from
 
 from vfguide.field.obstacle_arrays import levels
-from vfguide.field.shape import SHAPES
+from vfguide.geometry.shapes.shape import SHAPES
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.obstacle_entry import SIZES

@@ -10,9 +10,9 @@ from flight_samples import MINIMAL, SECOND, loaded_from
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.runs.models import require_models
 from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.models import require_models
 from vfguide.scenario.resolved import Scenario
 
 RICH = """\

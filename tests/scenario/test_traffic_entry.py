@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from vfguide.airspace.hazards import Intruder
 from vfguide.geometry.rows import width
-from vfguide.safety.hazards import Intruder
+from vfguide.results.traffic_results import clearance, finely
 from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
-from vfguide.scenario.traffic_figures import clearance, finely
 
 BASE = """
 name = "two"

@@ -3,7 +3,7 @@
 import pytest
 
 from vfguide.link.px4 import Px4Mode
-from vfguide.sim.flight_mode import ASKED_BY, LOST, NEXT, REPORTED, Event, Mode
+from vfguide.sim.autopilot.flight_mode import ASKED_BY, LOST, NEXT, REPORTED, Event, Mode
 
 ALL = [(mode, event) for mode in Mode for event in Event]
 OWN = {Mode.HOLD, Mode.RETURN}

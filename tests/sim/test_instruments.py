@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from vfguide.geometry.units import DEG
+from vfguide.sim.autopilot.estimate import Estimator
+from vfguide.sim.autopilot.instruments import EXACT, AirspeedFault, Errors, Instruments, Reset
+from vfguide.sim.autopilot.noise import Drift, RateNoise, StateNoise, normals
 from vfguide.sim.condition import Weather
-from vfguide.sim.estimate import Estimator
-from vfguide.sim.instruments import EXACT, AirspeedFault, Errors, Instruments, Reset
-from vfguide.sim.noise import Drift, RateNoise, StateNoise, normals
 from vfguide.sim.truth import Truth
 
 ERRORS = Errors(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.sim.motor import SOUND, Motor
+from vfguide.sim.autopilot.motor import SOUND, Motor
 
 
 @pytest.mark.parametrize("time", [0.0, 60.0, 1e5])

@@ -6,7 +6,7 @@ import statistics
 import time
 
 import pytest
-from dialogues import UPDATE, Dialogue, new_vehicle, setpoint
+from conversations_with_autopilot import UPDATE, Dialogue, new_vehicle, setpoint
 from programs import (
     GroundStation,
     Program,
@@ -33,7 +33,7 @@ from vfguide.link.messages import (
 )
 from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogReader
-from vfguide.scenario.crew import start_us
+from vfguide.runs.vehicle_setup import start_us
 from vfguide.scenario.load import load_scenario
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.realtime import RealtimeFlight, Station

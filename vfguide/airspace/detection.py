@@ -5,14 +5,14 @@ from typing import Annotated, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.airspace.distance_bound import distance_bound
+from vfguide.airspace.hazards import Hazards
+from vfguide.airspace.keep_out import Outlines
 from vfguide.estimation.estimation import NavState
-from vfguide.field.near import distance_bound
 from vfguide.field.obstacle import Rows, obstacle_distance, put_out_of_sight, read_obstacle
-from vfguide.flight.outlines import Outlines
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import OPEN
 from vfguide.geometry.vector import Vec3
-from vfguide.safety.hazards import Hazards
 
 Known = NDArray[np.float64]
 """(M,), one number for each obstacle: 1 once it is known, else 0."""

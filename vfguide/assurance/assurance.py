@@ -7,18 +7,14 @@ how the aircraft moves are all that it looks at.
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.envelope import usable_bank
+from vfguide.aircraft.path_limits import ZOOM, allowed_path, path_limits
+from vfguide.aircraft.point_mass import Dynamics, Motion
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
-from vfguide.estimation.estimation import NavState
-from vfguide.flight.horizontal import usable_bank
-from vfguide.flight.memory import Wish
-from vfguide.flight.motion_angles import azimuth_of, path_of
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
-from vfguide.flight.vertical import ZOOM, allowed_path, path_limits
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
-from vfguide.geometry.vector import norm, sub
-from vfguide.safety.assurance import (
+from vfguide.assurance.decision import (
     Assurance,
     Decision,
     Reason,
@@ -27,7 +23,11 @@ from vfguide.safety.assurance import (
     assure,
     fresh_stored,
 )
-from vfguide.safety.motion import Dynamics, Motion
+from vfguide.estimation.estimation import NavState
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+from vfguide.geometry.vector import norm, sub
+from vfguide.geometry.velocity import azimuth_of, path_of
 
 NARROW, LEAST_ROOM = 1.25, 4.0
 """Where the way has less room than the margin times the first, the margin is less in proportion,

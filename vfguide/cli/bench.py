@@ -18,7 +18,7 @@ def bench(
     from rich.table import Table
 
     from vfguide.cli.console import out
-    from vfguide.scenario.bench import measure
+    from vfguide.runs.bench import measure
 
     figures = asdict(measure())
     if json:

@@ -9,10 +9,10 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from vfguide.cli.console import err, out
-from vfguide.scenario.closest import closest
-from vfguide.scenario.fleet import Flown
+from vfguide.results.closest import closest
+from vfguide.results.result import Result
+from vfguide.runs.fleet import Flown
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.result import Result
 
 REFRESH = 1.0
 """The bar is moved after this much simulated time [s]."""

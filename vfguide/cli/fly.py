@@ -11,8 +11,8 @@ import typer
 from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
+    from vfguide.aircraft.identification import Identified
     from vfguide.daemon.transport import Transport
-    from vfguide.flight.identification import Identified
     from vfguide.link.tlog import TlogWriter
     from vfguide.scenario.load import LoadedScenario
 

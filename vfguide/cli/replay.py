@@ -39,9 +39,9 @@ def replay(
     from vfguide.cli.console import out as console
     from vfguide.link.tlog import TlogWriter
     from vfguide.replay.compare import Replay
+    from vfguide.runs.run import prepare_folder
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
-    from vfguide.scenario.run import prepare_folder
 
     reader = open_log(log)
     loaded = load_scenario(scenario or str(log.parent / "scenario.toml"), set_ or [])

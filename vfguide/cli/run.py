@@ -10,7 +10,7 @@ import typer
 from vfguide.cli.exit_status import BAD, GOOD, INTERRUPTED
 
 if TYPE_CHECKING:
-    from vfguide.scenario.result import Result
+    from vfguide.results.result import Result
 
 
 def run(
@@ -34,8 +34,8 @@ def run(
     from vfguide.cli.console import warn
     from vfguide.cli.flight_display import FlightDisplay, print_result
     from vfguide.cli.signals import Signals
+    from vfguide.runs.run import run_scenario
     from vfguide.scenario.load import load_scenario
-    from vfguide.scenario.run import run_scenario
 
     changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
     loaded = load_scenario(scenario, changes)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from vfguide.scenario.load import LoadedScenario
     from vfguide.scenario.resolved import Scenario, Vehicle
-    from vfguide.sim.pace import Pace
+    from vfguide.sim.real_time_pacing import Pace
     from vfguide.sim.realtime import Station
     from vfguide.sim.vehicle import Vehicle as SimVehicle
 
@@ -38,10 +38,10 @@ def sim(
     from vfguide.cli.console import complain, out
     from vfguide.cli.signals import Signals
     from vfguide.link.tlog import TlogError
-    from vfguide.scenario.crew import simulate
+    from vfguide.runs.models import require_models
+    from vfguide.runs.vehicle_setup import simulate
     from vfguide.scenario.errors import InputError
     from vfguide.scenario.load import load_scenario
-    from vfguide.scenario.models import require_models
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
 
@@ -97,8 +97,8 @@ def station_of(
     Raises:
         InputError: its model cannot be flown.
     """
-    from vfguide.scenario.crew import simulate
-    from vfguide.sim.port import GROUND, ONBOARD
+    from vfguide.runs.vehicle_setup import simulate
+    from vfguide.sim.autopilot.mavlink_channel import GROUND, ONBOARD
     from vfguide.sim.realtime import Station
     from vfguide.sim.udp import Channel, ground_numbers, offboard_numbers
 
@@ -133,7 +133,7 @@ def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[SimVehicle
     """
     from vfguide.cli.logs import new_log
     from vfguide.link.codec import Encoder
-    from vfguide.scenario.truth_log import TRUTH_COMPONENT, truth_message
+    from vfguide.runs.truth_log import TRUTH_COMPONENT, truth_message
 
     if folder is None:
         return lambda _: None

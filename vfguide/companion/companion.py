@@ -4,15 +4,15 @@ No socket, clock or thread: every call carries the time. What it sends as setpoi
 from what it received alone, so that a recording gives the same setpoints again.
 """
 
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.companion.annunciations import origin_notes
 from vfguide.companion.control import Control
 from vfguide.companion.engagement import OVER, Event, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
-from vfguide.companion.notes import origin_notes
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
-from vfguide.flight.state import RateSetpoint
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,

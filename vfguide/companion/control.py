@@ -1,7 +1,7 @@
 """Who flies: the companion's phase, the mode that it follows from, the mode that it asks for."""
 
+from vfguide.companion.annunciations import SILENT_UNTIL_CHANGE, mode_name, phase_note
 from vfguide.companion.engagement import NEXT, SENDING, Event, Phase
-from vfguide.companion.notes import SILENT_UNTIL_CHANGE, mode_name, phase_note
 from vfguide.companion.requests import ModeRequest
 from vfguide.link.messages import CommandAck, CommandLong
 from vfguide.link.px4 import Px4Mode

@@ -3,8 +3,8 @@
 import math
 from typing import Any, NamedTuple
 
-from vfguide.companion.plausible import is_plausible
-from vfguide.estimation.place import Measurement
+from vfguide.companion.plausibility import is_plausible
+from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, MM, MS, US
 from vfguide.link.messages import (
     AttitudeQuaternion,

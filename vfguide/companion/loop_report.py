@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.flight.air_state import AirReport, report_air
+from vfguide.estimation.air_state import AirReport, report_air
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, getter
 from vfguide.loop.state import LoopState, read_state

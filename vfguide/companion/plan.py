@@ -4,16 +4,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from vfguide.aircraft.gain_scheduling import FAST, suited
+from vfguide.aircraft.performance import Gains, Performance
+from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
+from vfguide.airspace.hazards import Hazards
+from vfguide.airspace.keep_out import NO_FENCE, Outlines
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
-from vfguide.flight.outlines import NO_FENCE, Outlines
-from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.response import FAST, suited
-from vfguide.flight.vehicle import Vehicle, vehicle_numbers
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import FLIGHT, Law
 from vfguide.loop.legs import Goal, Legs, leg_rows
-from vfguide.safety.hazards import Hazards
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,24 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vfguide.aircraft.identification import Identified
+from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight
+from vfguide.airspace.hazards import Hazards
+from vfguide.assurance.decision import Reason
+from vfguide.companion.annunciations import (
+    BROKEN_OFF,
+    NO_ROOM,
+    TESTING,
+    air_notes,
+    identified_notes,
+    passage_note,
+    progress_notes,
+    route_note,
+)
+from vfguide.companion.hazard_annunciations import Lookout
+from vfguide.companion.identification_flight import Trial
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
-from vfguide.companion.lookout import Lookout
 from vfguide.companion.loop_report import (
     Noted,
     air_report,
@@ -18,24 +33,11 @@ from vfguide.companion.loop_report import (
     number_of_resets,
     trusts_sensor_of_row,
 )
-from vfguide.companion.notes import (
-    BROKEN_OFF,
-    NO_ROOM,
-    TESTING,
-    air_notes,
-    identified_notes,
-    passage_note,
-    progress_notes,
-    route_note,
-)
 from vfguide.companion.plan import Plan
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Own, Picture
-from vfguide.companion.trial import Trial
-from vfguide.estimation.place import Measurement, Quaternion, measurement_numbers, place_state
-from vfguide.flight.air_state import AirReport
-from vfguide.flight.identification import Identified
-from vfguide.flight.state import RateSetpoint
+from vfguide.estimation.air_state import AirReport
+from vfguide.estimation.local_frame import Measurement, Quaternion, measurement_numbers, place_state
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
 from vfguide.link.messages import AdsbVehicle
@@ -51,8 +53,6 @@ from vfguide.loop.state import (
     state_of_row,
     take_over,
 )
-from vfguide.safety.assurance import Reason
-from vfguide.safety.hazards import Hazards
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for

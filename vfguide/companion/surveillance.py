@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
+from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.companion.alerts import Alert, look
 from vfguide.companion.knowledge import elapsed
 from vfguide.companion.traffic import Own, Picture, Report, placed_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.vector import norm, sub
 from vfguide.link.messages import AdsbVehicle
-from vfguide.safety.hazards import Hazards, traffic_rows
 
 LOOK = 0.5
 """Between two looks round [s]."""

@@ -7,14 +7,14 @@ attitude, less the age that the report tells of itself.
 import math
 from typing import NamedTuple
 
+from vfguide.airspace.hazards import Intruder
 from vfguide.companion.knowledge import elapsed
-from vfguide.companion.plausible import is_plausible
+from vfguide.companion.plausibility import is_plausible
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MM, MS
 from vfguide.geometry.vector import Vec3, add, norm, scale, sub
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
-from vfguide.safety.hazards import Intruder
 
 FORGOTTEN = 20.0
 """A report as old as this is dropped [s]: twenty were missed, and its volume is twice as wide."""

@@ -6,20 +6,19 @@ of the paper leads the attitude to it, and the rates keep bank and load factor i
 
 from typing import NamedTuple
 
-from vfguide.estimation.estimation import NavState
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.coordinated_turn import attitude_for_lift
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.aircraft.vehicle import Vehicle
+from vfguide.control.airspeed_control import integrate_error, thrust_for
+from vfguide.control.envelope_protection import load_of, within_envelope
+from vfguide.estimation.estimation import SHORTEST_STEP, NavState, step_time
 from vfguide.field.rate_law import rate_law
-from vfguide.flight.attitude import attitude_for_lift
-from vfguide.flight.energy import integrate_error, thrust_for
-from vfguide.flight.envelope import load_of, within_envelope
-from vfguide.flight.memory import Wish
-from vfguide.flight.motion_angles import azimuth_of, path_of
-from vfguide.flight.performance import Gains
-from vfguide.flight.state import RateSetpoint
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import from_euler, log, to_quaternion
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, norm, scale, sub, transpose
-from vfguide.guidance.guidance_state import SHORTEST_STEP, step_time
+from vfguide.geometry.velocity import azimuth_of, path_of
 
 REFERENCE_RATE = 1.5
 """The reference attitude's angular velocity is not taken above this [rad/s]."""

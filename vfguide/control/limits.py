@@ -2,8 +2,8 @@
 
 import math
 
-from vfguide.flight.state import RateSetpoint
-from vfguide.flight.vehicle import Vehicle
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 

@@ -4,12 +4,12 @@ import selectors
 from collections.abc import Callable
 from enum import Enum, auto
 
+from vfguide.aircraft.identification import Identified
 from vfguide.companion.engagement import OVER, Phase
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
 from vfguide.daemon.flight_log import FlightLog
 from vfguide.daemon.transport import Transport
-from vfguide.flight.identification import Identified
 
 POLL = 0.05
 """The companion is asked what is due at least this often [s]."""

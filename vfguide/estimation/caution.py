@@ -2,9 +2,9 @@
 
 import math
 
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
-from vfguide.flight.performance import Gains
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 

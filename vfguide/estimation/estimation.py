@@ -6,14 +6,19 @@ slowly.
 
 from typing import NamedTuple
 
-from vfguide.estimation.jump import Jumps, follow_jumps, no_jumps, settled, smoothed
-from vfguide.flight.air_data import sense_air
-from vfguide.flight.air_state import AIRSPEED, AirState, fresh_air, sigma
-from vfguide.flight.rising_air import feel_rise
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
+from vfguide.estimation.air_data import sense_air
+from vfguide.estimation.air_state import AIRSPEED, AirState, fresh_air, sigma
+from vfguide.estimation.position_resets import Jumps, follow_jumps, no_jumps, settled, smoothed
+from vfguide.estimation.vertical_wind import feel_rise
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+
+FIRST_STEP = 0.02
+"""The time step that the first step counts as [s]."""
+SHORTEST_STEP, LONGEST_STEP = 1e-3, 0.2
+"""Bounds of the time between two steps that filters and rate limits take [s]."""
 
 
 class Inputs(NamedTuple):
@@ -121,3 +126,9 @@ def sense(
     aircraft, gains, _ = vehicle
     air = feel_rise(inputs.measured, air, aircraft)
     return sense_air(inputs.predicted, air, thrust, aircraft, gains.airspeed)
+
+
+@compiled
+def step_time(nav: NavState) -> float:
+    """Time since the step before, bounded [s]."""
+    return FIRST_STEP if nav.is_first else min(max(nav.elapsed, SHORTEST_STEP), LONGEST_STEP)

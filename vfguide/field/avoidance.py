@@ -6,10 +6,9 @@ All vectors are in one frame, that of the field in free space; each has its exac
 
 from typing import NamedTuple
 
-from vfguide.field import dual
-from vfguide.field.dual import Dual, Dual3
-from vfguide.geometry import vector
+from vfguide.geometry import dual, vector
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.vector import Vec3
 
 COLLINEAR = 1e-9

@@ -8,11 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.field import dual
 from vfguide.field.attitude import AXIS, attitude, frame, frame_rate
 from vfguide.field.avoidance import Barrier, Deflection, FreeField, deflect, no_deflection
 from vfguide.field.composite_frame import avoidance_frame_fields, goal_axis
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame, position_in_goal, velocity_in_goal
 from vfguide.field.navigation import (
     navigation_field,
@@ -20,17 +18,12 @@ from vfguide.field.navigation import (
     normal_field,
     normal_field_rate,
 )
-from vfguide.field.obstacle import (
-    Rows,
-    from_centre,
-    is_known,
-    obstacle_surface,
-    read_obstacle,
-)
+from vfguide.field.obstacle import Rows, from_centre, is_known, obstacle_surface, read_obstacle
 from vfguide.field.robots import Robot, Spacing, read_robot, robot_barrier
 from vfguide.field.transition import transition
-from vfguide.geometry import vector
+from vfguide.geometry import dual, vector
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import Mat3, Vec3
 
 

@@ -6,12 +6,12 @@ goal's y axis that is not along F, made orthogonal to F. On the axis in free spa
 attitude of `attitude`.
 """
 
-from vfguide.field import dual
 from vfguide.field.attitude import FrameFields
 from vfguide.field.avoidance import Deflection, FreeField, avoidance_field, avoidance_normal
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame
+from vfguide.geometry import dual
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import Vec3, norm
 
 VANISHED = 1e-12

@@ -12,12 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.field.distance import signed_distance
-from vfguide.field.dual import Dual, Dual3
-from vfguide.field.shape import shape_level
-from vfguide.field.shapes.base import Shape
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.rows import reader, replacing, table_of, writer
+from vfguide.geometry.shapes.base import Shape
+from vfguide.geometry.shapes.distance import signed_distance
+from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub
 
 Rows = NDArray[np.float64]

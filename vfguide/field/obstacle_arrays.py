@@ -6,9 +6,9 @@ is the table of `obstacle_rows`, M rows; results are (..., M).
 
 from typing import Any
 
-from vfguide.field.dual import Dual3
 from vfguide.field.obstacle import obstacle_distance, obstacle_surface
 from vfguide.geometry.compiled import over_points
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import vec3
 
 STILL = (0.0, 0.0, 0.0)

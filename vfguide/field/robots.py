@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
-from vfguide.field import dual
 from vfguide.field.avoidance import Barrier
-from vfguide.field.dual import Dual3
 from vfguide.field.transition import transition
+from vfguide.geometry import dual
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.rows import reader, writer
 from vfguide.geometry.vector import Vec3, norm
 

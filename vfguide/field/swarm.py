@@ -5,19 +5,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from vfguide.field.avoidance import no_deflection
-from vfguide.field.composite import (
-    compose,
-    deflect_by_obstacles,
-    deflect_by_robot,
-    free_field,
-)
+from vfguide.field.composite import compose, deflect_by_obstacles, deflect_by_robot, free_field
 from vfguide.field.composite_arrays import CompositeArrays, empty_fields, store
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import GoalFrame, read_goal
 from vfguide.field.neighbours import Neighbours, no_neighbours, robots_with_priority
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Robot, Spacing, read_robot
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.rows import place, table_of
 
 POSITION = place(Robot, "p_n")

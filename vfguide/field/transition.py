@@ -2,8 +2,8 @@
 
 import math
 
-from vfguide.field.dual import Dual
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual
 
 STEEPEST = 700.0
 """Exponents beyond this are taken as infinite; S and all its derivatives vanish there."""

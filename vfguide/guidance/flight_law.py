@@ -2,32 +2,28 @@
 
 import math
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.envelope import usable_bank
+from vfguide.aircraft.path_limits import allowed_path, blended, floor_share, path_angle, path_limits
+from vfguide.aircraft.performance import turn_length
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
-from vfguide.estimation.estimation import NavState
-from vfguide.flight.approach import Course
-from vfguide.flight.detour_leg import is_on_route, route_course
-from vfguide.flight.horizontal import plan_turn, soon, target_course, usable_bank, wider_by
-from vfguide.flight.leg import AWAY
-from vfguide.flight.memory import Wish
-from vfguide.flight.motion_angles import azimuth_of, path_of
-from vfguide.flight.passing import aim_at
-from vfguide.flight.performance import turn_length
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
-from vfguide.flight.vertical import (
-    allowed_path,
-    blended,
-    floor_share,
-    path_angle,
-    path_limits,
-    plan_slope,
-)
-from vfguide.flight.wind import Heading, heading_for_course
+from vfguide.estimation.estimation import NavState, step_time
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import norm, sub
-from vfguide.guidance.guidance_state import GuidanceState, step_time
+from vfguide.geometry.velocity import azimuth_of, path_of
+from vfguide.guidance.altitude_profile import plan_slope
+from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.guidance.lateral import plan_turn, target_course
+from vfguide.guidance.wind_triangle import Heading, heading_for_course
+from vfguide.paths.course_laws import Course
+from vfguide.paths.leg import AWAY
+from vfguide.planning.leg_planning import soon, wider_by
 from vfguide.planning.objective import Objective
-from vfguide.planning.planning import Route
+from vfguide.planning.overflight import aim_at
+from vfguide.planning.route import Route
+from vfguide.planning.route_following import is_on_route, route_course
 
 SPARING, SHORT = 0.05, 0.05
 """No bank is larger than the first where the climb near the floor is the second short [rad]."""

@@ -2,13 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.estimation.estimation import NavState
 from vfguide.geometry.compiled import compiled
-
-FIRST_STEP = 0.02
-"""The time step that the first step counts as [s]."""
-SHORTEST_STEP, LONGEST_STEP = 1e-3, 0.2
-"""Bounds of the time between two steps that filters and rate limits take [s]."""
 
 
 class GuidanceState(NamedTuple):
@@ -24,9 +18,3 @@ class GuidanceState(NamedTuple):
 def fresh_guidance() -> GuidanceState:
     """Memory before the first step."""
     return GuidanceState(0.0, 1.0)
-
-
-@compiled
-def step_time(nav: NavState) -> float:
-    """Time since the step before, bounded [s]."""
-    return FIRST_STEP if nav.is_first else min(max(nav.elapsed, SHORTEST_STEP), LONGEST_STEP)

@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 
 from numba.extending import overload
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState
-from vfguide.flight.memory import Wish
-from vfguide.flight.vehicle import Vehicle
 from vfguide.guidance import flight_law, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.planning.objective import Objective
-from vfguide.planning.planning import Route
+from vfguide.planning.route import Route
 
 
 class FlightLaw(NamedTuple):

@@ -9,27 +9,28 @@ import math
 
 import numpy as np
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.envelope import usable_bank
+from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
+from vfguide.airspace.hazards import Intruder, read_intruder
 from vfguide.estimation.estimation import NavState
 from vfguide.field.avoidance import avoidance_field, no_deflection
 from vfguide.field.composite import deflect_by_obstacles, deflect_by_robot, free_field
-from vfguide.field.dual import Dual3
 from vfguide.field.goal_frame import goal_frame
 from vfguide.field.robots import Robot, Spacing
-from vfguide.flight.horizontal import plan_turn, usable_bank
-from vfguide.flight.memory import Target, Wish
-from vfguide.flight.motion_angles import azimuth_of, path_of
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import Vehicle
-from vfguide.flight.vertical import allowed_path, path_angle, path_limits
-from vfguide.flight.wind import heading_for_course
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import add, norm, scale, sub
+from vfguide.geometry.velocity import azimuth_of, path_of
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState
-from vfguide.planning.objective import Objective
-from vfguide.planning.planning import Route
-from vfguide.safety.hazards import Intruder, read_intruder
+from vfguide.guidance.lateral import plan_turn
+from vfguide.guidance.wind_triangle import heading_for_course
+from vfguide.planning.objective import Objective, Target
+from vfguide.planning.route import Route
 
 SIGHT = 300.0
 """r_d: the paper's robots see each other from here on, the default of a scenario [m]."""

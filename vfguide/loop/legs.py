@@ -4,10 +4,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.flight.memory import Target
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table, reader, table_of
 from vfguide.geometry.vector import Vec3
+from vfguide.planning.objective import Target
 
 
 class Goal(NamedTuple):

@@ -3,16 +3,16 @@
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
-from vfguide.flight.leg import FIELD
-from vfguide.flight.strong_wind import Stand, in_air_frame, into_wind, new_stand, stand_against
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.loop.attempts import NEAR, Attempts, at_next, gives_up, no_attempts, once_more
 from vfguide.loop.legs import Goal, Legs, goal_of, target_of
+from vfguide.paths.leg import FIELD
+from vfguide.planning.excess_wind import Stand, in_air_frame, into_wind, new_stand, stand_against
 from vfguide.planning.objective import Objective
 
 

@@ -4,9 +4,9 @@ import math
 from typing import NamedTuple
 
 from vfguide.estimation.estimation import NavState
-from vfguide.flight.leg import AWAY, Leg
 from vfguide.geometry.angles import TURN
 from vfguide.geometry.compiled import compiled
+from vfguide.paths.leg import AWAY, Leg
 from vfguide.planning.objective import Objective
 
 MARGIN = 5.0

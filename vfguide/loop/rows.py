@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.place import Quaternion, place_state, place_told, read_measurement
+from vfguide.estimation.local_frame import Quaternion, place_state, place_told, read_measurement
 from vfguide.field.obstacle import Rows
-from vfguide.flight.state import FlightState
-from vfguide.flight.vehicle import read_vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3, mat3, matvec, vec3

@@ -5,6 +5,9 @@ No clock, no socket, no log: what a step needs are its arguments, and what it le
 
 from typing import NamedTuple
 
+from vfguide.aircraft.command import Wish
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace import detection
 from vfguide.airspace.detection import Airspace
 from vfguide.assurance import assurance
@@ -12,9 +15,6 @@ from vfguide.control import control, limits
 from vfguide.estimation import estimation
 from vfguide.estimation.caution import cautious
 from vfguide.estimation.estimation import Inputs
-from vfguide.flight.memory import Wish
-from vfguide.flight.state import RateSetpoint
-from vfguide.flight.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
 from vfguide.guidance import laws
 from vfguide.guidance.laws import Law

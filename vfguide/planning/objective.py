@@ -2,9 +2,24 @@
 
 from typing import NamedTuple
 
-from vfguide.flight.memory import Target
-from vfguide.flight.state import FlightState
+from vfguide.aircraft.state import FlightState
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vec3
+
+
+class Target(NamedTuple):
+    """What to fly to: a pose to pass, or a circle to fly round."""
+
+    p_n: Vec3
+    """The goal, or a point of the circle [m]."""
+    course: float
+    """Course over ground there [rad]."""
+    slope: float
+    """Slope dh/ds of the path at the goal."""
+    circle: float
+    """0: a goal. +1, -1: the circle that leaves the point to the right or to the left."""
+    radius: float
+    """Radius of the circle [m]; it grows where wind and bank ask for more."""
 
 
 class Objective(NamedTuple):

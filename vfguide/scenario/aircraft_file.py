@@ -7,12 +7,12 @@ from typing import Annotated
 import tomli_w
 from pydantic import AfterValidator
 
-from vfguide.flight.identification import Identified
-from vfguide.flight.performance import Performance
-from vfguide.flight.response import airspeed_gains
+from vfguide.aircraft.gain_scheduling import airspeed_gains
+from vfguide.aircraft.identification import Identified
+from vfguide.aircraft.performance import Performance
 from vfguide.scenario.data import AircraftFiles
 from vfguide.scenario.source import Source
-from vfguide.scenario.tables import Table, above, between, rule_broken
+from vfguide.scenario.toml_types import Table, above, between, rule_broken
 
 Speed = Annotated[float, above(0, 150)]
 PathAngle = Annotated[float, above(0, 45)]

@@ -8,7 +8,7 @@ from vfguide.scenario.aircraft_file import Aircraft
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile
 from vfguide.scenario.source import Location, Source
-from vfguide.scenario.tables import in_words
+from vfguide.scenario.toml_types import in_words
 
 
 def check_law(entry: ScenarioFile, source: Source) -> None:

@@ -14,11 +14,11 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vfguide.aircraft.state import FlightState
 from vfguide.companion.plan import Plan
 from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
-from vfguide.flight.state import FlightState
 from vfguide.geometry.rows import Row, Table, columns, python_reader
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG

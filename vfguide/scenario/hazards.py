@@ -2,16 +2,16 @@
 
 import math
 
+from vfguide.airspace.fence import fence_distance, fences
+from vfguide.airspace.hazards import Hazards, traffic_rows
+from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
 from vfguide.field.obstacle import PlacedObstacle, placed
-from vfguide.flight.outlines import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
 from vfguide.geometry.rows import table_of
-from vfguide.safety.fence import fence_distance, fences
-from vfguide.safety.hazards import Hazards, traffic_rows
 from vfguide.scenario.fence import Fence, check_zones, zone_of
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle, Scenario
 from vfguide.scenario.source import Source
-from vfguide.scenario.tables import in_words
+from vfguide.scenario.toml_types import in_words
 from vfguide.scenario.traffic import avoids_traffic
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vfguide import __version__
-from vfguide.flight.identification import Identified
-from vfguide.flight.performance import Gains, Performance
-from vfguide.flight.response import suited
+from vfguide.aircraft.gain_scheduling import suited
+from vfguide.aircraft.identification import Identified
+from vfguide.aircraft.performance import Gains, Performance
 from vfguide.geometry.units import DEG
 from vfguide.scenario import checks
 from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
@@ -20,10 +20,10 @@ from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.overrides import parse_override
 from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.route_checks import Flies, check_ways
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 from vfguide.scenario.traffic import check_traffic
-from vfguide.scenario.ways import Flies, check_ways
 
 
 @dataclass(frozen=True)

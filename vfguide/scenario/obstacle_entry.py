@@ -5,7 +5,16 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator
 
 from vfguide.scenario.source import Location, Source
-from vfguide.scenario.tables import Angle, Position, Table, Vector, above, listed, rule_broken, word
+from vfguide.scenario.toml_types import (
+    Angle,
+    Position,
+    Table,
+    Vector,
+    above,
+    listed,
+    rule_broken,
+    word,
+)
 
 Size = Annotated[float, above(0, 10_000)]
 

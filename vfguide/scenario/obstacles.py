@@ -6,8 +6,8 @@ import numpy as np
 
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.field.obstacle_arrays import levels
-from vfguide.field.shape import SHAPES
-from vfguide.field.shapes.base import Shape
+from vfguide.geometry.shapes.base import Shape
+from vfguide.geometry.shapes.shape import SHAPES
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.obstacle_entry import SIZES

@@ -1,8 +1,8 @@
 """From a scenario to what its companions are asked to do."""
 
+from vfguide.aircraft.performance import turn_length
 from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
-from vfguide.flight.performance import turn_length
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import LAWS_BY_NAME
 from vfguide.loop.legs import Goal

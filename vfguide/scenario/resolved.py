@@ -10,7 +10,7 @@ from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.obstacle_entry import ShapeName
 from vfguide.scenario.scenario_file import ScenarioHead
-from vfguide.scenario.tables import Table, Vector
+from vfguide.scenario.toml_types import Table, Vector
 from vfguide.scenario.traffic_entry import TrafficChange
 
 _LIST = re.compile(r"\[\n((?: +[-+.\w]+,\n)+)\]")

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, AwareDatetime, Field
 from vfguide.companion.traffic import SMALL_AIRCRAFT
 from vfguide.scenario.fence import Fence
 from vfguide.scenario.obstacle_entry import ObstacleEntry
-from vfguide.scenario.tables import (
+from vfguide.scenario.toml_types import (
     Angle,
     Attitude,
     Position,

@@ -4,7 +4,7 @@ from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.scenario.resolved import Scenario, Traffic
 from vfguide.scenario.scenario_file import Avoidance
 from vfguide.scenario.source import Source
-from vfguide.scenario.tables import in_words
+from vfguide.scenario.toml_types import in_words
 from vfguide.sim.traffic import Flight, Turn, flight_of
 
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 
 from vfguide.link.enums import AttitudeTypeMask
 from vfguide.link.messages import SetAttitudeTarget
+from vfguide.sim.autopilot.flight_mode import Event
+from vfguide.sim.autopilot.mavlink_channel import ONBOARD
 from vfguide.sim.fdm import ModelError
-from vfguide.sim.flight_mode import Event
-from vfguide.sim.pace import Pace
 from vfguide.sim.plant import STEP
-from vfguide.sim.port import ONBOARD
+from vfguide.sim.real_time_pacing import Pace
 from vfguide.sim.udp import Channel
 from vfguide.sim.vehicle import Vehicle
 

@@ -4,7 +4,7 @@ import socket
 from contextlib import suppress
 from typing import NamedTuple
 
-from vfguide.sim.port import Port
+from vfguide.sim.autopilot.mavlink_channel import Port
 from vfguide.sim.vehicle import Vehicle
 
 HOST = "127.0.0.1"

@@ -1,0 +1,46 @@
+"""What the search for ways sees of traffic."""
+
+import math
+
+import numpy as np
+import pytest
+
+from vfguide.airspace.footprint import Band
+from vfguide.airspace.hazards import AHEAD, Intruder, traffic_outlines, traffic_rows
+from vfguide.airspace.keep_out import Outline, read_outline
+from vfguide.airspace.planar_clearance import outline_distance
+from vfguide.geometry.rows import width
+
+BAND = Band(-120.0, -100.0)
+
+
+def outlines(v_n=(10.0, -30.0, 0.0), z=-110.0, t=42.0, growth_up=0.0):
+    its = Intruder((100.0, 200.0, z), v_n, 40.0, 50.0, 30.0, 3.0, growth_up)
+    return traffic_outlines(traffic_rows([its]), BAND, 20.0, t)
+
+
+@pytest.mark.parametrize("t", [42.0, 50.0])
+def test_a_circle_that_moves_with_it(t):
+    seen = outlines()
+    x, y = 100.0 + 10.0 * (t - 40.0), 200.0 - 30.0 * (t - 40.0)
+    radius = 50.0 + 3.0 * (2.0 + AHEAD)
+    at = (x + 200.0, y, t, math.inf)
+    distance = outline_distance(read_outline(seen.table[0]), seen.sides, *at)
+    assert distance == pytest.approx(200.0 - radius)
+
+
+@pytest.mark.parametrize(("z", "there"), [(-171.0, 0), (-169.0, 1), (-51.0, 1), (-49.0, 0)])
+def test_only_what_reaches_into_the_band(z, there):
+    assert len(outlines(z=z).table) == there
+
+
+def test_one_that_climbs_through_the_band_is_there_for_a_while():
+    seen = outlines((0.0, 30.0, -2.0), z=-10.0, t=40.0)
+    outline = read_outline(seen.table[0])
+    assert (outline.since, outline.until) == pytest.approx((60.0, 120.0))
+
+
+def test_nobody():
+    nobody = traffic_outlines(traffic_rows([]), BAND, 20.0, 0.0)
+    assert nobody.table.shape == (0, width(Outline))
+    assert np.size(nobody.sides) == 0

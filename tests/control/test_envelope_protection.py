@@ -1,0 +1,87 @@
+"""Body rates that keep bank and load factor inside their limits."""
+
+import math
+
+import pytest
+from flight_states import AEROSONDE
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.aircraft.coordinated_turn import attitude_for_lift
+from vfguide.control.envelope_protection import (
+    BANK_OVER,
+    BANK_TIME,
+    LOAD_TIME,
+    OUTSIDE,
+    SPARE,
+    STRONGER,
+    load_of,
+    within_envelope,
+)
+from vfguide.geometry.so3 import IDENTITY, from_euler
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Mat3, Vec3
+
+LEAST, MOST = AEROSONDE.load_min + SPARE, STRONGER * AEROSONDE.load_max
+BANK = 0.87
+SPEEDS = st.floats(18.0, 38.0)
+BANKS = st.floats(-0.8, 0.8)
+
+
+def within(omega: Vec3, R_nb: Mat3, load: float, speed: float) -> Vec3:
+    return within_envelope(omega, R_nb, load, speed, BANK, AEROSONDE)
+
+
+@given(st.floats(-1.0, 3.0), SPEEDS, BANKS, st.floats(-0.2, 0.2))
+def test_the_attitude_for_a_lift_meets_the_air_with_that_load(load, speed, bank, gamma):
+    alpha = AEROSONDE.alpha_zero + AEROSONDE.alpha_load * load / speed**2
+    R_nb = attitude_for_lift(0.7, gamma, bank, alpha)
+    c = math.cos(gamma)
+    air = (speed * c * math.cos(0.7), speed * c * math.sin(0.7), -speed * math.sin(gamma))
+    assert load_of(R_nb, air, speed, AEROSONDE) == pytest.approx(load, abs=1e-9)
+
+
+@given(st.floats(-1.0, 0.95), st.floats(1.01, 5.0), SPEEDS)
+def test_level_flight_is_free_whatever_the_limits(least, most, speed):
+    limits = AEROSONDE._replace(load_min=least, load_max=most)
+    level = (0.1, 0.0, 0.3)
+    assert within_envelope(level, IDENTITY, 1.0, speed, BANK, limits) == level
+
+
+@given(st.floats(LEAST, MOST), SPEEDS, BANKS)
+def test_the_pitch_rate_of_a_load_inside_the_limits_is_free(load, speed, bank):
+    R_nb = from_euler(bank, 0.05, 0.3)
+    steady = (load - R_nb[2][2]) * G0 / speed
+    wanted = (0.1, steady, 0.3)
+    assert within(wanted, R_nb, load, speed) == pytest.approx(wanted, abs=1e-9)
+
+
+@given(st.floats(0.01, OUTSIDE), SPEEDS, BANKS)
+def test_a_load_outside_is_taken_back(outside, speed, bank):
+    """Beside the rate of the limit itself, the angle of attack changes by what is too much."""
+    R_nb = from_euler(bank, 0.05, 0.3)
+    back = outside * AEROSONDE.alpha_load / speed**2 / LOAD_TIME
+    for limit, load, push in ((LEAST, LEAST - outside, -9.0), (MOST, MOST + outside, 9.0)):
+        steady = (limit - R_nb[2][2]) * G0 / speed
+        _, rate, _ = within((0.0, push, 0.0), R_nb, load, speed)
+        assert rate - steady == pytest.approx(math.copysign(back, -push))
+
+
+def test_a_tumble_asks_for_no_more_than_a_large_load():
+    for load, push, most in ((-50.0, -9.0, LEAST - OUTSIDE), (50.0, 9.0, MOST + OUTSIDE)):
+        far = within((0.0, push, 0.0), IDENTITY, load, 25.0)
+        assert far == within((0.0, push, 0.0), IDENTITY, most, 25.0)
+
+
+@given(st.floats(1.2, math.pi))
+def test_upside_down_nothing_pulls_toward_the_ground(bank):
+    assert within((0.0, -9.0, 0.0), from_euler(bank, 0.0, 0.0), LEAST, 25.0)[1] == 0.0
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-5.0, 5.0))
+def test_the_bank_does_not_run_through_its_limit(bank, rate):
+    limit = BANK + BANK_OVER
+    rolled = within((rate, 0.0, 0.0), from_euler(bank, 0.0, 0.0), 1.0, 25.0)[0]
+    assert abs(bank + BANK_TIME * rolled) <= limit + 1e-9
+    if abs(bank + BANK_TIME * rate) < limit - 1e-9:
+        assert rolled == rate, "inside every rate is free"

@@ -1,0 +1,89 @@
+"""Jumps of the position: noticed, let in slowly, and no goal is passed by one."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.aircraft.state import FlightState
+from vfguide.estimation.position_resets import (
+    BOUND,
+    LEAST,
+    LONGEST,
+    follow_jumps,
+    no_jumps,
+    settled,
+    smoothed,
+)
+from vfguide.geometry.so3 import IDENTITY
+
+DT = 0.02
+V = (25.0, 0.0, 0.0)
+
+
+def at(p_n, time=1.0, v_n=V):
+    return FlightState(time, tuple(p_n), v_n, IDENTITY, 25.0, (0.0, 0.0, 0.0))
+
+
+def flown(jumps_at, steps=400):
+    """Places that are flown on in a straight flight, the told one jumping at some steps."""
+    jumps, here, offset, places, sizes = no_jumps(), (0.0, 0.0, -100.0), np.zeros(3), [], []
+    for k in range(1, steps):
+        offset = offset + jumps_at.get(k, np.zeros(3))
+        told = at(np.array((25.0 * DT * k, 0.0, -100.0)) + offset)
+        jumps = follow_jumps(jumps, (here, V), told, DT)
+        here = smoothed(told, jumps).p_n
+        places.append(here)
+        sizes.append(jumps)
+    return np.array(places), sizes
+
+
+@given(st.tuples(*(st.floats(-500.0, 500.0),) * 3).filter(lambda j: math.hypot(*j) > 3.0))
+def test_a_jump_is_let_in_slowly(jump):
+    places, jumps = flown({100: np.array(jump)})
+    steps = np.linalg.norm(np.diff(places, axis=0), axis=1)
+    # 2 % of what is left in each step, whatever the size.
+    assert steps.max() <= 25.0 * DT + 0.021 * math.hypot(*jump)
+    assert np.linalg.norm(places[99] - (25.0 * DT * 100, 0.0, -100.0)) < 1e-9
+    assert places[-1] == pytest.approx(
+        np.array((25.0 * DT * 399, 0.0, -100.0)) + jump, abs=0.01 * math.hypot(*jump)
+    )
+    assert jumps[-1].number == 1
+    assert jumps[-1].size == pytest.approx(math.hypot(*jump))
+
+
+@pytest.mark.parametrize("size", [0.5, 1.9, 2.1, 50.0])
+def test_what_an_aeroplane_can_fly_is_no_jump(size):
+    _, jumps = flown({100: np.array((0.0, size, 0.0))}, 102)
+    assert jumps[-1].number == (size > LEAST + BOUND * DT * DT)
+
+
+def test_a_jump_that_is_undone_leaves_nothing():
+    there = np.array((300.0, -400.0, 20.0))
+    places, jumps = flown({100: there, 101: -there})
+    assert places[-1] == pytest.approx((25.0 * DT * 399, 0.0, -100.0), abs=0.2)
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() < 25.0 * DT + 1e-9
+    assert settled(jumps[-1])
+
+
+def test_a_steep_turn_is_no_jump():
+    """Steps of half a second on a circle of 60 m radius at 30 m/s: 15 m/s^2."""
+    jumps, before = no_jumps(), None
+    for k in range(50):
+        angle = 30.0 / 60.0 * 0.5 * k
+        p_n = (60.0 * math.sin(angle), -60.0 * math.cos(angle), -100.0)
+        v_n = (30.0 * math.cos(angle), 30.0 * math.sin(angle), 0.0)
+        if before is not None:
+            jumps = follow_jumps(jumps, before, at(p_n, v_n=v_n), 0.5)
+        before = (p_n, v_n)
+    assert jumps.number == 0
+
+
+@pytest.mark.parametrize("dt", [0.0, -1.0, LONGEST, 10.0])
+def test_after_a_pause_nothing_is_known_of_a_jump(dt):
+    jumps = no_jumps()._replace(offset_n=(5.0, 0.0, 0.0), number=3)
+    after = follow_jumps(jumps, ((0.0, 0.0, 0.0), V), at((900.0, 0.0, 0.0)), dt)
+    assert after.offset_n == (0.0, 0.0, 0.0)
+    assert after.number == 3

@@ -1,0 +1,40 @@
+"""The tools that measure and draw the field, on smaller samples."""
+
+import importlib.util
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib.image
+import numpy as np
+import pytest
+
+from vfguide.report.drawing import to_png
+
+TOOLS = Path(__file__).parents[2] / "tools"
+DRAWINGS = ("draw_coordinates", "draw_plane", "draw_curves", "draw_surface", "draw_robots")
+
+
+def tool(name):
+    spec = importlib.util.spec_from_file_location(name, TOOLS / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_what_the_field_holds_to():
+    rows = list(tool("measure_field").exactness(seed=77, points=800))
+    assert len(rows) == 18
+    for what, _, value in rows:
+        if what.startswith("least"):
+            assert float(value) > 0.0, what
+        else:
+            assert float(value) <= (1e-5 if "Omega_a" in what else 1e-12), what
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_drawings_of_the_field(name):
+    draw = getattr(tool("paper_field"), name)
+    picture = matplotlib.image.imread(BytesIO(to_png(lambda figure, _: draw(figure), None)))
+    assert min(picture.shape[:2]) > 400
+    dark = np.mean(picture[..., :3].min(axis=2) < 0.8)
+    assert 0.003 < dark < 0.5

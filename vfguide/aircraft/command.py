@@ -1,0 +1,23 @@
+"""What a law of guidance is asked for, and what it commands."""
+
+from typing import NamedTuple
+
+
+class Wish(NamedTuple):
+    """What the law wanted at one step: for displays, logs and tests."""
+
+    course: float
+    """Over ground [rad]."""
+    azimuth: float
+    """Of the air velocity [rad]."""
+    gamma: float
+    """Path angle through the air [rad]."""
+    climb: float
+    """The same, or the steeper one that the height asks for: thrust is set for it [rad]."""
+    bank: float
+    load: float
+    remaining: float
+    """Path length to the goal [m]."""
+    phase: int
+    radius: float
+    """Turn radius of the approach [m]."""

@@ -1,0 +1,99 @@
+"""How the aircraft flies through the air, from its attitude, thrust and what pushes from the side.
+
+The direction of flight is that of the fuselage, less the angle of attack that carries the aircraft,
+less the slip that the side force shows. The acceleration along it is
+
+    V' = g ((thrust - drag) / weight - sin(path angle))
+
+with drag in proportion to V^2 and, for the lift, to n^2 / V^2. The path angle is pitch less angle
+of attack: this needs no vertical wind, since gusts move pitch and path alike.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.aircraft.performance import Performance
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import DEG, G0
+from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
+
+STEEPEST_BANK = 60.0 * DEG
+"""Banks beyond this count as this [rad]: the load factor of a level turn grows without bound."""
+SIDE_FORCE_RATIO = 0.12
+"""Side force for each radian of slip over lift for each radian of angle of attack, without unit:
+0.15 for the Aerosonde of Beard and McLain (CY_beta -0.83, CL_alpha 5.61), 0.06 for a Cessna 172.
+Where it is half of this, half of the slip goes unseen."""
+SLIP_MAX = 15.0 * DEG
+"""No more slip than this is taken from the side force [rad]."""
+SIDE_FORCE_TIME = 0.5
+"""The side force is smoothed with this time constant [s]."""
+
+
+class ModelledFlight(NamedTuple):
+    """Flight through the air by the model of the aircraft."""
+
+    d_n: Vec3
+    """Direction of flight through the air, NED, of length 1."""
+    acceleration: float
+    """Along it [m/s^2]."""
+    slope: float
+    """Derivative of the acceleration with respect to the airspeed [1/s]."""
+
+
+@compiled
+def modelled_flight(
+    R_nb: Mat3, airspeed: float, thrust: float, side_force: float, aircraft: Performance
+) -> ModelledFlight:
+    """Direction and acceleration of flight.
+
+    Args:
+        R_nb: attitude, body FRD to NED.
+        airspeed: true airspeed [m/s].
+        thrust: setpoint, 0 to 1.
+        side_force: specific force to the right across the fuselage [m/s^2].
+        aircraft: what flies.
+    """
+    cosine = max(math.cos(STEEPEST_BANK), R_nb[2][2] / math.hypot(R_nb[2][1], R_nb[2][2]))
+    load, speed = 1.0 / cosine, max(airspeed, 0.5 * aircraft.airspeed_min)
+    alpha_of_load = aircraft.alpha_load * load / (speed * speed)
+    alpha = aircraft.alpha_zero + alpha_of_load
+    d_n = flight_direction(R_nb, alpha, slip(side_force, speed, aircraft))
+    ratio = speed / aircraft.airspeed_cruise
+    induced = aircraft.thrust_per_load * load * load / (ratio * ratio)
+    parasitic = (aircraft.thrust_trim - aircraft.thrust_per_load) * ratio * ratio
+    acceleration = G0 * ((thrust - parasitic - induced) / aircraft.thrust_per_climb + d_n[2])
+    slope = 2.0 * G0 * (induced - parasitic) / (speed * aircraft.thrust_per_climb)
+    return ModelledFlight(d_n, acceleration, slope - 2.0 * G0 * alpha_of_load * cosine / speed)
+
+
+@compiled
+def flight_direction(R_nb: Mat3, alpha: float, beta: float) -> Vec3:
+    """Direction of flight, NED, at an angle of attack and a small sideslip [rad]."""
+    c, s = math.cos(alpha), math.sin(alpha)
+    return unit(
+        (
+            c * R_nb[0][0] + beta * R_nb[0][1] + s * R_nb[0][2],
+            c * R_nb[1][0] + beta * R_nb[1][1] + s * R_nb[1][2],
+            c * R_nb[2][0] + beta * R_nb[2][1] + s * R_nb[2][2],
+        )
+    )
+
+
+@compiled
+def slip(side_force: float, airspeed: float, aircraft: Performance) -> float:
+    """Sideslip [rad], positive with the air from the right, of a specific side force [m/s^2]."""
+    stiffness = SIDE_FORCE_RATIO * G0 * airspeed * airspeed / aircraft.alpha_load
+    return max(-SLIP_MAX, min(SLIP_MAX, -side_force / stiffness))
+
+
+@compiled
+def specific_force(before_n: Vec3, v_n: Vec3, dt: float) -> Vec3:
+    """The specific force v' - g between two velocities over ground `dt` [s] apart, NED [m/s^2]."""
+    return sub(scale(1.0 / dt, sub(v_n, before_n)), (0.0, 0.0, G0))
+
+
+@compiled
+def smoothed_side_force(side_force: float, force_n: Vec3, R_nb: Mat3, dt: float) -> float:
+    """The side force [m/s^2] after `dt` [s] more: that across the fuselage is (v' - g) . y_b."""
+    across = dot(force_n, (R_nb[0][1], R_nb[1][1], R_nb[2][1]))
+    return side_force + dt / (SIDE_FORCE_TIME + dt) * (across - side_force)

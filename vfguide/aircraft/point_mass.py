@@ -1,0 +1,103 @@
+"""How the guided aircraft moves when it is given a bank and a path angle: a point with lags.
+
+The bank follows the commanded one with a first-order lag inside a largest roll rate, the path
+angle with a lag, the airspeed stays, and the air azimuth turns at g tan(bank) / V.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.aircraft.envelope import usable_bank
+from vfguide.aircraft.path_limits import descent_at_airspeed
+from vfguide.aircraft.performance import Gains, Performance
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3
+
+RATE_LAG = 0.08
+"""Of the body rates behind their setpoints, as in the guidance's default gains [s]."""
+ROLL_SHARE = 0.8
+"""Part of the largest roll rate that a roll of the guided aircraft reaches."""
+PATH_LAG = 0.03
+"""Lag of the path angle behind the wanted one over the airspeed [s^2/m]: 0.75 s at 25 m/s."""
+
+
+class Motion(NamedTuple):
+    """An aircraft moving through the air."""
+
+    p_n: Vec3
+    """NED [m]."""
+    azimuth: float
+    """Of the air velocity [rad]."""
+    bank: float
+    """Right wing down positive [rad]."""
+    gamma: float
+    """Path angle through the air, up positive [rad]."""
+    airspeed: float
+    """True [m/s]."""
+
+
+class Dynamics(NamedTuple):
+    """What limits and delays the motion."""
+
+    bank_max: float
+    """[rad]"""
+    climb_max: float
+    descent_max: float
+    """Both positive [rad]."""
+    roll_rate: float
+    """Fastest change of the bank [rad/s]."""
+    bank_lag: float
+    path_lag: float
+    """Time constants [s]."""
+
+
+@compiled
+def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
+    """Those of an aircraft under the flight law at the airspeed that it is to fly."""
+    return Dynamics(
+        usable_bank(aircraft, gains, gains.airspeed),
+        aircraft.climb_max,
+        descent_at_airspeed(aircraft, 0.0),
+        ROLL_SHARE * aircraft.rate_max[0],
+        1.0 / gains.k_w + RATE_LAG + gains.sluggish,
+        PATH_LAG * gains.airspeed + gains.sluggish,
+    )
+
+
+@compiled
+def advance(
+    motion: Motion, bank: float, gamma: float, wind_n: Vec3, limits: Dynamics, dt: float
+) -> Motion:
+    """The motion `dt` later [s], under a commanded bank and path angle [rad], in wind [m/s].
+
+    Bank and path angle are exact; the turn is integrated by Simpson's rule, the way flown in the
+    direction of the middle of the step.
+    """
+    half = lagged(motion.bank, bank, limits.bank_lag, limits.roll_rate, 0.5 * dt)
+    after = lagged(half, bank, limits.bank_lag, limits.roll_rate, 0.5 * dt)
+    fall = math.exp(-0.5 * dt / limits.path_lag)
+    climb = gamma + fall * (motion.gamma - gamma)
+    first, middle, last = math.tan(motion.bank), math.tan(half), math.tan(after)
+    turn = G0 * dt / motion.airspeed
+    along = motion.azimuth + turn * (5.0 * first + 8.0 * middle - last) / 24.0
+    flat = dt * motion.airspeed * math.cos(climb)
+    p_n = (
+        motion.p_n[0] + flat * math.cos(along) + dt * wind_n[0],
+        motion.p_n[1] + flat * math.sin(along) + dt * wind_n[1],
+        motion.p_n[2] - dt * motion.airspeed * math.sin(climb) + dt * wind_n[2],
+    )
+    azimuth = motion.azimuth + turn * (first + 4.0 * middle + last) / 6.0
+    return Motion(p_n, azimuth, after, gamma + fall * (climb - gamma), motion.airspeed)
+
+
+@compiled
+def lagged(value: float, wanted: float, lag: float, rate: float, dt: float) -> float:
+    """Solution after `dt` [s] of x' = (wanted - x) / lag, no faster than `rate`."""
+    error, reach = value - wanted, rate * lag
+    if abs(error) > reach:
+        limited = (abs(error) - reach) / rate
+        if limited >= dt:
+            return value - math.copysign(rate * dt, error)
+        error, dt = math.copysign(reach, error), dt - limited
+    return wanted + error * math.exp(-dt / lag)

@@ -1,0 +1,130 @@
+"""A recorded flight: what the autopilot told, what it was asked for, and means of both."""
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.aircraft.flight_model import STEEPEST_BANK
+from vfguide.aircraft.least_squares import Array, fitted, with_constant
+from vfguide.geometry.rows import columns, table_of
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Mat3, Vec3
+
+WINDOW = 1.0
+"""Lift and thrust are compared in means over this time [s]."""
+
+
+class Sample(NamedTuple):
+    """One instant of a flight, in the units of `Samples`."""
+
+    time: float
+    R_nb: Mat3
+    v_n: Vec3
+    airspeed: float
+    roll_rate: float
+    roll_rate_asked: float
+    thrust: float
+    delay: float
+
+
+class Samples(NamedTuple):
+    """A flight, at N instants in the order of time: the columns of a table of `Sample`."""
+
+    time: Array
+    """(N,) of the attitude [s]."""
+    R_nb: Array
+    """(N, 3, 3) attitude, body FRD to NED."""
+    v_n: Array
+    """(N, 3) velocity over ground [m/s]."""
+    airspeed: Array
+    """(N,) true airspeed [m/s]; no number: not told, or not believed."""
+    roll_rate: Array
+    """(N,) [rad/s]."""
+    roll_rate_asked: Array
+    """(N,) setpoint that answers this state [rad/s]."""
+    thrust: Array
+    """(N,) the same of the thrust, 0 to 1."""
+    delay: Array
+    """(N,) so long after the attitude the setpoint begins to act [s]."""
+
+
+class Means(NamedTuple):
+    """A flight in means over WINDOW, (M,) each."""
+
+    airspeed: Array
+    """True airspeed [m/s]."""
+    alpha: Array
+    """Angle of attack in level air [rad]."""
+    load: Array
+    """Load factor."""
+    banked: Array
+    """The load factor that the bank asks for in a level turn."""
+    along: Array
+    """Specific force along the fuselage, over g."""
+
+
+def samples_of(flown: Iterable[Sample]) -> Samples:
+    """The flight of so many instants."""
+    return Samples(*cast("tuple[Array, ...]", columns(Sample, table_of(Sample, flown))))
+
+
+def sound(samples: Samples) -> Samples:
+    """The samples that can be reckoned with: of numbers alone but for the airspeed, in order."""
+    told = samples._replace(airspeed=samples.time)
+    numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in told]
+    good: NDArray[np.bool_] = np.logical_and.reduce(numbers)
+    time = np.where(good, samples.time, -math.inf)
+    good[1:] &= time[1:] > np.maximum.accumulate(time)[:-1]
+    return Samples(*(values[good] for values in samples))
+
+
+def with_airspeed(samples: Samples) -> Samples:
+    """The samples at which the airspeed is known."""
+    known = np.isfinite(samples.airspeed)
+    return Samples(*(values[known] for values in samples))
+
+
+def means_of(samples: Samples) -> Means:
+    """The means of samples whose airspeed is known, two at least."""
+    v_n, R_nb = halfway(samples.v_n) - wind_of(samples), halfway(samples.R_nb)
+    u, _, w = np.einsum("nij,ni->jn", R_nb, v_n)
+    dt = np.diff(samples.time)
+    force_n = np.diff(samples.v_n, axis=0) / dt[:, None] - np.array([0.0, 0.0, G0])
+    along, _, down = np.einsum("nij,ni->jn", R_nb, force_n) / G0
+    bank = np.arctan2(R_nb[:, 2, 1], R_nb[:, 2, 2])
+    banked = 1.0 / np.maximum(math.cos(STEEPEST_BANK), np.cos(bank))
+    flown = (halfway(samples.airspeed), np.arctan2(w, u), -down, banked, along)
+    return Means(*(mean(samples, values) for values in flown))
+
+
+def wind_of(samples: Samples) -> Array:
+    """The mean wind, NED [m/s]: with it velocity over ground and airspeed fit on all courses.
+
+    V^2 = |v - w|^2, linear in w but for |w|^2. That is left free, and takes what the airspeed
+    sensor tells too much. On one course alone nothing is known of it, and it is no number.
+    """
+    level = samples.v_n[:, :2]
+    excess = samples.airspeed**2 - np.einsum("ni,ni->n", samples.v_n, samples.v_n)
+    _, north, east = fitted(with_constant(*(-2.0 * level.T)), excess).x.tolist()
+    return np.array([north, east, 0.0])
+
+
+def halfway(values: Array) -> Array:
+    """Between the samples."""
+    return 0.5 * (values[1:] + values[:-1])
+
+
+def mean(samples: Samples, values: Array) -> Array:
+    """Means over WINDOW after WINDOW of what was between the samples; hardly filled ones apart.
+
+    Steps over a gap do not count.
+    """
+    dt = np.diff(samples.time)
+    steady = dt < 0.5 * WINDOW
+    window = ((halfway(samples.time) - samples.time[0]) / WINDOW).astype(int)[steady]
+    number = np.bincount(window)
+    total = np.bincount(window, values[steady])
+    return (total / np.maximum(number, 1))[number > 0.5 * np.max(number, initial=0)]

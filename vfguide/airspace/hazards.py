@@ -1,0 +1,167 @@
+"""All that must not be hit, as arrays, and how near a point is to each of it."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vfguide.airspace.distance_bound import distance_bound
+from vfguide.airspace.fence import Fences, fence_distance
+from vfguide.airspace.footprint import SIDE_WIDTH, Band
+from vfguide.airspace.keep_out import KEEP_OUT, OUTLINE_WIDTH, Outline, Outlines, write_outline
+from vfguide.field.obstacle import Rows, read_obstacle
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import reader, table_of, width
+from vfguide.geometry.shapes.cylinder import upright_distance
+from vfguide.geometry.vector import Vec3
+
+AHEAD = 5.0
+"""The search for ways takes traffic as large as it is known so much later [s]."""
+MOVER_GROWTH = 0.1
+"""Growth of the doubt where a moving obstacle is, as a part of its speed."""
+
+
+class Intruder(NamedTuple):
+    """Another aircraft: an upright cylinder that grows with the age of its report."""
+
+    p_n: Vec3
+    """At the time of the report, NED [m]."""
+    v_n: Vec3
+    """NED [m/s]."""
+    time: float
+    """Of the report, on the clock of the obstacles [s]."""
+    radius: float
+    half_height: float
+    """Of the volume to keep out of [m]."""
+    growth: float
+    growth_up: float
+    """Of radius and half height with the report's age [m/s]."""
+
+
+INTRUDER_WIDTH = width(Intruder)
+"""How many numbers the row of an intruder has."""
+read_intruder = reader(Intruder)
+
+
+class Hazards(NamedTuple):
+    """Everything to keep clear of that is known."""
+
+    obstacles: Rows
+    """Of `obstacle_rows`, M rows."""
+    traffic: Rows
+    """An `Intruder` a row."""
+    fences: Fences
+    floor: float
+    ceiling: float
+    """Heights above the guidance frame's origin to stay between [m]; infinite for none."""
+
+
+def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
+    """The intruders as a table, one a row."""
+    return table_of(Intruder, intruders)
+
+
+@compiled
+def hazard_count(hazards: Hazards) -> int:
+    """How many there are: obstacles, zones of the fence, its heights as one, and traffic.
+
+    Traffic comes and goes: it is last, so that the numbers of all others stay.
+    """
+    return len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones) + 1
+
+
+@compiled
+def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
+    """At most the distance of `p_n` (NED) from hazard `i` at time `t` [m], negative inside."""
+    if i < len(hazards.obstacles):
+        return distance_bound(hazards.obstacles, i, p_n, t)
+    i -= len(hazards.obstacles)
+    zones = len(hazards.fences.zones)
+    if i < zones:
+        return fence_distance(hazards.fences, i, p_n)
+    if i == zones:
+        return min(-p_n[2] - hazards.floor, hazards.ceiling + p_n[2])
+    return traffic_distance(hazards.traffic, i - zones - 1, p_n, t)
+
+
+@compiled
+def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
+    """Distance of `p_n` (NED) from the volume of intruder `i` at time `t` [m]."""
+    intruder = read_intruder(traffic[i])
+    there_n, v_n, age = intruder.p_n, intruder.v_n, t - intruder.time
+    x = p_n[0] - there_n[0] - age * v_n[0]
+    y = p_n[1] - there_n[1] - age * v_n[1]
+    z = p_n[2] - there_n[2] - age * v_n[2]
+    age = max(age, 0.0)
+    radius = intruder.radius + age * intruder.growth
+    return upright_distance(x, y, z, radius, intruder.half_height + age * intruder.growth_up)
+
+
+@compiled
+def traffic_outlines(traffic: Rows, band: Band, margin: float, t: float) -> Outlines:
+    """What traffic covers of a band of heights that is wider by `margin` [m] on both sides.
+
+    Moving circles for the search of ways, as large as the volumes `AHEAD` seconds after `t`.
+    """
+    table, used = np.zeros((len(traffic), OUTLINE_WIDTH)), 0
+    for row in traffic:
+        outline = traffic_outline(read_intruder(row), band, margin, t)
+        if outline.since <= outline.until:
+            write_outline(outline, table[used])
+            used += 1
+    return Outlines(table[:used], np.zeros((0, SIDE_WIDTH)))
+
+
+@compiled
+def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> Outline:
+    """The same of one intruder; where it never comes into the band, until before since."""
+    (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
+    grown = max(t - time, 0.0) + AHEAD
+    reach = intruder.half_height + grown * intruder.growth_up + margin
+    since, until = stay_in(band.top - reach - down, band.bottom + reach - down, sinking)
+    x, y, radius = north - time * vx, east - time * vy, intruder.radius + grown * intruder.growth
+    place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
+    return Outline(*place, radius, 0, 0, time + since, time + until, True)
+
+
+@compiled
+def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
+    """From when until when speed * t is between two numbers; turned round: never."""
+    if speed == 0.0:
+        return (-math.inf, math.inf) if low <= 0.0 <= high else (math.inf, -math.inf)
+    return min(low / speed, high / speed), max(low / speed, high / speed)
+
+
+@compiled
+def hazard_speed(hazards: Hazards, i: int) -> float:
+    """How fast hazard `i` can come nearer to a point that stands still [m/s]."""
+    if i < len(hazards.obstacles):
+        return obstacle_speed(hazards.obstacles, i)
+    i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
+    if i >= 0:
+        return intruder_speed(read_intruder(hazards.traffic[i]))
+    return 0.0
+
+
+@compiled
+def intruder_speed(intruder: Intruder) -> float:
+    """How fast its volume can come nearer to a point that stands still [m/s]."""
+    north, east, down = intruder.v_n
+    growth = math.hypot(intruder.growth, intruder.growth_up)
+    return math.sqrt(north**2 + east**2 + down**2) + growth
+
+
+@compiled
+def hazard_growth(hazards: Hazards, i: int) -> float:
+    """Growth of the doubt where hazard `i` is that is not in its distance [m/s]."""
+    if i >= len(hazards.obstacles):
+        return 0.0
+    return MOVER_GROWTH * obstacle_speed(hazards.obstacles, i)
+
+
+@compiled
+def obstacle_speed(obstacles: Rows, i: int) -> float:
+    """How fast row `i` moves [m/s]."""
+    north, east, down = read_obstacle(obstacles[i]).v_n
+    return math.sqrt(north**2 + east**2 + down**2)

@@ -1,0 +1,156 @@
+"""What the operator should read, in plain words."""
+
+from vfguide.aircraft.identification import Identified
+from vfguide.companion.engagement import Phase
+from vfguide.companion.loop_report import is_alarmed
+from vfguide.companion.plan import Plan
+from vfguide.estimation.position_resets import settled
+from vfguide.geometry.rows import Row
+from vfguide.link.messages import GpsGlobalOrigin
+from vfguide.link.px4 import Px4Mode
+from vfguide.loop.state import LoopState, state_of_row
+
+SILENT_UNTIL_CHANGE = (
+    "the autopilot already follows somebody's setpoints: silent until it flies another mode"
+)
+CHOICE_LEFT = "waiting for the operator to choose OFFBOARD"
+LINK_LOST = "link lost, no heartbeat for 3 s: no setpoints until the autopilot is heard again"
+
+ON_ENTERING = {
+    Phase.SEARCHING: LINK_LOST,
+    Phase.ASKING: "asking the autopilot for OFFBOARD",
+    Phase.FLYING: "the autopilot follows",
+    Phase.INTERRUPTED: LINK_LOST,
+    Phase.RETURNING: "handing over: asking the autopilot for HOLD",
+    Phase.RELEASED: "released: the mode was changed to {mode}, no more setpoints",
+    Phase.ENDED: "ended: the autopilot flies {mode}",
+    Phase.UNCONFIRMED: "ended without a link: what the autopilot flies is up to its failsafe",
+}
+
+
+def mode_name(custom_mode: int | None) -> str:
+    """The autopilot's mode, in PX4's words."""
+    if custom_mode is None:
+        return "nothing known"
+    known = custom_mode in set(Px4Mode)
+    return Px4Mode(custom_mode).name if known else f"mode {custom_mode}"
+
+
+def phase_note(before: Phase, after: Phase, custom_mode: int | None, engage: bool) -> str:
+    """What a change of phase means.
+
+    Args:
+        before: the phase that is over.
+        after: the one that begins.
+        custom_mode: what the autopilot flies; None: unknown.
+        engage: whether the companion asks for OFFBOARD by itself.
+    """
+    mode = mode_name(custom_mode)
+    if after is not Phase.OFFERING:
+        return ON_ENTERING[after].format(mode=mode)
+    if before is Phase.ASKING:
+        return CHOICE_LEFT
+    plan = "OFFBOARD will be asked for" if engage else CHOICE_LEFT
+    return f"the autopilot is found, it flies {mode}; setpoints go out, {plan}"
+
+
+def route_note(goal: int, plan: Plan) -> str:
+    """What is flown to."""
+    goals = len(plan.goals)
+    return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
+
+
+def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
+    """A goal was passed with a `miss` [m]; the states of the loop before and after."""
+    was, now = state_of_row(before).mission, state_of_row(after).mission
+    goal = was.goal + 1
+    if now.attempts.given_up > was.attempts.given_up:
+        return f"goal {goal} missed {times(was.attempts.missed + 1)}: {onward(goal, plan)}"
+    if now.goal == was.goal:
+        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {miss:.1f} m off; {route_note(now.goal, plan)}"
+
+
+def onward(passed: int, plan: Plan) -> str:
+    """What follows after so many goals."""
+    return f"going on to goal {passed + 1}" if passed < len(plan.goals) else "loitering"
+
+
+def times(number: int) -> str:
+    """How often, in words."""
+    return "once" if number == 1 else f"{number} times"
+
+
+TESTING = "test flight: {what}"
+NO_ROOM = "no room for a test flight here: flown with what is known of the aircraft"
+BROKEN_OFF = "test flight broken off, something is in its way: nothing was measured"
+MEASURED = "measured: {names}"
+UNSEEN = "not seen well enough, flown as it was known before: {names}"
+
+
+def identified_notes(found: Identified) -> list[str]:
+    """What a test flight has shown."""
+    seen = [str(its) for its in found.findings if its.used]
+    unseen = [its.key for its in found.findings if not its.used]
+    lists = ((MEASURED, seen), (UNSEEN, unseen))
+    return [note.format(names=", ".join(names)) for note, names in lists if names]
+
+
+NO_SENSOR = "no airspeed sensor"
+SENSOR_LOST = "the airspeed sensor is not believed any more"
+ESTIMATED = "airspeed is estimated, it flies faster and with less bank"
+SENSOR_BACK = "the airspeed sensor is believed again"
+JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
+ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
+WEAK_AGAIN = "the wind has fallen"
+NO_PROGRESS = (
+    "no progress to goal {goal}: flown a full circle more than its way has, "
+    "and no nearer than {least:.0f} m along it"
+)
+
+
+def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
+    """The origin of the local frame was told again: where it was, or elsewhere."""
+    if before is None or after is None:
+        return []
+    was = (before.latitude, before.longitude, before.altitude)
+    return [] if was == (after.latitude, after.longitude, after.altitude) else [ORIGIN_MOVED]
+
+
+def progress_notes(before: Row, after: Row) -> list[str]:
+    """A leg has begun to come to no end."""
+    if is_alarmed(before) or not is_alarmed(after):
+        return []
+    s = state_of_row(after)
+    return [NO_PROGRESS.format(goal=s.mission.goal + 1, least=s.progress.least)]
+
+
+def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
+    """What has changed in a step about the air and the autopilot's place."""
+    was, now, notes = state_of_row(before), state_of_row(after), list[str]()
+    trusted, begins = now.estimation.air.sensor.trusted, was.estimation.air.time < 0.0
+    if trusted != was.estimation.air.sensor.trusted or begins:
+        notes += sensor_notes(trusted, begins=begins)
+    resets = now.estimation.resets
+    if resets.number != was.estimation.resets.number and not settled(resets):
+        notes.append(JUMPED.format(size=resets.size))
+    if now.mission.wind_hold.holds != was.mission.wind_hold.holds:
+        notes.append(wind_note(now, plan))
+    return notes
+
+
+def sensor_notes(trusted: bool, *, begins: bool) -> list[str]:
+    """What the airspeed sensor is worth now; nothing where a flight begins with a good one."""
+    if trusted:
+        return [] if begins else [SENSOR_BACK]
+    return [f"{NO_SENSOR if begins else SENSOR_LOST}: {ESTIMATED}"]
+
+
+def wind_note(s: LoopState, plan: Plan) -> str:
+    """A goal cannot be reached in this wind, or can again."""
+    goal, hold = s.mission.goal, s.mission.wind_hold
+    if not hold.holds:
+        return f"{WEAK_AGAIN}: {route_note(goal, plan)}"
+    what = f"goal {goal + 1} unreachable" if goal < len(plan.goals) else "no circle"
+    speed = plan.gains.airspeed
+    return f"{what} now: wind {hold.ratio * speed:.0f} of {speed:.0f} m/s, holding against it"

@@ -1,0 +1,130 @@
+"""The air that is flown in: what is measured where it can be trusted, else what is estimated.
+
+One call of `sense_air` for each step of guidance. It never raises a doubt by itself: what is not
+a number counts as not measured.
+"""
+
+import math
+
+from vfguide.aircraft.flight_model import modelled_flight, smoothed_side_force, specific_force
+from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.state import FlightState
+from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, SensorWatch, VerticalWind
+from vfguide.estimation.wind_filter import (
+    first_estimate,
+    fuse_airspeed,
+    fuse_ground_velocity,
+    fuse_wind,
+    model_airspeed,
+    time_update,
+)
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+
+RESTART_PAUSE = 1.0
+"""After a pause longer than this the estimate begins anew [s]."""
+SHORTEST_STEP = 1e-3
+"""A measurement counts as one that lasts at least this long [s]; so does the first one."""
+IMPLAUSIBLE = 7.0
+"""A sensor this far from what pitch and thrust ask for is not flown on [m/s]."""
+STILL = 0.02
+"""A sensor that moves by less than this stands still [m/s]. The true airspeed of a number that
+stands still moves a little with the height."""
+STUCK_TIME = 3.0
+"""A sensor that has stood still for this long may have failed [s]; but in still air without noise
+an aircraft in trim reads the same for long, ..."""
+STUCK_ERROR = 1.0
+"""... so that one that stands still has failed only if it is this far from what pitch and thrust
+ask for [m/s]."""
+FAILURE_TIME = 2.0
+"""A sensor that has been implausible for this long has failed [s]."""
+RECOVERY_TIME = 5.0
+"""A sensor that has been plausible for this long works again [s]."""
+with_estimate = replacing(AirState, "estimate", "sensor")
+with_step = replacing(AirState, "time", "estimate", "v_n", "side_force", "sensor")
+with_model_airspeed = replacing(SensorWatch, "model_airspeed")
+
+
+@compiled
+def sense_air(
+    state: FlightState, air: AirState, thrust: float, aircraft: Performance, cruise: float
+) -> tuple[FlightState, AirState]:
+    """The state with the airspeed and the wind to fly on, and what is believed of the air.
+
+    Args:
+        state: airspeed and wind as they were measured; not a number: not measured.
+        air: what was believed at the step before.
+        thrust: setpoint of the step before, 0 to 1.
+        aircraft: what flies.
+        cruise: the airspeed that is flown to, the first guess where none is measured [m/s].
+    """
+    dt = state.time - air.time
+    if air.time < 0.0 or not 0.0 <= dt < RESTART_PAUSE:
+        air, dt = first_air(state, aircraft, cruise), SHORTEST_STEP
+    elif dt > 0.0:
+        air = moved_on(state, air, thrust, aircraft, dt)
+    return fused(state, air, dt)
+
+
+@compiled
+def first_air(state: FlightState, aircraft: Performance, cruise: float) -> AirState:
+    """What is believed from one look; `cruise` [m/s] as for `sense_air`."""
+    measured = state.airspeed
+    airspeed = cruise if math.isnan(measured) or measured < 0.5 * cruise else measured
+    flight = modelled_flight(state.R_nb, airspeed, aircraft.thrust_trim, 0.0, aircraft)
+    estimate = first_estimate(state.v_n, airspeed, flight.d_n)
+    sensor = SensorWatch(airspeed, 0.0, 0.0, 0.0, not math.isnan(measured))
+    vertical = VerticalWind(0.0, state.v_n, 0.0)
+    return AirState(state.time, estimate, state.v_n, 0.0, sensor, vertical)
+
+
+@compiled
+def moved_on(
+    state: FlightState, air: AirState, thrust: float, aircraft: Performance, dt: float
+) -> AirState:
+    """What is believed `dt` [s] later, from attitude and velocity over ground alone."""
+    before, R_nb = air.estimate, state.R_nb
+    force_n = specific_force(air.v_n, state.v_n, dt)
+    side_force = smoothed_side_force(air.side_force, force_n, R_nb, dt)
+    flight = modelled_flight(R_nb, before.x[AIRSPEED], thrust, side_force, aircraft)
+    model = model_airspeed(air.sensor.model_airspeed, before, flight, dt)
+    estimate = time_update(before, flight, dt)
+    estimate = fuse_ground_velocity(estimate, state.v_n, flight.d_n, dt)
+    sensor = with_model_airspeed(air.sensor, model)
+    return with_step(air, state.time, estimate, state.v_n, side_force, sensor)
+
+
+@compiled
+def fused(state: FlightState, air: AirState, dt: float) -> tuple[FlightState, AirState]:
+    """`sense_air` with what the airspeed sensor and the autopilot's wind say."""
+    sensor, estimate = watched(air.sensor, state.airspeed, dt), air.estimate
+    plausible = sensor.fault_time <= 0.0 and sensor.trusted
+    if plausible:
+        estimate = fuse_airspeed(estimate, state.airspeed, max(dt, SHORTEST_STEP))
+    wind_n = (estimate.x[NORTH], estimate.x[EAST], -air.vertical.rise)
+    if not math.isnan(state.wind_n[0]):
+        wind_n = (state.wind_n[0], state.wind_n[1], -air.vertical.rise)
+        estimate = fuse_wind(estimate, wind_n, max(dt, SHORTEST_STEP))
+    speed = state.airspeed if plausible else estimate.x[AIRSPEED]
+    flown_on = FlightState(state.time, state.p_n, state.v_n, state.R_nb, speed, wind_n)
+    return flown_on, with_estimate(air, estimate, sensor)
+
+
+@compiled
+def watched(sensor: SensorWatch, measured: float, dt: float) -> SensorWatch:
+    """The watch after `dt` [s] more: judges what the sensor `measured` [m/s], and the sensor."""
+    last, stuck_time = sensor.measured, sensor.stuck_time + dt
+    if not abs(measured - last) < STILL:  # not-a-number too
+        last, stuck_time = measured, 0.0
+    off = abs(measured - sensor.model_airspeed)
+    stuck = stuck_time > STUCK_TIME and off > STUCK_ERROR
+    if off < IMPLAUSIBLE and not stuck:  # false for not-a-number
+        fault_time = min(sensor.fault_time, 0.0) - dt
+    else:
+        fault_time = max(sensor.fault_time, 0.0) + dt
+    trusted = sensor.trusted
+    if stuck or fault_time > FAILURE_TIME:
+        trusted = False
+    elif fault_time < -RECOVERY_TIME and stuck_time < STUCK_TIME:
+        trusted = True
+    return SensorWatch(sensor.model_airspeed, last, stuck_time, fault_time, trusted)

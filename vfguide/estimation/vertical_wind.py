@@ -1,0 +1,67 @@
+"""Air that rises or sinks, from the lift that is felt.
+
+No autopilot tells the vertical wind. The lift tells the angle at which the air meets the wing; the
+attitude and the velocity tell at which it would, were the air level. A gust is the difference: it
+shows before the path bends.
+
+Langelaan, Alley and Neidhoefer, Wind field estimation for small unmanned aerial vehicles, Journal
+of Guidance, Control, and Dynamics 34 (4), 2011: gusts from the difference of motion over ground and
+through the air.
+"""
+
+import math
+
+from vfguide.aircraft.coordinated_turn import angle_of_attack
+from vfguide.aircraft.flight_model import specific_force
+from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.state import FlightState
+from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, VerticalWind
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import dot, sub
+
+RISE_TIME = 0.15
+"""The vertical wind is smoothed with this time constant [s]."""
+GUST_ANGLE_MAX = 0.3
+"""The air rises or sinks no faster than this times the airspeed [rad]."""
+LONGEST_STEP = 0.5
+"""After a pause longer than this the vertical wind begins anew [s]."""
+
+with_vertical = replacing(AirState, "vertical")
+
+
+@compiled
+def feel_rise(measured: FlightState, air: AirState, aircraft: Performance) -> AirState:
+    """What is believed of the air, with how fast it rises by the lift since the last step.
+
+    Args:
+        measured: what the autopilot measured, not predicted: a turn of the fuselage that the
+            velocity does not show yet would count as a gust.
+        air: what is believed since the last step.
+        aircraft: its lift.
+    """
+    level_n = sub(measured.v_n, (air.estimate.x[NORTH], air.estimate.x[EAST], 0.0))
+    alpha = angle_of_attack(measured.R_nb, level_n)
+    rise = 0.0
+    if air.time >= 0.0 and 0.0 < measured.time - air.time < LONGEST_STEP:
+        rise = rise_by_lift(measured, alpha, air, aircraft)
+    return with_vertical(air, VerticalWind(rise, measured.v_n, alpha))
+
+
+@compiled
+def rise_by_lift(
+    measured: FlightState, alpha: float, air: AirState, aircraft: Performance
+) -> float:
+    """How fast the air rises [m/s], smoothed; `alpha` [rad] is now what it is in level air."""
+    before, dt, R = air.vertical, measured.time - air.time, measured.R_nb
+    z_n = (R[0][2], R[1][2], R[2][2])
+    halfway = 0.5 * (alpha + before.alpha)
+    force_n = specific_force(before.v_n, measured.v_n, dt)
+    speed = max(air.estimate.x[AIRSPEED], 0.5 * aircraft.airspeed_min)
+    load = -dot(force_n, z_n) / G0
+    gust = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed) - halfway
+    if not math.isfinite(gust):
+        return before.rise
+    rise = speed * z_n[2] * max(-GUST_ANGLE_MAX, min(GUST_ANGLE_MAX, gust))
+    return before.rise + dt / (RISE_TIME + dt) * (rise - before.rise)

@@ -1,0 +1,200 @@
+"""Wind and airspeed from ground velocity, attitude, thrust, and an airspeed sensor if there is one.
+
+An extended Kalman filter after the wind triangle: ground velocity = wind + V d, where d is the
+direction of flight through the air (`flight_model`). Along d wind and airspeed cannot be told
+apart; a turn does it, and between turns the airspeed sensor, or else the model of thrust and drag.
+The sensor's bias is a state of the filter, as its scale factor is in Cho et al.
+
+Errors that last, of slip in gusts and of velocity, count as white noise that carries as little.
+
+Beard and McLain, Small Unmanned Aircraft, 2012: the wind triangle (chapter 2) and the extended
+Kalman filter with one measurement at a time (chapter 8).
+Cho, Kim, Lee and Kee, Wind estimation and airspeed calibration using a UAV with a single-antenna
+GPS receiver and pitot tube, IEEE Transactions on Aerospace and Electronic Systems 47 (1), 2011.
+"""
+
+import math
+
+import numpy as np
+
+from vfguide.aircraft.flight_model import ModelledFlight
+from vfguide.estimation.air_state import (
+    ACCELERATION_BIAS,
+    AIRSPEED,
+    EAST,
+    NORTH,
+    SENSOR_BIAS,
+    STATES,
+    YAW,
+    Covariance,
+    StateVector,
+    WindEstimate,
+)
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+
+PROCESS_NOISE = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
+"""Growth of the variances in a second, in the squared units of the state vector: gusts carry wind
+and airspeed away, while the others hardly change."""
+INITIAL_SIGMA = (20.0, 20.0, 2.5, 3.0 * DEG, 1.0, 0.15)
+"""Standard deviations before anything is measured, in the units of the state vector: those of the
+wind are so large that airspeed and ground velocity tell it."""
+INITIAL_TIME = 0.1
+"""The first ground velocity counts as one that is measured for this time [s]."""
+ALONG_NOISE = 0.8
+"""Error of the wind triangle along the direction of flight [m/s], lasting a second."""
+ACROSS_NOISE = 1.3
+"""Error of the wind triangle across the direction of flight [m/s], lasting a second."""
+SENSOR_NOISE = 0.5
+"""Noise of the airspeed sensor [m/s], lasting 0.1 s: it is told ten times a second."""
+WIND_NOISE = 1.0
+"""Error of the autopilot's wind [m/s], lasting 5 s."""
+MODEL_MEMORY = 5.0
+"""The airspeed of the model follows the estimate with this time constant [s]."""
+
+Vec6 = tuple[float, float, float, float, float, float]
+"""A number for each entry of the state vector."""
+Observation = Vec6
+"""A row of the observation matrix: how a measurement changes with each entry of the state vector,
+in its unit over theirs."""
+
+
+@compiled
+def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
+    """The estimate from one look.
+
+    Args:
+        v_n: velocity over ground, NED [m/s].
+        airspeed: a guess of the true airspeed [m/s].
+        d_n: direction of flight through the air, NED.
+    """
+    x, P = np.zeros(STATES), np.zeros((STATES, STATES))
+    x[NORTH] = v_n[0] - airspeed * d_n[0]
+    x[EAST] = v_n[1] - airspeed * d_n[1]
+    x[AIRSPEED] = airspeed
+    for k in range(STATES):
+        P[k, k] = INITIAL_SIGMA[k] ** 2
+    return fuse_ground_velocity(WindEstimate(x, P), v_n, d_n, INITIAL_TIME)
+
+
+@compiled
+def time_update(estimate: WindEstimate, flight: ModelledFlight, dt: float) -> WindEstimate:
+    """The estimate `dt` [s] later: x = f(x), P = F P F^T + Q.
+
+    F is the identity but for the row of the airspeed.
+    """
+    x, P = estimate.x.copy(), estimate.P.copy()
+    x[AIRSPEED] += dt * (flight.acceleration + x[ACCELERATION_BIAS])
+    keep = 1.0 + dt * flight.slope
+    for k in range(STATES):
+        P[AIRSPEED, k] = keep * P[AIRSPEED, k] + dt * P[ACCELERATION_BIAS, k]
+    for k in range(STATES):
+        P[k, AIRSPEED] = keep * P[k, AIRSPEED] + dt * P[k, ACCELERATION_BIAS]
+    for k in range(STATES):
+        P[k, k] += PROCESS_NOISE[k] * dt
+    return WindEstimate(x, P)
+
+
+@compiled
+def measurement_update(
+    estimate: WindEstimate, h: Observation, innovation: float, variance: float
+) -> WindEstimate:
+    """The estimate after one measurement.
+
+    Args:
+        estimate: before it.
+        h: the measurement's derivative with respect to the state vector.
+        innovation: what was measured less what was expected.
+        variance: of the measurement's error.
+    """
+    before, Ph = estimate, product(estimate.P, h)
+    total = variance
+    for k in range(STATES):
+        total += h[k] * Ph[k]
+    x, P = np.empty(STATES), np.empty((STATES, STATES))
+    for i in range(STATES):
+        x[i] = before.x[i] + Ph[i] * innovation / total
+        for j in range(STATES):
+            P[i, j] = before.P[i, j] - Ph[i] * Ph[j] / total
+    return WindEstimate(x, P)
+
+
+@compiled
+def product(P: Covariance, h: Observation) -> Vec6:
+    """P h: the covariance of the estimates with what is measured."""
+    return (
+        weighted(P[0], h),
+        weighted(P[1], h),
+        weighted(P[2], h),
+        weighted(P[3], h),
+        weighted(P[4], h),
+        weighted(P[5], h),
+    )
+
+
+@compiled
+def weighted(values: StateVector, h: Observation) -> float:
+    """The sum of the values, each times its weight."""
+    total = 0.0
+    for k in range(STATES):
+        total += values[k] * h[k]
+    return total
+
+
+@compiled
+def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float) -> WindEstimate:
+    """Wind, airspeed and azimuth from the ground velocity, along and across the flight.
+
+    Args:
+        estimate: before it.
+        v_n: velocity over ground, NED [m/s].
+        d_n: direction of flight through the air, NED, by the attitude.
+        dt: time since the last ground velocity [s].
+    """
+    x = estimate.x
+    level = max(math.hypot(d_n[0], d_n[1]), 0.1)
+    azimuth = math.atan2(d_n[1], d_n[0]) + x[YAW]
+    c, s = math.cos(azimuth), math.sin(azimuth)
+    north, east = v_n[0] - x[NORTH], v_n[1] - x[EAST]
+    speed = level * x[AIRSPEED]
+    along, across = c * north + s * east - speed, c * east - s * north
+    h_across, h_along = (-s, c, 0.0, speed, 0.0, 0.0), (c, s, level, 0.0, 0.0, 0.0)
+    estimate = measurement_update(estimate, h_across, across, ACROSS_NOISE * ACROSS_NOISE / dt)
+    return measurement_update(estimate, h_along, along, ALONG_NOISE * ALONG_NOISE / dt)
+
+
+@compiled
+def fuse_airspeed(estimate: WindEstimate, measured: float, dt: float) -> WindEstimate:
+    """Airspeed and bias of its sensor from what it `measured` [m/s], `dt` [s] after the last."""
+    h = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0)
+    innovation = measured - estimate.x[AIRSPEED] - estimate.x[SENSOR_BIAS]
+    return measurement_update(estimate, h, innovation, SENSOR_NOISE * SENSOR_NOISE * 0.1 / dt)
+
+
+@compiled
+def fuse_wind(estimate: WindEstimate, wind_n: Vec3, dt: float) -> WindEstimate:
+    """Wind from the autopilot's own estimate, NED [m/s], `dt` [s] after the last."""
+    variance = WIND_NOISE * WIND_NOISE * 5.0 / dt
+    north, east = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
+    estimate = measurement_update(estimate, north, wind_n[0] - estimate.x[NORTH], variance)
+    return measurement_update(estimate, east, wind_n[1] - estimate.x[EAST], variance)
+
+
+@compiled
+def model_airspeed(
+    airspeed: float, estimate: WindEstimate, flight: ModelledFlight, dt: float
+) -> float:
+    """The airspeed [m/s] that pitch and thrust alone ask for: what the sensor is judged by.
+
+    It forgets in MODEL_MEMORY, so that errors of the model do not add up.
+
+    Args:
+        airspeed: the same at the step before [m/s].
+        estimate: of the step before.
+        flight: by the model, at the airspeed of the estimate.
+        dt: time since the step before [s].
+    """
+    believed, bias = estimate.x[AIRSPEED], estimate.x[ACCELERATION_BIAS]
+    acceleration = flight.acceleration + flight.slope * (airspeed - believed) + bias
+    return airspeed + dt * (acceleration + (believed - airspeed) / MODEL_MEMORY)

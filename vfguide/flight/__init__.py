@@ -1,1 +1,0 @@
-"""From a field to a flyable aeroplane: approach, wind, attitude reference, energy."""

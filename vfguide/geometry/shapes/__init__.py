@@ -1,0 +1,1 @@
+"""Convex bodies as level functions: one module a family."""

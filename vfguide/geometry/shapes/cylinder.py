@@ -1,0 +1,89 @@
+"""Upright cylinders with rounded edges: U = ((x^2 + y^2) / R^2)^4 + (2 z / h)^8."""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.shapes.base import (
+    BESIDE,
+    EDGED,
+    Kind,
+    Level,
+    Section,
+    Shape,
+    checked,
+    eighth_root,
+    even_power,
+)
+from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
+from vfguide.geometry.vector import Vec3
+
+
+def cylinder(radius: float, height: float) -> Shape:
+    """Upright cylinder of a radius and a full height [m].
+
+    Raises:
+        ValueError: a size is not positive.
+    """
+    return checked(Kind.CYLINDER, (radius, radius, 0.5 * height), (EDGED, EDGED, EDGED))
+
+
+@compiled
+def cylinder_level(w: Vec3) -> Level:
+    """U = (w_x^2 + w_y^2)^4 + w_z^8."""
+    rho = math.hypot(w[0], w[1])
+    t, d, dd = even_power(rho, EDGED)
+    tz, dz, ddz = even_power(w[2], EDGED)
+    if rho == 0.0:
+        return Level(tz, (0.0, 0.0, dz), ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, ddz)))
+    c, s, across = w[0] / rho, w[1] / rho, d / rho
+    xx, xy, yy = dd * c * c + across * s * s, (dd - across) * c * s, dd * s * s + across * c * c
+    hessian = ((xx, xy, 0.0), (xy, yy, 0.0), (0.0, 0.0, ddz))
+    return Level(t + tz, (d * c, d * s, dz), hessian)
+
+
+@compiled
+def cylinder_section(shape: Shape, w: float) -> Section:
+    """The section `w` half heights below the centre."""
+    (a, b, _), (_, _, r) = shape.semi_axes, shape.exponents
+    if w < -1.0 or w > 1.0:
+        return Section(0.0, 0.0, 1.0, 1.0)
+    left = 1.0 - abs(w) ** (2.0 * r)
+    part = left ** (0.5 / EDGED)
+    return Section(part * a, part * b, 1.0, 1.0)
+
+
+def cylinder_rays(latitude: Array, longitude: Array) -> Rays:
+    """Directions that end on the surface."""
+    return upright_rays(latitude, longitude, EDGED)
+
+
+@compiled
+def cylinder_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
+    """At most the distance from an upright cylinder of the level functions, in its axes [m]."""
+    sharp = upright_distance(x, y, z, radius, half_height)
+    if sharp > BESIDE * max(radius, half_height):
+        return sharp
+    return max(sharp, cylinder_gauge(x, y, z, radius, half_height))
+
+
+@compiled
+def upright_distance(x: float, y: float, z: float, radius: float, half_height: float) -> float:
+    """Distance from the upright cylinder with sharp edges [m], negative inside."""
+    u, w = math.sqrt(x * x + y * y) - radius, abs(z) - half_height
+    if max(u, w) <= 0.0:
+        return max(u, w)
+    u, w = max(u, 0.0), max(w, 0.0)
+    return math.sqrt(u * u + w * w)
+
+
+@compiled
+def cylinder_gauge(x: float, y: float, z: float, radius: float, half_height: float) -> float:
+    """The gauge's bound of a cylinder [m]; no bound inside: minus infinity."""
+    u, w = (x * x + y * y) / (radius * radius), z / half_height
+    w2 = w * w
+    u4, w8 = u * u * u * u, w2 * w2 * w2 * w2
+    level = u4 + w8
+    if level <= 1.0:
+        return -math.inf
+    gu, gw = u4 / (math.sqrt(u) * radius + 1e-300), w8 / (abs(w) * half_height + 1e-300)
+    return (level - eighth_root(level) ** 7) / math.sqrt(gu * gu + gw * gw)

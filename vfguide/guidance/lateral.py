@@ -1,0 +1,66 @@
+"""The horizontal half of the flight law: from the state to a course, from there to a turn."""
+
+import math
+
+from vfguide.aircraft.coordinated_turn import Lift, lift_for_turn
+from vfguide.aircraft.envelope import radius_in, usable_bank
+from vfguide.aircraft.performance import Gains, Performance
+from vfguide.aircraft.state import FlightState
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+from vfguide.guidance.wind_triangle import Heading
+from vfguide.paths.course_laws import Course, Planar, loiter_course
+from vfguide.paths.leg import Leg
+from vfguide.paths.leg_phases import leg_course
+from vfguide.planning.leg_planning import in_goal_plane
+from vfguide.planning.objective import Target
+
+LATERAL_FEEDBACK = 12.0
+"""Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
+OPPOSITE = 2.5
+"""Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
+
+
+@compiled
+def target_course(
+    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
+) -> Course:
+    """The course over ground of a leg, or round a circle, relative to the target's."""
+    at = in_goal_plane(state, target)
+    if target.circle != 0.0:
+        return loiter(at, target, leg)
+    core = gains.core * radius_in(0.0, usable_bank(aircraft, gains, gains.airspeed), gains)
+    return leg_course(leg, at, core)
+
+
+@compiled
+def loiter(at: Planar, target: Target, leg: Leg) -> Course:
+    """Course round the target's circle, which touches the target's pose."""
+    radius = max(target.radius, leg.radius)
+    about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
+    return loiter_course(about, target.circle, radius)
+
+
+@compiled
+def plan_turn(
+    heading: Heading,
+    azimuth: float,
+    gamma: float,
+    speed: float,
+    bank_max: float,
+    aircraft: Performance,
+    gains: Gains,
+    turning: float,
+) -> tuple[Lift, float]:
+    """Lift that turns the air velocity onto the wanted azimuth, and the side it turns to.
+
+    An error near 180 degrees is turned away to the side of the present turn.
+    """
+    error = wrap(heading.psi - azimuth)
+    if abs(error) > OPPOSITE and error * turning < 0.0:
+        error += 2.0 * math.pi * turning
+    feedback = gains.k_lateral * speed * error
+    feedback = max(-LATERAL_FEEDBACK, min(LATERAL_FEEDBACK, feedback))
+    lateral = speed * math.cos(gamma) * heading.psi_rate + feedback
+    lift = lift_for_turn(lateral, gamma, bank_max, aircraft.load_max)
+    return lift, 1.0 if lateral >= 0.0 else -1.0

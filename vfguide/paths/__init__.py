@@ -1,0 +1,1 @@
+"""Paths of bounded curvature, and the leg along one to a goal."""

@@ -1,0 +1,86 @@
+"""Which of the courses of `approach` to fly: the leg to a goal as a small state machine.
+
+    NEW -> (AWAY ->) WAY -> FIELD
+
+A leg begins as `begin` says; from the last turn of its way the paper's field is taken up. What
+does not lead on any more is planned anew.
+"""
+
+from vfguide.aircraft.performance import Gains
+from vfguide.geometry.compiled import compiled
+from vfguide.paths.course_laws import Course, Planar, field_course
+from vfguide.paths.field_capture import off_field, rolls_out, stays_in_field, takes_up_field
+from vfguide.paths.leg import AWAY, FIELD, NEW, WAY, Leg, before_end, in_phase
+from vfguide.paths.leg_start import Paths, begin_here, begin_leg
+from vfguide.paths.path_progress import along, beside, leads_straight_on, way_course, way_left
+
+OFF_WAY = 0.5
+"""A way is planned anew where the vehicle is farther beside it than this, in radii."""
+BREAK_OFF = 0.9
+"""A way is planned anew when it is shorter than this part of what the height needs."""
+
+
+@compiled
+def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
+    """The memory of the leg after one step: the phase that is flown now.
+
+    Args:
+        leg: memory of the leg.
+        at: the vehicle in the plane of the goal frame.
+        paths: that the rest of the change of height takes.
+        gains: of the approach.
+    """
+    entry = before_end(leg, at)
+    after = go_on(leg, entry)
+    if after.phase == NEW:
+        return begin_leg(after, at, paths, gains)
+    if after.phase == AWAY:
+        return begin_here(after, at, paths.needed, gains).leg
+    to_go = entry_course(after, entry, leg.radius).remaining
+    if after.phase == FIELD:
+        to_go += leg.radius * off_field(entry)
+    if BREAK_OFF * (paths.needed - leg.final) > to_go > 2.0 * leg.radius:
+        return begin_leg(in_phase(leg, NEW, leg.way), at, paths, gains)
+    return after
+
+
+@compiled
+def leg_course(leg: Leg, at: Planar, core: float) -> Course:
+    """The course of the phase that is flown, and the path length to the goal.
+
+    `core` is where the field becomes that of a line [m], see `field_course`.
+    """
+    toward = entry_course(leg, before_end(leg, at), core)
+    return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final)
+
+
+@compiled
+def entry_course(leg: Leg, at: Planar, core: float) -> Course:
+    """The same to the beginning of the straight end, which is the origin here.
+
+    Away from the goal the path counts as no longer than the radius, so that it is as steep as it
+    may be.
+    """
+    if leg.phase == WAY:
+        return way_course(leg.way, at)
+    if leg.phase == AWAY:
+        return Course(leg.away, 0.0, leg.radius)
+    return field_course(at, core)
+
+
+@compiled
+def go_on(leg: Leg, entry: Planar) -> Leg:
+    """The leg as far as it leads on, else a new one."""
+    if leg.phase == FIELD:
+        leads_on = stays_in_field(leg, entry) and entry.x < leg.final
+        return in_phase(leg, FIELD if leads_on else NEW, leg.way)
+    if leg.phase == WAY:
+        way = along(leg.way, entry)
+        if leads_straight_on(way) and takes_up_field(leg, entry):
+            return in_phase(leg, FIELD, way)
+        if rolls_out(leg, entry, way_left(way)):
+            return in_phase(leg, FIELD, way)
+        if way_left(way) <= 0.0:
+            return in_phase(leg, NEW, way)
+        return in_phase(leg, WAY if beside(way, entry) < OFF_WAY * leg.radius else NEW, way)
+    return leg

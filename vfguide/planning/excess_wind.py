@@ -1,0 +1,65 @@
+"""Wind about as fast as the aircraft flies: no course can be promised, so it holds against it.
+
+The hold is flown in the frame of the air: there the wind is still, and going backwards over
+ground turns nothing round. The aircraft points into the wind, level, at its airspeed.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.aircraft.state import FlightState
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import sub
+from vfguide.planning.objective import Target
+
+TOO_STRONG = 0.95
+"""A goal is given up while the wind is above this part of the airspeed, ..."""
+WEAK_AGAIN = 0.85
+"""... until it is below this."""
+SETTLING = 3.0
+"""The ratio of the two is smoothed over this time, so that a gust changes nothing [s]."""
+STRAIGHT = 1e5
+"""Radius of the circle that is flown as a straight line [m]."""
+
+
+class Stand(NamedTuple):
+    """Memory of the hold against the wind."""
+
+    ratio: float
+    """Wind over airspeed, smoothed; negative before the first step."""
+    holds: bool
+    down: float
+    """Height that is held, NED [m]."""
+
+
+@compiled
+def new_stand() -> Stand:
+    """Nothing is known of the wind yet."""
+    return Stand(-1.0, False, 0.0)
+
+
+@compiled
+def stand_against(stand: Stand, state: FlightState, airspeed: float, dt: float) -> Stand:
+    """Whether to hold now; `airspeed` is what is flown to [m/s], `dt` the time step [s]."""
+    now = math.hypot(state.wind_n[0], state.wind_n[1]) / airspeed
+    ratio = (
+        now if stand.ratio < 0.0 else stand.ratio + min(dt / SETTLING, 1.0) * (now - stand.ratio)
+    )
+    if stand.holds:
+        return Stand(ratio, ratio > WEAK_AGAIN, stand.down)
+    return Stand(ratio, ratio > TOO_STRONG, state.p_n[2])
+
+
+@compiled
+def in_air_frame(state: FlightState) -> FlightState:
+    """The state in a frame that drifts with the wind."""
+    v_n = sub(state.v_n, state.wind_n)
+    return FlightState(state.time, state.p_n, v_n, state.R_nb, state.airspeed, (0.0, 0.0, 0.0))
+
+
+@compiled
+def into_wind(stand: Stand, state: FlightState) -> Target:
+    """The line from here against the wind, at the height that is held."""
+    course = math.atan2(-state.wind_n[1], -state.wind_n[0])
+    here = (state.p_n[0], state.p_n[1], stand.down)
+    return Target(here, course, 0.0, 1.0, STRAIGHT)

@@ -1,0 +1,128 @@
+"""How figures look: colours that the colour-blind can tell apart, sizes, PNG."""
+
+import warnings
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from io import BytesIO
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Series, Vec3
+from vfguide.report.obstacle_drawing import Body, body_of
+from vfguide.report.traffic_drawing import Passer, passers_of
+from vfguide.results.record import FlightRecord
+from vfguide.scenario.load import LoadedScenario
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+"""Okabe and Ito's palette, of which the yellow is too light on white."""
+STYLES = ("solid", "dashed", "dashdot", "dotted")
+COLUMNS = 6
+"""Entries in a row of a legend."""
+GOAL = "#111111"
+MUTED = "#6b7280"
+
+_LOOK: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "axes.titlesize": 12,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.edgecolor": "#9ca3af",
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "grid.color": "#e5e7eb",
+    "grid.linewidth": 0.8,
+    "legend.frameon": False,
+    "lines.linewidth": 1.8,
+    "lines.solid_capstyle": "round",
+    "savefig.dpi": 140,
+    "savefig.pad_inches": 0.15,
+}
+
+
+@dataclass(frozen=True)
+class Flights:
+    """What the figures show: a scenario and the flights of its vehicles."""
+
+    loaded: LoadedScenario
+    records: Sequence[FlightRecord]
+
+    @property
+    def several(self) -> bool:
+        """There is more than one vehicle, so that lines need a legend."""
+        return len(self.records) > 1
+
+    @property
+    def kinematic(self) -> bool:
+        """The vehicles are rigid bodies without air, engine or ground."""
+        return self.loaded.scenario.plant == "kinematic"
+
+    @property
+    def guarded(self) -> bool:
+        """The run-time assurance had something to keep clear of."""
+        return any(record.decisions is not None for record in self.records)
+
+    @cached_property
+    def bodies(self) -> tuple[Body, ...]:
+        """The obstacles over the time of the flights."""
+        seconds = float(self.records[0].time[-1])
+        return tuple(body_of(its, seconds) for its in self.loaded.scenario.obstacles)
+
+    @cached_property
+    def passers(self) -> tuple[Passer, ...]:
+        """The other aircraft over the time of the flights."""
+        return passers_of(self.loaded.scenario, self.records)
+
+
+def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
+    """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed.
+
+    Figures that leave the layout to matplotlib are cut to what they show; those that set it
+    themselves take a third of the time.
+    """
+    with mpl.rc_context(_LOOK), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing")
+        figure = Figure()
+        draw(figure, flights)
+        png = BytesIO()
+        bbox = "tight" if figure.get_layout_engine() else None
+        figure.savefig(png, format="png", bbox_inches=bbox)
+    return png.getvalue()
+
+
+def line_of(index: int) -> dict[str, Any]:
+    """Colour and style of the line of a vehicle, by its place in the scenario."""
+    style = STYLES[index // len(COLOURS) % len(STYLES)]
+    return {"color": COLOURS[index % len(COLOURS)], "linestyle": style}
+
+
+def vehicle_lines(flights: Flights) -> list[Line2D]:
+    """Legend entries of the vehicles."""
+    return [
+        Line2D([], [], **line_of(index), label=f"Vehicle {record.vehicle.id}")
+        for index, record in enumerate(flights.records)
+    ]
+
+
+def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:
+    """e_d = (cos c cos h, cos c sin h, -sin c): the x axis of the goal frame in NED."""
+    h, c = heading_deg * DEG, climb_deg * DEG
+    return (
+        float(np.cos(c) * np.cos(h)),
+        float(np.cos(c) * np.sin(h)),
+        float(-np.sin(c)),
+    )
+
+
+def broken(angle_deg: Series) -> Series:
+    """Angles with NaN where they jump round the circle, so that no line is drawn there."""
+    jumps = np.abs(np.diff(angle_deg, prepend=angle_deg[:1])) > 180.0
+    return np.where(jumps, np.nan, angle_deg)

@@ -1,0 +1,59 @@
+"""Surfaces U = 1 of obstacles as meshes, and their outlines in a plane."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.field.obstacle import Obstacle
+from vfguide.geometry.shapes.base import Shape
+from vfguide.geometry.shapes.distance import onto_surface
+from vfguide.geometry.shapes.shape import surface_rays
+from vfguide.geometry.so3 import rot_z
+
+Array = NDArray[np.float64]
+
+ROWS, COLUMNS = 25, 49
+"""Of a mesh: from pole to pole, and round the vertical; they meet the middle of every edge."""
+
+
+def surface_mesh(obstacle: Obstacle) -> Array:
+    """Points of the surface U = 1 at t = 0, (ROWS, COLUMNS, 3), NED [m].
+
+    They lie on rays from the centre that crowd where the shape has an edge. The first and the last
+    column are the same; all points of the first row are one pole, all of the last row the other.
+    """
+    shape = obstacle.shape
+    rays = mesh_rays(shape).reshape(-1, 3).tolist()
+    points = np.array([onto_surface(shape, (x, y, z)) for x, y, z in rays])
+    R_no: Any = np.array(rot_z(obstacle.heading))
+    return (points @ R_no.T + obstacle.p_n).reshape(ROWS, COLUMNS, 3)
+
+
+def mesh_rays(shape: Shape) -> Array:
+    """Directions in the body's own axes, (ROWS, COLUMNS, 3), from z < 0 to z > 0 [m]."""
+    latitude = np.linspace(-np.pi / 2.0, np.pi / 2.0, ROWS)[:, None]
+    longitude = np.linspace(-np.pi, np.pi, COLUMNS)
+    rays = np.broadcast_arrays(*surface_rays(shape, latitude, longitude))
+    return np.stack(rays, axis=-1) * shape.semi_axes
+
+
+def outline(points: Array) -> Array:
+    """Corners of the convex hull of `points` (..., 2) in the plane, in order, (k, 2)."""
+    flat: list[list[float]] = np.unique(points.reshape(-1, 2), axis=0).tolist()
+    return np.array(_chain(flat) + _chain(flat[::-1]))
+
+
+def _chain(points: list[list[float]]) -> list[list[float]]:
+    """Corners of the hull from the first of sorted points to the last, which is left out."""
+    corners: list[list[float]] = []
+    for point in points:
+        while len(corners) > 1 and not _turns(corners[-2], corners[-1], point):
+            corners.pop()
+        corners.append(point)
+    return corners[:-1] or corners
+
+
+def _turns(a: list[float], b: list[float], c: list[float]) -> bool:
+    """Whether the way from `a` by `b` to `c` turns from the first axis to the second."""
+    return (b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0])

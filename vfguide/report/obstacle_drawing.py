@@ -1,0 +1,125 @@
+"""Obstacles as figures show them: surfaces and outlines, those that move at several times."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
+
+from vfguide.geometry.vector import Series, Vector, Vectors
+from vfguide.report.meshes import Array, outline, surface_mesh
+from vfguide.scenario.obstacles import obstacle_of
+from vfguide.scenario.resolved import Obstacle
+
+OBSTACLE = "#b8c2cf"
+EDGE = "#7d8a9b"
+FAINT = 0.35
+"""Opacity of where a moving obstacle was before, in parts of that of where it ended."""
+TIMES = 5
+"""A moving obstacle is shown so often, at equal times from the start to the end."""
+LONGEST_NAME = 20
+MOST_NAMES = 20
+"""More obstacles than these are not named in a figure."""
+_TRACK: Any = {"color": EDGE, "linestyle": (0, (5, 3)), "linewidth": 1.1}
+
+
+@dataclass(frozen=True)
+class Body:
+    """An obstacle over the time of a run."""
+
+    name: str
+    surface: Array
+    """(n, m, 3) at the start, NED [m]."""
+    track: Vectors
+    """(2, 3) its centre at the start and at the end."""
+
+    @property
+    def moves(self) -> bool:
+        """It does not stay where it is."""
+        return bool((self.track[0] != self.track[1]).any())
+
+    @property
+    def places(self) -> list[tuple[Vector, float]]:
+        """The ways to where it is shown, (3,) each, and how opaque it is there."""
+        way = self.track[1] - self.track[0]
+        parts: Series = np.linspace(0.0, 1.0, TIMES if self.moves else 1)
+        return [(part * way, FAINT) for part in parts[:-1]] + [(way, 1.0)]
+
+
+def body_of(obstacle: Obstacle, seconds: float) -> Body:
+    """The obstacle over the first `seconds`."""
+    start, velocity = np.array(obstacle.position_m), np.array(obstacle.velocity_mps)
+    track = np.array((start, start + velocity * seconds))
+    return Body(obstacle.name, surface_mesh(obstacle_of(obstacle)), track)
+
+
+def short(name: str) -> str:
+    """As much of a name as a figure has room for; matplotlib's dollar signs are put as they are."""
+    cut = name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
+    return cut.replace("$", r"\$")
+
+
+def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
+    """Their outlines on the plane that `onto`, (3, 2), projects to."""
+    for body in bodies:
+        corners = outline(body.surface @ onto)
+        for way, opacity in body.places:
+            x, y = (corners + way @ onto).T
+            face, edge = (OBSTACLE, 0.6 * opacity), (EDGE, opacity)
+            axes.fill(x, y, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=1.2)
+        if body.moves:
+            axes.plot(*(body.track @ onto).T, zorder=1.3, **_TRACK)
+
+
+def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
+    """Their names where they are at the end, unless there are too many."""
+    for body in bodies if len(bodies) <= MOST_NAMES else ():
+        write_name(axes, body.name, body.track[1] @ onto, "#374151")
+
+
+def write_name(axes: Axes, name: str, at: Vector, color: str) -> None:
+    """A name in the middle of a place, (2,), readable on lines and surfaces."""
+    halo = [withStroke(linewidth=2.5, foreground="white", alpha=0.8)]
+    look: Any = {"ha": "center", "va": "center", "fontsize": 8, "path_effects": halo}
+    axes.text(at[0], at[1], short(name), clip_on=True, color=color, zorder=1.7, **look)
+
+
+def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
+    """Their surfaces in axes east, north, up, with their outlines on the floor at its height."""
+    for body in bodies:
+        for way, opacity in body.places:
+            x, y, z = np.moveaxis(east_north_up(body.surface + way), -1, 0)
+            grid: Any = {"rcount": len(x), "ccount": len(x.T), "axlim_clip": True}
+            look: Any = {"color": OBSTACLE, "alpha": 0.35 * opacity, "linewidth": 0.0}
+            axes.plot_surface(x, y, z, zorder=1.0, **grid, **look)
+            shadow: Vectors = outline(np.stack((x, y), axis=-1))
+            axes.plot(
+                *np.vstack((shadow, shadow[:1])).T,
+                floor,
+                color="#d1d5db",
+                lw=1.0,
+                zorder=0.5,
+                axlim_clip=True,
+            )
+        if body.moves:
+            axes.plot(*east_north_up(body.track).T, zorder=1.5, axlim_clip=True, **_TRACK)
+
+
+def east_north_up(p_n: Vectors) -> Vectors:
+    """Positions (..., 3) in the order of the axes of a figure."""
+    return p_n[..., [1, 0, 2]] * (1.0, 1.0, -1.0)
+
+
+def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
+    """Entries of a legend."""
+    here = Patch(facecolor=OBSTACLE, edgecolor=EDGE, alpha=0.7)
+    if not any(body.moves for body in bodies):
+        here.set_label("Obstacle")
+        return [here] if bodies else []
+    here.set_label("Obstacle, at the end")
+    before = Patch(facecolor=OBSTACLE, edgecolor=EDGE, alpha=FAINT * 0.7, label="Obstacle, before")
+    return [here, before, Line2D([], [], **_TRACK, label="Way of its centre")]

@@ -1,0 +1,82 @@
+"""Panels under each other over one time axis."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from vfguide.report.drawing import COLUMNS, GOAL, MUTED, Flights, line_of, vehicle_lines
+from vfguide.results.record import Array, FlightRecord
+
+LIMIT: Any = {"color": MUTED, "linestyle": (0, (4, 3)), "linewidth": 1.2}
+WANTED: Any = {"color": GOAL, "linewidth": 0.9}
+WIDTH = 8.6
+"""Of the figures [inch]."""
+ROW = 1.75
+"""Height of one of several panels [inch]."""
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One pair of axes: what is drawn over time, and the limits it should keep."""
+
+    label: str
+    values: Callable[[FlightRecord], Array]
+    limits: Sequence[float] = ()
+    wanted: Callable[[FlightRecord], Array] | None = None
+    """What was commanded, drawn beside what was flown."""
+
+
+def draw_panels(
+    figure: Figure, flights: Flights, title: str, panels: Sequence[Panel], marks: Sequence[Artist]
+) -> Sequence[Axes]:
+    """The panels, and the legend with `marks` below."""
+    legend = [*(vehicle_lines(flights) if flights.several else ()), *marks]
+    grid = lay_out(figure, title, len(panels), legend)
+    for axes, panel in zip(grid, panels, strict=True):
+        _draw_panel(axes, panel, flights)
+    return grid
+
+
+def lay_out(
+    figure: Figure, title: str, rows: int, legend: Sequence[Artist], row: float = ROW
+) -> Sequence[Axes]:
+    """Empty axes, `rows` of them of the height `row` [inch], and the legend below."""
+    columns = _columns(legend)
+    bottom = 0.55 + 0.24 * math.ceil(len(legend) / columns)
+    height = 0.4 + row * rows + bottom
+    figure.set_size_inches(WIDTH, height)
+    figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
+    grid: list[Axes] = [*figure.subplots(rows, 1, sharex=True, squeeze=False).ravel()]
+    grid[0].set_title(title)
+    grid[-1].set_xlabel("Time [s]")
+    if legend:
+        figure.legend(handles=legend, loc="lower center", ncols=columns)
+    return grid
+
+
+def _columns(legend: Sequence[Artist]) -> int:
+    """How many entries of the legend have room beside each other."""
+    longest = max((len(str(entry.get_label())) for entry in legend), default=0)
+    return max(1, min(len(legend), COLUMNS, int(WIDTH / (0.67 + 0.084 * longest))))
+
+
+def name_axis(axes: Axes, label: str) -> None:
+    """The label of the vertical axis, at one distance in all panels, and the margins."""
+    axes.set_ylabel(label)
+    axes.yaxis.set_label_coords(-0.08, 0.5)
+    axes.margins(x=0.01, y=0.12)
+
+
+def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
+    for limit in panel.limits:
+        axes.axhline(limit, **LIMIT)
+    for index, record in enumerate(flights.records):
+        axes.plot(record.time, panel.values(record), **line_of(index))
+        if panel.wanted is not None:
+            axes.plot(record.time, panel.wanted(record), **WANTED)
+    name_axis(axes, panel.label)

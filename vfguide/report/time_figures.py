@@ -1,0 +1,133 @@
+"""Figures over time: position, attitude, speed, flight envelope, body rates."""
+
+from collections.abc import Callable
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Series
+from vfguide.report.drawing import GOAL, Flights, broken, line_of
+from vfguide.report.panels import LIMIT, WANTED, Panel, draw_panels
+from vfguide.results.record import AirBelief, FlightRecord
+
+
+def draw_position(figure: Figure, flights: Flights) -> None:
+    """North, east and height of the origin, with the goals where they were reached."""
+    panels = [
+        Panel("North [m]", lambda its: its.p_n[:, 0]),
+        Panel("East [m]", lambda its: its.p_n[:, 1]),
+        Panel("Above the origin [m]", lambda its: -its.p_n[:, 2]),
+    ]
+    mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
+    grid = draw_panels(figure, flights, "Position", panels, [mark])
+    for record in flights.records:
+        for goal, best in zip(record.vehicle.goals, record.legs().best(), strict=True):
+            if best is None or not best.reaches:
+                continue
+            north, east, down = goal.position_m
+            for axes, value in zip(grid, (north, east, -down), strict=True):
+                axes.plot(best.time, value, "D", color=GOAL, markersize=5, zorder=5)
+
+
+def draw_attitude(figure: Figure, flights: Flights) -> None:
+    """Roll, pitch and yaw."""
+    panels = [
+        Panel("Roll [°]", lambda its: broken(its.euler[:, 0] / DEG)),
+        Panel("Pitch [°]", lambda its: its.euler[:, 1] / DEG),
+        Panel("Yaw [°]", lambda its: broken(its.euler[:, 2] / DEG % 360.0)),
+    ]
+    draw_panels(figure, flights, "Attitude (Euler angles)", panels, [])
+
+
+def draw_envelope(figure: Figure, flights: Flights) -> None:
+    """Airspeed, bank, load factor and thrust, with the limits of the aircraft."""
+    loaded = flights.loaded
+    first = flights.records[0].vehicle
+    its = loaded.performance(first)
+    same = len(loaded.aircraft) == 1
+    bank = loaded.gains(first).bank_max / DEG
+    panels = [
+        Panel(
+            "True airspeed [m/s]",
+            lambda record: record.airspeed,
+            (its.airspeed_min, its.airspeed_max) if same else (),
+        ),
+        Panel(
+            "Bank [°]",
+            lambda record: np.abs(record.euler[:, 0]) / DEG,
+            (bank,) if same else (),
+        ),
+        Panel(
+            "Load factor",
+            lambda record: record.load_factor,
+            (its.load_min, its.load_max) if same else (),
+        ),
+        Panel("Thrust setpoint", lambda record: record.thrust, (0.0, 1.0)),
+    ]
+    draw_panels(
+        figure, flights, "Flight envelope", panels, [Line2D([], [], **LIMIT, label="Limit")]
+    )
+
+
+def draw_speed(figure: Figure, flights: Flights) -> None:
+    """The speed of vehicles that do not fly through air."""
+    panel = Panel("Speed [m/s]", lambda its: np.linalg.norm(its.v_n, axis=1))
+    draw_panels(figure, flights, "Speed", [panel], [])
+
+
+def draw_rates(figure: Figure, flights: Flights) -> None:
+    """Body rates, commanded and flown; a rigid body of plant `kinematic` flies what it is told."""
+    panels = [
+        Panel(
+            label,
+            lambda its, axis=axis: its.omega_b[:, axis] / DEG,
+            wanted=None
+            if flights.kinematic
+            else lambda its, axis=axis: its.omega_wanted_b[:, axis] / DEG,
+        )
+        for axis, label in enumerate(
+            ("Roll rate p [°/s]", "Pitch rate q [°/s]", "Yaw rate r [°/s]")
+        )
+    ]
+    flown = [] if flights.several else [Line2D([], [], **line_of(0), label="Flown")]
+    wanted = Line2D([], [], **WANTED, label="Commanded")
+    draw_panels(
+        figure, flights, "Body rates", panels, [] if flights.kinematic else [*flown, wanted]
+    )
+
+
+def draw_air(figure: Figure, flights: Flights) -> None:
+    """The wind, true and as the companion believes it, and what it believes of the airspeed."""
+    panels = [
+        Panel(
+            "Wind to north [m/s]",
+            lambda its: its.wind_n[:, 0],
+            wanted=lambda its: believed(its, lambda air: (air.wind_north, air.wind_sigma)),
+        ),
+        Panel(
+            "Wind to east [m/s]",
+            lambda its: its.wind_n[:, 1],
+            wanted=lambda its: believed(its, lambda air: (air.wind_east, air.wind_sigma)),
+        ),
+        Panel(
+            "True airspeed [m/s]",
+            lambda its: its.airspeed,
+            wanted=lambda its: believed(its, lambda air: (air.airspeed, air.airspeed_sigma)),
+        ),
+    ]
+    true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]
+    estimated = Line2D([], [], **WANTED, label="Estimated by the companion")
+    draw_panels(figure, flights, "Wind: true and estimated", panels, [*true, estimated])
+
+
+def believed(record: FlightRecord, part: Callable[[AirBelief], tuple[Series, Series]]) -> Series:
+    """A value that was believed; NaN before the companion flew, when nothing was.
+
+    `part` takes the value and its standard deviation.
+    """
+    if record.air is None:
+        return np.full_like(record.time, np.nan)
+    values, sigma = part(record.air)
+    return np.where(sigma > 0.0, values, np.nan)

@@ -1,0 +1,88 @@
+"""Other aircraft as figures show them: their paths, and their volumes where they came nearest."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from vfguide.geometry.vector import Vector, Vectors
+from vfguide.report.meshes import outline
+from vfguide.report.obstacle_drawing import MOST_NAMES, east_north_up, write_name
+from vfguide.results.record import Array, FlightRecord
+from vfguide.results.traffic_results import volume_distance
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.traffic import path_of
+from vfguide.sim.traffic import motion_at
+
+AIRCRAFT = "#7a4fa3"
+CORNERS = 48
+"""A volume is drawn with so many corners around it."""
+_PATH: Any = {"color": AIRCRAFT, "linestyle": (0, (5, 2, 1, 2)), "linewidth": 1.3}
+_VOLUME: Any = {"facecolor": (AIRCRAFT, 0.15), "edgecolor": AIRCRAFT, "linewidth": 0.9}
+
+
+@dataclass(frozen=True)
+class Passer:
+    """Another aircraft over the time of a run."""
+
+    name: str
+    p_n: Vectors
+    """(n, 3) its path, NED [m]."""
+    volume: Vectors
+    """(m, 3) the edges of its volume where it came nearest to a vehicle, NED [m]."""
+    nearest: Vector
+    """(3,) where it was then, NED [m]."""
+
+
+def passers_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tuple[Passer, ...]:
+    """The other aircraft of a run."""
+    edges = _edges(scenario.avoidance.traffic_radius_m, scenario.avoidance.traffic_half_height_m)
+    passers: list[Passer] = []
+    for its in scenario.traffic:
+        p_n, _ = motion_at(path_of(its), records[0].time)
+        apart = [volume_distance(scenario.avoidance, p_n - record.p_n) for record in records]
+        nearest = p_n[int(np.nan_to_num(np.min(apart, axis=0), nan=np.inf).argmin())]
+        passers.append(Passer(its.name, p_n, nearest + edges, nearest))
+    return tuple(passers)
+
+
+def _edges(radius: float, half_height: float) -> Array:
+    """The two circles about an upright cylinder, (2 CORNERS, 3) [m]."""
+    angle = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
+    x, y, down = radius * np.cos(angle), radius * np.sin(angle), np.full(CORNERS, half_height)
+    return np.vstack((np.column_stack((x, y, -down)), np.column_stack((x, y, down))))
+
+
+def draw_passers(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+    """Their paths and volumes on the plane that `onto`, (3, 2), projects to."""
+    for its in passers:
+        axes.plot(*(its.p_n @ onto).T, zorder=1.6, **_PATH)
+        axes.fill(*outline(its.volume @ onto).T, zorder=1.4, **_VOLUME)
+
+
+def name_passers(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+    """Their names where they came nearest, unless there are too many."""
+    for its in passers if len(passers) <= MOST_NAMES else ():
+        write_name(axes, its.name, its.nearest @ onto, AIRCRAFT)
+
+
+def draw_passers_in_space(axes: Any, passers: Sequence[Passer]) -> None:
+    """Their paths and volumes in axes east, north, up."""
+    for its in passers:
+        axes.plot(*east_north_up(its.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
+        for circle in its.volume.reshape(2, CORNERS, 3):
+            around = np.arange(CORNERS + 1) % CORNERS
+            x, y, z = east_north_up(circle[around]).T
+            axes.plot(x, y, z, color=AIRCRAFT, linewidth=0.9, zorder=1.6, axlim_clip=True)
+
+
+def passer_marks(passers: Sequence[Passer]) -> list[Patch | Line2D]:
+    """Entries of a legend."""
+    if not passers:
+        return []
+    path = Line2D([], [], **_PATH, label="Other aircraft")
+    return [path, Patch(**_VOLUME, label="Its volume, when nearest")]

@@ -1,0 +1,92 @@
+"""What part of the world a figure of paths shows, and what all such figures share."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from vfguide.geometry.vector import Vectors
+from vfguide.report.drawing import GOAL, MUTED, Flights, goal_axis, vehicle_lines
+from vfguide.report.fence_figure import places_of
+from vfguide.report.obstacle_drawing import body_marks
+from vfguide.report.traffic_drawing import passer_marks
+from vfguide.results.record import Array
+from vfguide.scenario.resolved import Goal
+
+NEAR = 0.5
+"""Obstacles are in view as far from paths and goals as this part of their longest extent."""
+ARROW = 0.15
+"""Length of the arrow of a goal, in parts of that extent."""
+WIDE, NARROW = 5, 4
+"""Entries of a legend that fit in one row, and in each of several."""
+_MARKS = [
+    Line2D([], [], color=MUTED, marker="o", linestyle="none", markersize=6, label="Start"),
+    Line2D(
+        [], [], color=GOAL, marker=">", linestyle="-", markersize=6, label="Goal and its course"
+    ),
+]
+
+
+@dataclass(frozen=True)
+class View:
+    """A box, and how long arrows in it are."""
+
+    limits: Vectors
+    """(k, 2) least and most along each axis [m]."""
+    arrow: float
+    """[m]."""
+
+
+def view_of(flights: Flights, axes_n: Vectors) -> View:
+    """What is to be seen of `flights` along the axes `axes_n`, (k, 3), unit vectors, NED.
+
+    All paths and goals, and the obstacles near them, with a margin; not too flat.
+    """
+    goals = [goal for record in flights.records for goal in record.vehicle.goals]
+    places = np.array([goal.position_m for goal in goals])
+    points = np.vstack([*(record.p_n for record in flights.records), places])
+    points = points[np.isfinite(points).all(axis=1)] @ axes_n.T
+    longest = max(float(np.ptp(points, axis=0).max()), 20.0)
+    ahead = np.array([goal_axis(goal.heading_deg, goal.climb_deg) for goal in goals])
+    points = np.vstack((points, (places + ARROW * longest * ahead) @ axes_n.T))
+    points = np.vstack((points, *_bodies_near(flights, points, NEAR * longest, axes_n)))
+    low, high = points.min(axis=0), points.max(axis=0)
+    longest_shown = max(float((high - low).max()), 20.0)
+    least = np.where(axes_n[:, 2] == 0.0, 0.35, 0.25) * longest_shown
+    centre, half = (low + high) / 2.0, np.maximum(high - low, least) / 2.0 + 0.07 * longest_shown
+    return View(np.column_stack((centre - half, centre + half)), ARROW * longest)
+
+
+def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -> Iterator[Array]:
+    """Corners, (2, k), of what is within `reach` of the box of `points`.
+
+    Those of the fence, of obstacles, and of the volumes of other aircraft.
+    """
+    low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
+    fence = places_of(flights.loaded.scenario.fence, flights.records[0].p_n[0]) @ axes_n.T
+    if len(fence):
+        yield np.clip((fence.min(axis=0), fence.max(axis=0)), low, high)
+    shown = [body.surface + way for body in flights.bodies for way, _ in body.places]
+    for surface in (*shown, *(passer.volume for passer in flights.passers)):
+        corners = surface.reshape(-1, 3) @ axes_n.T
+        least, most = corners.min(axis=0), corners.max(axis=0)
+        if (least < high).all() and (most > low).all():
+            yield np.clip((least, most), low, high)
+
+
+def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
+    """Goals with their numbers, where there is more than one."""
+    if len(goals) == 1:
+        return [("", goals[0])]
+    return [(str(number), goal) for number, goal in enumerate(goals, start=1)]
+
+
+def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
+    """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
+    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
+    handles += [*passer_marks(flights.passers), *more]
+    columns = len(handles) if len(handles) <= WIDE else NARROW
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns)

@@ -1,0 +1,1 @@
+"""What was noted of a flight, and how it is judged."""

@@ -1,0 +1,61 @@
+"""Arrivals at goals, for robots that slow down towards a goal and stand still there."""
+
+import math
+
+from vfguide.geometry.vector import Vec3, add, dot, scale, sub
+from vfguide.results.goal_passages import Legs, Pass, Sample
+from vfguide.scenario.resolved import Goal
+
+ARRIVED = 0.05
+"""Nearer than this a robot of law `paper` is at its goal [m]: there it would creep for ever."""
+
+
+def arrival_radius(goal: Goal) -> float:
+    """The distance from the goal at which it is passed [m]."""
+    return min(goal.tolerance_m, ARRIVED)
+
+
+class Arrivals(Legs):
+    """Legs whose goal is passed, once, where the distance first falls to the arrival radius.
+
+    The velocities of its samples are those that the nose points along: a robot that stands has a
+    course too.
+    """
+
+    @property
+    def standing(self) -> bool:
+        """The robot is where it stays: at the last goal, or at one that it met askew."""
+        return self.finished or bool(self.passes[self.leg])
+
+    def is_try(self, a_pass: Pass, goal: Goal) -> bool:
+        """Every arrival is one, in whatever direction."""
+        return True
+
+    def find(self, before: Sample | None, sample: Sample) -> Sample | None:
+        """Where a straight path between the samples enters the ball about the goal."""
+        goal = self.goals[self.leg]
+        if self.passes[self.leg]:
+            return None
+        start = before or sample
+        way = sub(sample.p_n, start.p_n)
+        part = entry(sub(start.p_n, goal.position_m), way, arrival_radius(goal))
+        if part is None:
+            return None
+        return Sample(
+            start.time + part * (sample.time - start.time),
+            add(start.p_n, scale(part, way)),
+            add(scale(1.0 - part, start.v_n), scale(part, sample.v_n)),
+        )
+
+
+def entry(p: Vec3, way: Vec3, radius: float) -> float | None:
+    """The part of the way from `p` after which |p| is first no more than `radius`, if it is."""
+    outside = dot(p, p) - radius * radius
+    if outside <= 0.0:
+        return 0.0
+    length, toward = dot(way, way), -dot(p, way)
+    discriminant = toward * toward - length * outside
+    if toward <= 0.0 or discriminant < 0.0:
+        return None
+    part = outside / (toward + math.sqrt(discriminant))
+    return part if part <= 1.0 else None

@@ -1,0 +1,91 @@
+"""How near the true path came to obstacles.
+
+U and the distance from a surface are convex functions of the place relative to the body, and a step
+of the path is nearly straight. So the values at both its ends and halfway bound what is between
+them: where that may be the least of all the step is looked at, closer and closer.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from vfguide.field.obstacle import PlacedObstacle, Rows
+from vfguide.field.obstacle_arrays import distances, levels
+from vfguide.geometry.rows import place
+from vfguide.geometry.vector import Series
+from vfguide.results.path import positions
+from vfguide.results.record import Array, FlightRecord
+
+POSITION, VELOCITY, SEMI_AXES = (
+    place(PlacedObstacle, name) for name in ("p_n", "v_n", "semi_axes")
+)
+"""Columns of these fields in a table of obstacles."""
+PARTS = 16
+"""A step is looked at in so many parts,"""
+ROUNDS = 4
+"""and the two parts about the least value again, in so many rounds in all."""
+
+Measure = Callable[[Array, Array, Rows], Array]
+"""Values (..., M) at positions (..., 3) [m], NED, and times (...) [s]."""
+
+
+def min_levels(record: FlightRecord, obstacles: Rows) -> Array:
+    """Least U of each obstacle on the path, (M,)."""
+    values = levels(record.p_n, record.time, obstacles)
+    each = zip(values.T, obstacles[:, None], strict=True)
+    return np.array([_refined(record, its, levels, row) for its, row in each])
+
+
+def min_clearances(record: FlightRecord, obstacles: Rows) -> Array:
+    """Least distance of the centre from each surface, (M,) [m], negative inside."""
+    return np.array([_min_clearance(record, row) for row in obstacles[:, None]])
+
+
+def clearances(record: FlightRecord, obstacles: Rows) -> Array:
+    """Distance from each surface at the samples, (n, M) [m]; NaN where the position is NaN."""
+    values = np.full((len(record.time), len(obstacles)), np.nan)
+    known = np.isfinite(record.p_n).all(axis=1)
+    values[known] = distances(record.p_n[known], record.time[known], obstacles)
+    return values
+
+
+def _min_clearance(record: FlightRecord, row: Rows) -> float:
+    """The same for one obstacle, in one row; exact distances only where they can be the least."""
+    offset = record.p_n - centres(row, record.time)
+    from_centre = np.linalg.norm(offset, axis=1)
+    nearest = int(np.argmin(from_centre))
+    (reached,) = distances(record.p_n[nearest], record.time[nearest], row)
+    longest = np.linalg.norm(np.diff(offset, axis=0), axis=1).max(initial=0.0)
+    candidates = from_centre - np.linalg.norm(row[0, SEMI_AXES]) - longest <= reached
+    values = np.full(len(from_centre), np.inf)
+    values[candidates] = distances(record.p_n[candidates], record.time[candidates], row).ravel()
+    return _refined(record, values, distances, row)
+
+
+def centres(row: Rows, time: Array) -> Array:
+    """Where the centre of one obstacle is, (n, 3) [m]."""
+    return row[0, POSITION] + time[:, None] * row[0, VELOCITY]
+
+
+def _refined(record: FlightRecord, values: Series, measure: Measure, row: Rows) -> float:
+    """The least of `values` at the samples, and of those in the steps between known ones."""
+    steps = np.flatnonzero(np.isfinite(values[:-1]) & np.isfinite(values[1:]))
+    low, high = record.time[steps], record.time[steps + 1]
+    halfway = _between(record, 0.5 * (low + high), measure, row)
+    least = min(float(values.min()), float(halfway.min(initial=np.inf)))
+    may_be_least = 2.0 * halfway - np.maximum(values[steps], values[steps + 1]) < least
+    low, high = low[may_be_least], high[may_be_least]
+    each = np.arange(len(low))
+    for _ in range(ROUNDS):
+        time = np.linspace(low, high, PARTS + 1, axis=1)
+        between = _between(record, time, measure, row)
+        at = between.argmin(axis=1)
+        least = min(least, float(between.min(initial=np.inf)))
+        low = time[each, np.maximum(at - 1, 0)]
+        high = time[each, np.minimum(at + 1, PARTS)]
+    return least
+
+
+def _between(record: FlightRecord, time: Array, measure: Measure, row: Rows) -> Array:
+    """Values at times between the samples, of the same shape."""
+    return np.squeeze(measure(positions(record, time), time, row), axis=-1)

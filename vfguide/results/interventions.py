@@ -1,0 +1,105 @@
+"""When the run-time assurance of a flight acted, why, and what it would have come to."""
+
+import math
+from collections import Counter
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.assurance.decision import Reason
+from vfguide.results.record import Decisions, FlightRecord
+from vfguide.scenario.resolved import Scenario
+
+APART = 1.0
+"""Between two episodes the guidance is followed for at least so long [s]."""
+
+
+@dataclass(frozen=True)
+class Episode:
+    """A time in which something else was flown than the guidance wished."""
+
+    from_s: float
+    to_s: float
+    reason: Literal["escape", "least bad"]
+    """The worse one, where there were both."""
+    hazard: str | None
+    """What the wish would have come to, most of the time; None: nothing that is known."""
+
+
+@dataclass(frozen=True)
+class AssuranceResult:
+    """What the assurance did in a flight, setpoint by setpoint."""
+
+    decided: int
+    escape: int
+    least_bad: int
+    acting_share: float | None
+    min_margin_m: float | None
+    episodes: tuple[Episode, ...]
+
+
+def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | None:
+    """What the assurance did in a flight; None where there was nothing to keep clear of."""
+    if record.decisions is None:
+        return None
+    reason, margin, conflict, _ = record.decisions
+    decided = (reason > 0.0) | ~(conflict == 0.0)  # all zero before the first decision
+    count, acting = int(decided.sum()), int((reason > 0.0).sum())
+    least = float(np.fmin.reduce(margin[decided], initial=math.inf))
+    return AssuranceResult(
+        decided=count,
+        escape=int((reason == Reason.ESCAPE).sum()),
+        least_bad=int((reason == Reason.LEAST_BAD).sum()),
+        acting_share=round(acting / count, 6) if count else None,
+        min_margin_m=round(least, 6) if math.isfinite(least) else None,
+        episodes=episodes_of(scenario, record),
+    )
+
+
+def episodes_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
+    """The times in which the assurance acted, those less than `APART` from each other as one."""
+    decisions = record.decisions
+    if decisions is None:
+        return ()
+    acting = np.flatnonzero(decisions.reason > 0.0)
+    new = np.flatnonzero(np.diff(record.time[acting]) > APART) + 1
+    each = [its for its in np.split(acting, new) if its.size]
+    return tuple(_episode(scenario, record, decisions, its) for its in each)
+
+
+def _episode(
+    scenario: Scenario, record: FlightRecord, decisions: Decisions, samples: NDArray[np.intp]
+) -> Episode:
+    step = float(record.time[1] - record.time[0]) if len(record.time) > 1 else 0.0
+    first, last = samples[0], samples[-1]
+    names = [
+        hazard_name(scenario, int(hazard), float(-record.p_n[sample, 2]))
+        for sample, hazard in zip(samples, decisions.hazard[samples], strict=True)
+    ]
+    known = Counter(name for name in names if name is not None).most_common(1)
+    bad = (decisions.reason[samples] == Reason.LEAST_BAD).any()
+    return Episode(
+        from_s=round(float(record.time[first]), 6),
+        to_s=round(float(record.time[last]) + step, 6),
+        reason="least bad" if bad else "escape",
+        hazard=next((name for name, _ in known), None),
+    )
+
+
+def hazard_name(scenario: Scenario, number: int, height: float) -> str | None:
+    """The name of a hazard by its number, seen from a height [m]; None for none."""
+    obstacles, fence = scenario.obstacles, scenario.fence
+    if number < 0:
+        return None
+    if number < len(obstacles):
+        return obstacles[number].name
+    number -= len(obstacles)
+    if number < len(fence.zone):
+        return f"fence.zone[{number}]"
+    if number > len(fence.zone):
+        return "traffic"
+    to_floor = math.inf if fence.floor_m is None else height - fence.floor_m
+    to_ceiling = math.inf if fence.ceiling_m is None else fence.ceiling_m - height
+    return "fence.floor_m" if to_floor <= to_ceiling else "fence.ceiling_m"

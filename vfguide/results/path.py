@@ -1,0 +1,45 @@
+"""The true path between the samples of a flight."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vfguide.geometry.vector import Matrices
+from vfguide.results.record import Array, FlightRecord
+from vfguide.sim.kinematic import Bodies, Commands, advance
+
+Steps = NDArray[np.int64]
+
+
+def positions(record: FlightRecord, time: Array) -> Array:
+    """Positions (..., 3) [m], NED, at times (...) [s] within the flight.
+
+    Of a rigid body they are exact. An aeroplane's path is the cubic that has the positions and
+    velocities of the samples on both sides.
+    """
+    if len(record.time) == 1:
+        return np.broadcast_to(record.p_n[0], (*time.shape, 3))
+    times = time.ravel()
+    steps = np.searchsorted(record.time, times, side="right") - 1
+    steps = np.clip(steps, 0, len(record.time) - 2)
+    since = times - record.time[steps]
+    if record.R_nb is None:
+        p_n = _on_cubics(record, steps, since)
+    else:
+        p_n = _on_helices(record, record.R_nb, steps, since)
+    return p_n.reshape(*time.shape, 3)
+
+
+def _on_cubics(record: FlightRecord, steps: Steps, since: Array) -> Array:
+    span = np.diff(record.time)[steps][:, None]
+    s = since[:, None] / span
+    p0, p1 = record.p_n[steps], record.p_n[steps + 1]
+    d0, d1 = span * record.v_n[steps], span * record.v_n[steps + 1]
+    b, c = 3.0 * (p1 - p0) - 2.0 * d0 - d1, d0 + d1 - 2.0 * (p1 - p0)
+    return p0 + s * (d0 + s * (b + s * c))
+
+
+def _on_helices(record: FlightRecord, R_nb: Matrices, steps: Steps, since: Array) -> Array:
+    """Each moves on for its own time: speed and rates are multiplied by it, then held for 1 s."""
+    speed = np.einsum("ij,ij->i", record.v_n[steps + 1], R_nb[steps + 1, :, 0])
+    way = Commands(since * speed, since[:, None] * record.omega_b[steps + 1])
+    return advance(Bodies(record.p_n[steps], R_nb[steps]), way, 1.0).p_n

@@ -1,0 +1,86 @@
+"""How near other aircraft came, from the truth."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from vfguide.geometry.vector import Series, Vectors
+from vfguide.results.record import Array, FlightRecord
+from vfguide.scenario.resolved import Scenario
+from vfguide.scenario.scenario_file import Avoidance
+from vfguide.scenario.traffic import path_of
+from vfguide.sim.traffic import motion_at
+
+FINEST = 0.02
+"""Between two instants that are looked at, at most [s]."""
+
+
+@dataclass(frozen=True)
+class TrafficResult:
+    """How near one other aircraft came."""
+
+    name: str
+    min_horizontal_m: float | None
+    """Least horizontal distance while it was within the half height of the volume; None: never."""
+    min_vertical_m: float | None
+    """Least vertical distance while it was within the radius; None: never."""
+    min_clearance_m: float
+    """Least distance from the volume, negative inside."""
+
+
+def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficResult, ...]:
+    """How near each other aircraft came to a vehicle."""
+    if not scenario.traffic:
+        return ()
+    time, p_n = finely(record.time, record.p_n)
+    radius = scenario.avoidance.traffic_radius_m
+    half_height = scenario.avoidance.traffic_half_height_m
+    results: list[TrafficResult] = []
+    for its in scenario.traffic:
+        other_n, _ = motion_at(path_of(its), time)
+        apart = other_n - p_n
+        horizontal, vertical = np.hypot(apart[:, 0], apart[:, 1]), np.abs(apart[:, 2])
+        least = volume_distance(scenario.avoidance, apart).min()
+        beside, level = horizontal[vertical <= half_height], vertical[horizontal <= radius]
+        results.append(TrafficResult(its.name, _least(beside), _least(level), _rounded(least)))
+    return tuple(results)
+
+
+def volume_distance(avoidance: Avoidance, apart: Vectors) -> Series:
+    """Distance of a vehicle from the volume of another aircraft that is `apart`, (n, 3), [m]."""
+    beside = np.hypot(apart[:, 0], apart[:, 1]) - avoidance.traffic_radius_m
+    return clearance(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
+
+
+def clearance(beside: Array, above: Array) -> Array:
+    """Distance from an upright cylinder, from those to its side and to its ends [m]."""
+    outside = np.hypot(np.maximum(beside, 0.0), np.maximum(above, 0.0))
+    deepest = np.maximum(beside, above)
+    return np.where(deepest > 0.0, outside, deepest)
+
+
+def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
+    """A path with instants in between, so that nothing fast is overlooked."""
+    if len(time) < 2:
+        return time, p_n
+    parts = math.ceil((time[1] - time[0]) / FINEST - 1e-9)
+    fine = np.linspace(time[0], time[-1], parts * (len(time) - 1) + 1)
+    return fine, np.column_stack([np.interp(fine, time, p_n[:, axis]) for axis in range(3)])
+
+
+def traffic_reasons(vehicle: int, results: tuple[TrafficResult, ...]) -> list[str]:
+    """What is wrong with how near they came; empty if nothing is."""
+    return [
+        f"traffic: vehicle {vehicle} in the volume of {its.name}, {its.min_clearance_m:.2f} m"
+        for its in results
+        if its.min_clearance_m <= 0.0
+    ]
+
+
+def _least(values: Array) -> float | None:
+    return _rounded(values.min()) if values.size else None
+
+
+def _rounded(number: float) -> float:
+    return round(float(number), 6)

@@ -1,0 +1,1 @@
+"""Scenarios flown: aeroplanes in lockstep, rigid bodies, logs."""

@@ -1,0 +1,138 @@
+"""How fast the program is: its parts and a whole run against bare JSBSim, in one process."""
+
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import NamedTuple
+
+import numpy as np
+
+from vfguide.companion.plan import Plan
+from vfguide.estimation.local_frame import Measurement, measurement_numbers
+from vfguide.geometry.so3 import quaternion_from_euler
+from vfguide.link.codec import Encoder, Parser, decode
+from vfguide.link.enums import AttitudeTypeMask, MavComponent
+from vfguide.link.messages import SetAttitudeTarget
+from vfguide.loop.rows import step_measured
+from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.runs.lockstep import fly_scenario
+from vfguide.runs.vehicle_setup import simulate
+from vfguide.runs.warm_up import warm_up
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.plans import plan_of
+from vfguide.sim.plant import STEP
+
+SCENARIO = "first-flight"
+REPEATS = 7
+"""Every figure is the median of this many, taken in turn, so that a slow spell hits them all."""
+GUIDANCE_STEPS = 500
+MESSAGES = 1000
+MEASURED = Measurement(
+    0.0,
+    (0.0, 0.0, 0.0),
+    (-300.0, 50.0, -120.0),
+    (25.0, 2.0, 0.0),
+    0.0,
+    quaternion_from_euler(0.1, 0.05, 0.0),
+    24.0,
+    608.0,
+    (1.0, 2.0, 0.0),
+    (0.1, 0.02, 0.03),
+    0.02,
+)
+"""What the autopilot says, but for its time and its origin."""
+SETPOINT = SetAttitudeTarget(
+    1000, 1, 1, AttitudeTypeMask.ATTITUDE_IGNORE, (1.0, 0.0, 0.0, 0.0), 0.1, 0.02, 0.03, 0.4
+)
+
+
+@dataclass(frozen=True)
+class Bench:
+    """Times of the parts and of the whole."""
+
+    guidance_step_us: float
+    """One step of the companion, from what the autopilot said to the setpoint."""
+    message_turnaround_us: float
+    """One setpoint encoded, found in the stream and decoded."""
+    jsbsim_steps_per_s: float
+    """Bare JSBSim at the time step of a run, controls held."""
+    jsbsim_realtime_factor: float
+    """The same, simulated over real time."""
+    run_realtime_factor: float
+    """A whole run of one aircraft: all traffic as bytes, logs written."""
+    run_over_bare: float
+    """Time of a whole run over the time of bare JSBSim for the same steps."""
+
+
+class Times(NamedTuple):
+    """What one repeat took."""
+
+    guidance: float
+    """A guidance step [s]."""
+    message: float
+    """A setpoint to bytes and back [s]."""
+    bare: float
+    """Bare JSBSim for a second of flight [s]."""
+    run: float
+    """A whole run for a second of flight [s]."""
+
+
+def measure() -> Bench:
+    """Measure everything, the repeats in turn."""
+    loaded = load_scenario(SCENARIO)
+    vehicle = loaded.scenario.vehicles[0]
+    plan = plan_of(loaded, vehicle)
+    warm_up(loaded)
+    times: list[Times] = []
+    for _ in range(REPEATS):
+        with tempfile.TemporaryDirectory() as folder:
+            flight = fly_scenario(loaded, Path(folder))
+        steps = round(flight.sim_s / STEP)
+        plant = simulate(loaded, vehicle).plant
+        times.append(
+            Times(
+                guidance=seconds(partial(guide_often, plan)) / GUIDANCE_STEPS,
+                message=seconds(turn_messages) / MESSAGES,
+                bare=seconds(partial(plant.run_bare, steps)) / flight.sim_s,
+                run=flight.wall_s / flight.sim_s,
+            )
+        )
+    middle = Times(*(median(column) for column in zip(*times, strict=True)))
+    ratio = median(time.run / time.bare for time in times)
+    return Bench(
+        guidance_step_us=round(middle.guidance * 1e6, 2),
+        message_turnaround_us=round(middle.message * 1e6, 2),
+        jsbsim_steps_per_s=round(1.0 / (middle.bare * STEP)),
+        jsbsim_realtime_factor=round(1.0 / middle.bare, 1),
+        run_realtime_factor=round(1.0 / middle.run, 1),
+        run_over_bare=round(ratio, 2),
+    )
+
+
+def seconds(work: Callable[[], None]) -> float:
+    """How long the work takes [s]."""
+    started = time.perf_counter()
+    work()
+    return time.perf_counter() - started
+
+
+def guide_often(plan: Plan) -> None:
+    """Guidance steps in flight, each with the memory of the one before."""
+    state, told = row_of_state(fresh_state()), MEASURED._replace(origin=plan.origin)
+    for k in range(GUIDANCE_STEPS):
+        measured = np.array(measurement_numbers(told._replace(time=0.02 * k)))
+        *_, state, _ = step_measured(
+            measured, plan.origin, state, plan.legs, None, plan.law, plan.vehicle_row
+        )
+
+
+def turn_messages() -> None:
+    """Setpoints to bytes and back."""
+    encoder, parser = Encoder(1, MavComponent.PATHPLANNER), Parser()
+    for _ in range(MESSAGES):
+        for frame in parser.feed(encoder.encode(SETPOINT)):
+            decode(frame)

@@ -1,0 +1,49 @@
+"""From a scenario to what its software autopilots measure with, and the motors they have."""
+
+import math
+
+from vfguide.geometry.units import DEG
+from vfguide.scenario.scenario_file import Autopilot, Sensors
+from vfguide.sim.autopilot.instruments import AirspeedFault, Errors, Instruments, Reset
+from vfguide.sim.autopilot.motor import Motor
+
+
+def instruments_from(
+    sensors: Sensors | None, autopilot: Autopilot, seed: int, rate_seed: int
+) -> Instruments:
+    """What one autopilot measures with; the seeds are those of its two random streams."""
+    fails = autopilot.airspeed_fails_at_s
+    resets = (Reset(its.time_s, its.position_m, its.origin_m) for its in autopilot.reset)
+    return Instruments(
+        None if sensors is None else errors_from(sensors),
+        seed,
+        rate_seed,
+        math.inf if fails is None else fails,
+        AirspeedFault(autopilot.airspeed_fault),
+        autopilot.wind_message,
+        tuple(sorted(resets, key=lambda reset: reset.time)),
+    )
+
+
+def motor_from(autopilot: Autopilot) -> Motor:
+    """What the motor of each aircraft gives."""
+    return Motor(autopilot.thrust_scale, autopilot.thrust_sag_per_min, autopilot.thrust_floor)
+
+
+def errors_from(sensors: Sensors) -> Errors:
+    """The sizes of the errors in SI units and radians."""
+    return Errors(
+        position=sensors.position_m,
+        height=sensors.height_m,
+        drift_time=sensors.drift_s,
+        velocity=sensors.velocity_mps,
+        attitude=sensors.attitude_deg * DEG,
+        attitude_bias=sensors.attitude_bias_deg * DEG,
+        yaw=sensors.yaw_deg * DEG,
+        yaw_bias=sensors.yaw_bias_deg * DEG,
+        rate=sensors.rate_dps * DEG,
+        rate_bias=sensors.rate_bias_dps * DEG,
+        airspeed=sensors.airspeed_mps,
+        airspeed_bias=sensors.airspeed_bias_mps,
+        wind=sensors.wind_mps,
+    )

@@ -1,0 +1,197 @@
+"""One vehicle of a run: the aircraft, its companion, and what is noted of its flight."""
+
+import math
+from array import array
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vfguide.companion.companion import Companion
+from vfguide.companion.session import Session
+from vfguide.geometry.geodesy import place_in_plane
+from vfguide.geometry.rows import columns, flattener, width
+from vfguide.geometry.units import G0, MS, US
+from vfguide.geometry.vector import Vec3, sub
+from vfguide.link.codec import Encoder
+from vfguide.link.messages import SetAttitudeTarget
+from vfguide.results.goal_passages import Legs, Sample
+from vfguide.results.record import AirBelief, Decisions, FlightRecord, Instant
+from vfguide.results.result import TOUCH
+from vfguide.runs.steps import STEPS, Steps
+from vfguide.runs.truth_log import TRUTH_COMPONENT, truth_message
+from vfguide.runs.vehicle_setup import simulate
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.plans import plan_of
+from vfguide.scenario.resolve import place_of
+from vfguide.scenario.resolved import Vehicle
+from vfguide.sim.autopilot.mavlink_channel import ONBOARD
+from vfguide.sim.delay_line import DelayLine
+from vfguide.sim.truth import Truth
+
+Write = Callable[[int, bytes], None]
+"""Takes a time [us since 1970] and the bytes of one frame."""
+
+ROUNDS = 4
+"""Messages go back and forth at most this often at one instant; the rest waits for the next."""
+numbers_of = flattener(Instant)
+
+
+class Commanded(NamedTuple):
+    """Body rates [rad/s] and thrust (0 to 1) of a setpoint; not numbers before the first."""
+
+    omega_b: Vec3 = (math.nan, math.nan, math.nan)
+    thrust: float = math.nan
+
+
+class Member:
+    """One vehicle, flown."""
+
+    def __init__(
+        self,
+        loaded: LoadedScenario,
+        vehicle: Vehicle,
+        write_own: Write,
+        write_truth: Write,
+        steps: Steps = STEPS,
+    ) -> None:
+        """The vehicle at its start.
+
+        Args:
+            loaded: the scenario.
+            vehicle: which of its vehicles.
+            write_own: takes every frame between the companion and its autopilot.
+            write_truth: takes the frames that tell the truth.
+            steps: that its companion calls.
+
+        Raises:
+            InputError: the aircraft's model cannot be flown.
+        """
+        self.vehicle = vehicle
+        self.sim = simulate(loaded, vehicle)
+        self.companion = Companion(
+            vehicle.id, plan_of(loaded, vehicle), engage=True, step=steps.measured
+        )
+        self.legs = Legs(vehicle.goals)
+        scenario = loaded.scenario
+        self._exact = scenario.sensors is None and not scenario.autopilot.reset
+        self._origin = place_of(loaded.scenario.origin)
+        self._port = self.sim.connect(ONBOARD)
+        self._session = Session(self.companion, write_own)
+        self._write_truth = write_truth
+        self._truth_encoder = Encoder(vehicle.id, TRUTH_COMPONENT)
+        self._down = DelayLine(round(scenario.link.delay_ms * MS / US))
+        self._up = DelayLine(round(scenario.link.delay_back_ms * MS / US))
+        self._goals_from = math.inf
+        self._noted = array("d")  # records by the thousand would crowd the caches
+        self.exchange()
+        self.note()
+
+    @property
+    def grounded(self) -> bool:
+        """Whether the flight has ended on the ground."""
+        return self.sim.truth.height_above_ground <= TOUCH
+
+    def fly(self, steps: int) -> None:
+        """Fly on for some steps of the plant, then let autopilot and companion speak."""
+        self.sim.advance(steps)
+        self.exchange()
+        self.note()
+
+    def exchange(self) -> None:
+        """Carry bytes between autopilot and companion until nothing more arrives now."""
+        now = self.sim.now
+        self._down.send(now, self.sim.transmit(self._port))
+        for _ in range(ROUNDS):
+            if down := self._down.arrived(now):
+                self._up.send(now, self._session.receive(now, down))
+            if up := self._up.arrived(now):
+                self._down.send(now, self.sim.receive(self._port, up))
+            if not (down or up):
+                break
+
+    def note(self) -> None:
+        """Note the truth of this instant."""
+        now, truth = self.sim.now, self.sim.truth
+        self._write_truth(now, self._truth_encoder.encode(truth_message(now, truth)))
+        p_n, v_n = place_in_plane(
+            self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
+        )
+        sample = Sample(truth.time, p_n, v_n)
+        if self.companion.route.is_testing:
+            self._goals_from = math.inf
+        else:
+            self._goals_from = min(self._goals_from, truth.time)
+            self.legs.feed(sample)
+        self._noted.extend(numbers_of(self._instant(truth, sample)))
+
+    def _instant(self, truth: Truth, at: Sample) -> Instant:
+        """What is noted of this instant."""
+        wanted = _commanded(self.sim.autopilot.setpoint)
+        _, _, down = truth.force_b
+        return Instant(
+            time=at.time,
+            p_n=at.p_n,
+            v_n=at.v_n,
+            euler=(truth.roll, truth.pitch, truth.yaw),
+            omega_b=truth.omega_b,
+            omega_wanted_b=wanted.omega_b,
+            thrust=wanted.thrust,
+            airspeed=truth.airspeed,
+            load_factor=-down / G0,
+            wind_n=truth.wind_n,
+            altitude=truth.altitude,
+            height_above_ground=truth.height_above_ground,
+            position_error_n=self._position_error(at.p_n),
+            step=self.companion.route.noted,
+        )
+
+    def _position_error(self, p_n: Vec3) -> Vec3:
+        """Position that the autopilot tells less the true one, scenario frame [m]."""
+        if self._exact:
+            return (0.0, 0.0, 0.0)
+        told = self.sim.autopilot.estimate
+        place = (told.latitude, told.longitude, told.altitude)
+        there, _ = place_in_plane(self._origin, *place, told.v_n)
+        return sub(there, p_n)
+
+    def record(self) -> FlightRecord:
+        """What was noted."""
+        table = np.array(self._noted).reshape(-1, width(Instant))
+        flown: Any = columns(Instant, table)
+        step: Any = flown.step
+        decided = Decisions(step.reason, step.margin, step.conflict, step.hazard)
+        return FlightRecord(
+            vehicle=self.vehicle,
+            time=flown.time,
+            p_n=flown.p_n,
+            v_n=flown.v_n,
+            euler=flown.euler,
+            omega_b=flown.omega_b,
+            omega_wanted_b=flown.omega_wanted_b,
+            thrust=flown.thrust,
+            airspeed=flown.airspeed,
+            load_factor=flown.load_factor,
+            wind_n=flown.wind_n,
+            altitude=flown.altitude,
+            height_above_ground=flown.height_above_ground,
+            setpoints=self.companion.setpoints,
+            position_error_n=flown.position_error_n,
+            air=AirBelief(
+                wind_north=step.wind_north,
+                wind_east=step.wind_east,
+                wind_sigma=step.wind_sigma,
+                airspeed=step.airspeed,
+                airspeed_sigma=step.airspeed_sigma,
+            ),
+            goals_from=self._goals_from,
+            identified=self.companion.route.identified,
+            decisions=decided if self.companion.route.plan.is_assured else None,
+        )
+
+
+def _commanded(sp: SetAttitudeTarget | None) -> Commanded:
+    """What the latest setpoint commands."""
+    if sp is None:
+        return Commanded()
+    return Commanded((sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate), sp.thrust)

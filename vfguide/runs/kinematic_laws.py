@@ -1,0 +1,100 @@
+"""What steers the rigid bodies of plant `kinematic`: law `paper` or law `flight`."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Protocol
+
+import numpy as np
+
+from vfguide.field.goal_frame import GoalFrame
+from vfguide.field.obstacle import Rows
+from vfguide.field.robots import Spacing
+from vfguide.field.swarm_control import PaperGains, Swarm
+from vfguide.geometry.rows import row_of, width
+from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.results.arrivals import Arrivals
+from vfguide.runs.steps import STEPS, Steps
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.plans import frame_of, plan_of
+from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.sim.kinematic import Bodies, Commands
+
+
+class Pilot(Protocol):
+    """Steers all bodies, in the order of their ids."""
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """What drives the bodies from `time` [s] until the next update."""
+        ...
+
+    def courses(self, bodies: Bodies) -> Rows:
+        """(N, 3) vectors that point along the courses: velocities, where the bodies never stop."""
+        ...
+
+
+class PaperPilot:
+    """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
+
+    Where a robot is on its way it reads from its legs: its state is known exactly.
+    """
+
+    def __init__(self, scenario: Scenario, legs: Sequence[Arrivals], steps: Steps = STEPS) -> None:
+        guidance, avoidance = scenario.guidance, scenario.avoidance
+        self._legs = legs
+        self._step = steps.paper
+        self._obstacles = rows_of(scenario.obstacles)
+        self._gains = PaperGains(guidance.k_v, guidance.k_w, 1.0 / guidance.rate_hz)
+        self._spacing = None
+        if avoidance.between_vehicles:
+            self._spacing = Spacing(avoidance.safety_radius_m, avoidance.detection_range_m)
+        self._flown_to = [-1] * len(legs)
+        self._goals = np.zeros((len(legs), width(GoalFrame)))
+
+    def courses(self, bodies: Bodies) -> Rows:
+        """The noses: a robot that stands has a course too."""
+        return bodies.R_nb[:, :, 0]
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """Eq. (2)'s inputs, by Theorem 1 and Lemma 4 on the composite field."""
+        moving = np.array([not legs.standing for legs in self._legs])
+        for row, legs in enumerate(self._legs):
+            if moving[row] and self._flown_to[row] != legs.leg:
+                self._flown_to[row] = legs.leg
+                self._goals[row] = row_of(frame_of(legs.goals[legs.leg]))
+        swarm = Swarm(bodies.p_n, bodies.R_nb, moving)
+        return Commands(
+            *self._step(self._goals, swarm, time, self._obstacles, self._spacing, self._gains)
+        )
+
+
+class FlightPilot:
+    """Law `flight`: every body flies its own way at its airspeed."""
+
+    def __init__(
+        self, loaded: LoadedScenario, vehicles: Sequence[Vehicle], steps: Steps = STEPS
+    ) -> None:
+        self._step = steps.body
+        plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
+        self._plans = [replace(plan, is_point=True) for plan in plans]
+        self._states = [row_of_state(fresh_state()) for _ in vehicles]
+        self._speed = np.array([plan.gains.airspeed for plan in self._plans])
+
+    def courses(self, bodies: Bodies) -> Rows:
+        """The velocities."""
+        return self._speed[:, None] * bodies.R_nb[:, :, 0]
+
+    def steer(self, time: float, bodies: Bodies) -> Commands:
+        """The wanted airspeeds, and body rates towards the wanted directions of flight."""
+        omega_b = np.empty_like(bodies.p_n)
+        for i, plan in enumerate(self._plans):
+            omega_b[i], self._states[i] = self._step(
+                time,
+                bodies.p_n[i],
+                bodies.R_nb[i],
+                self._states[i],
+                plan.legs,
+                plan.law,
+                plan.vehicle_row,
+            )
+        return Commands(self._speed, omega_b)

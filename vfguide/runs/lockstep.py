@@ -1,0 +1,125 @@
+"""A scenario flown in lockstep: all vehicles on one simulated clock."""
+
+import time
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from vfguide.results.record import FlightRecord
+from vfguide.runs.aeroplanes import Aeroplanes
+from vfguide.runs.fleet import Ending, Fleet, Flown
+from vfguide.runs.logs import Logs
+from vfguide.runs.rigid_bodies import RigidBodies
+from vfguide.runs.steps import STEPS, Steps
+from vfguide.runs.warm_up import warm_up
+from vfguide.scenario.load import LoadedScenario
+
+AFTERWARDS = 5.0
+"""A run goes on for this long after the last goal [s]."""
+NEARLY = 1e-9
+"""Times that differ by less are equal [s]."""
+
+Progress = Callable[[float, Sequence[Flown]], None]
+"""Told the simulated time [s] and the vehicles, after every update."""
+
+
+@dataclass(frozen=True)
+class Flight:
+    """A scenario that was flown."""
+
+    records: tuple[FlightRecord, ...]
+    sim_s: float
+    wall_s: float
+    """Of the loop alone."""
+    ending: Ending
+
+
+def ignore_progress(_: float, __: Sequence[Flown]) -> None:
+    """Progress that nobody watches."""
+
+
+def never() -> bool:
+    """A flight that nobody stops."""
+    return False
+
+
+def fly_scenario(
+    loaded: LoadedScenario,
+    folder: Path,
+    progress: Progress = ignore_progress,
+    stopped: Callable[[], bool] = never,
+    *,
+    realtime: bool = False,
+    steps: Steps = STEPS,
+) -> Flight:
+    """Fly a scenario to its end; the logs go to `folder`.
+
+    Args:
+        loaded: the scenario.
+        folder: where the logs go.
+        progress: told after every update.
+        stopped: asked before every update; once true, what was flown until then is returned.
+        realtime: fly no faster than the clock.
+        steps: that are called at each update.
+
+    Raises:
+        InputError: an aircraft's model cannot be flown.
+        TlogError: a log cannot be written.
+    """
+    warm_up(loaded)
+    with ExitStack() as stack:
+        fleet = fleet_of(loaded, Logs(folder, stack), steps)
+        lockstep = Lockstep(fleet, loaded.scenario.duration_s)
+        started = time.perf_counter()
+        while (ending := Ending.STOPPED if stopped() else lockstep.ending) is None:
+            lockstep.advance()
+            progress(lockstep.sim_s, fleet.members)
+            if realtime:
+                time.sleep(max(0.0, started + lockstep.sim_s - time.perf_counter()))
+        wall_s = time.perf_counter() - started
+        records = fleet.records()
+    return Flight(records, lockstep.sim_s, wall_s, ending)
+
+
+def fleet_of(loaded: LoadedScenario, logs: Logs, steps: Steps = STEPS) -> Fleet:
+    """The vehicles of a scenario at their starts.
+
+    Raises:
+        InputError: an aircraft's model cannot be flown.
+        TlogError: a log cannot be written.
+    """
+    if loaded.scenario.plant == "jsbsim":
+        return Aeroplanes(loaded, logs, steps)
+    return RigidBodies(loaded, logs.write_all, steps)
+
+
+class Lockstep:
+    """The vehicles of a run and their common clock."""
+
+    def __init__(self, fleet: Fleet, duration: float) -> None:
+        """All at their starts; `duration` [s] is the longest flight."""
+        self._fleet = fleet
+        self._duration = duration
+        self._period = fleet.period
+        self._updates = 0
+        self.sim_s = 0.0
+        """Simulated time [s]."""
+        self._finished_at: float | None = None
+
+    @property
+    def ending(self) -> Ending | None:
+        """Why the flight is over, if it is."""
+        if self._finished_at is not None and self.sim_s + NEARLY >= self._finished_at + AFTERWARDS:
+            return Ending.REACHED
+        if (ending := self._fleet.ending) is not None:
+            return ending
+        return Ending.TIME if self.sim_s + NEARLY >= self._duration else None
+
+    def advance(self) -> None:
+        """Every vehicle flies on to the next update."""
+        self._updates += 1
+        self.sim_s = self._updates * self._period
+        self._fleet.advance()
+        if self._finished_at is None and all(its.legs.finished for its in self._fleet.members):
+            self._finished_at = self.sim_s

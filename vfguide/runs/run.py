@@ -1,0 +1,80 @@
+"""A run: a scenario flown, judged and reported, all in one folder."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from vfguide.link.tlog import TlogError
+from vfguide.report.report import write_report
+from vfguide.results.record import FlightRecord
+from vfguide.results.result import Result, judge, write_result
+from vfguide.runs.lockstep import Ending, Progress, fly_scenario
+from vfguide.runs.models import require_models
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.load import LoadedScenario
+
+EARLY = frozenset({Ending.TIME, Ending.STOPPED})
+"""Endings that are reasons by themselves."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run that is over."""
+
+    result: Result
+    interrupted: bool
+
+
+def run_scenario(
+    loaded: LoadedScenario,
+    folder: Path,
+    progress: Progress,
+    stopped: Callable[[], bool],
+    command: str,
+    *,
+    realtime: bool = False,
+    report: bool = True,
+) -> Run:
+    """Fly a scenario and write everything that contract and user expect to `folder`.
+
+    Raises:
+        InputError: the folder is not empty, cannot be written or is full, or an aircraft's
+            model cannot be flown.
+    """
+    require_models(loaded)
+    prepare_folder(folder)
+    try:
+        loaded.write_resolved(folder / "scenario.toml")
+        flight = fly_scenario(loaded, folder, progress, stopped, realtime=realtime)
+        early = (flight.ending.value,) if flight.ending in EARLY else ()
+        result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
+        write_result(result, folder / "result.json")
+        write_identified(loaded, flight.records, folder)
+        if report:
+            write_report(folder, loaded, flight.records, result, command)
+    except (OSError, TlogError) as error:
+        raise InputError(f"{folder}: cannot be written: {error}") from error
+    return Run(result, flight.ending is Ending.STOPPED)
+
+
+def write_identified(loaded: LoadedScenario, records: Sequence[FlightRecord], folder: Path) -> None:
+    """Write an aircraft file of what each test flight has shown, `aircraft-ID/NAME.toml`."""
+    for record in records:
+        if record.identified is not None:
+            loaded.write_identified(record.vehicle, record.identified, folder)
+
+
+def prepare_folder(folder: Path) -> None:
+    """Make the folder of the results; an empty one will do.
+
+    Raises:
+        InputError: there is something in it, or it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        full = any(folder.iterdir())
+    except OSError as error:
+        reason = error.strerror or error
+        raise InputError(f"--out {folder}: cannot be made: {reason}") from error
+    if full:
+        raise InputError(f"--out {folder}: not empty, allowed is a new or an empty folder")

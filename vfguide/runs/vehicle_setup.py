@@ -1,0 +1,109 @@
+"""From a scenario to what flies it: the simulated vehicles at their starts."""
+
+import math
+
+import numpy as np
+
+from vfguide.geometry.geodesy import ned_to_geodetic
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.runs.instruments import instruments_from, motor_from
+from vfguide.runs.models import model_of
+from vfguide.scenario.errors import InputError
+from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.resolve import place_of, plane_of
+from vfguide.scenario.resolved import Scenario, Vehicle, start_us
+from vfguide.scenario.traffic import path_of
+from vfguide.sim.autopilot.airframe_model import IdentifyError
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import Start, Turbulence, Weather
+from vfguide.sim.fdm import ModelError
+from vfguide.sim.traffic import Transponder
+from vfguide.sim.trim import TrimError, trim
+from vfguide.sim.vehicle import Setup
+from vfguide.sim.vehicle import Vehicle as SimVehicle
+
+GUSTS, STATE_ERRORS, RATE_ERRORS, TRAFFIC_ERRORS = 1, 2, 3, 4
+"""Purposes of random streams; the last is that of another aircraft, by its address."""
+
+
+def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:
+    """The simulated vehicle at its start, trimmed for level flight.
+
+    Raises:
+        InputError: its model cannot be flown.
+    """
+    try:
+        return SimVehicle(setup_of(loaded, vehicle), start_us(loaded.scenario))
+    except (ModelError, TrimError, IdentifyError) as error:
+        raise InputError(str(error)) from error
+
+
+def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
+    """What a simulated vehicle begins with."""
+    scenario = loaded.scenario
+    model = model_of(loaded, vehicle.aircraft)
+    latitude, longitude, altitude = ned_to_geodetic(plane_of(scenario.origin), vehicle.position_m)
+    condition = trim(Bench(model, altitude), vehicle.airspeed_mps)
+    return Setup(
+        vehicle.id,
+        model,
+        loaded.performance(vehicle),
+        scenario.airspeed_of(vehicle),
+        Start(latitude, longitude, altitude, vehicle.euler_deg[2] * DEG, condition),
+        weather_of(scenario, vehicle.id),
+        scenario.origin.altitude_m,
+        instruments_from(
+            scenario.sensors,
+            scenario.autopilot,
+            random_seed(scenario.seed, vehicle.id, STATE_ERRORS),
+            random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
+        ),
+        motor_from(scenario.autopilot),
+        transponders_of(scenario),
+        scenario.traffic_receiver.range_m,
+        place_of(scenario.origin),
+    )
+
+
+def transponders_of(scenario: Scenario) -> tuple[Transponder, ...]:
+    """What the other aircraft tell; every vehicle hears the same."""
+    return tuple(
+        Transponder(
+            int(its.icao, 16),
+            its.name,
+            path_of(its),
+            its.interval_s,
+            its.delay_s,
+            its.position_error_m,
+            random_seed(scenario.seed, int(its.icao, 16), TRAFFIC_ERRORS),
+        )
+        for its in scenario.traffic
+    )
+
+
+def weather_of(scenario: Scenario, sysid: int) -> Weather:
+    """The air that a vehicle flies in."""
+    wind = scenario.wind
+    north, east, _ = blowing(1.0, wind.from_deg)
+    shear = wind.shear_mps_per_100m / 100.0
+    return Weather(
+        blowing(wind.speed_mps, wind.from_deg),
+        Turbulence[wind.turbulence.upper()],
+        random_seed(scenario.seed, sysid, GUSTS),
+        tuple((time, blowing(speed, from_deg)) for time, speed, from_deg in wind.stages[1:]),
+        (shear * north, shear * east, 0.0),
+        wind.shear_height_m,
+    )
+
+
+def blowing(speed: float, from_deg: float) -> Vec3:
+    """A wind of a speed [m/s], the direction it blows toward, NED [m/s]."""
+    toward = from_deg * DEG + math.pi
+    return (speed * math.cos(toward), speed * math.sin(toward), 0.0)
+
+
+def random_seed(seed: int, sysid: int, purpose: int) -> int:
+    """The seed of one random stream: nothing else changes it, no other vehicle either."""
+    (state,) = np.random.SeedSequence([seed, sysid, purpose]).generate_state(1).tolist()
+    return int(state)

@@ -1,1 +1,0 @@
-"""What may leave the companion: limits on every setpoint."""

@@ -1,0 +1,1 @@
+"""The software autopilot: PX4's identity and behaviour on MAVLink."""

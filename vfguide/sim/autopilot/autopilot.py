@@ -1,0 +1,223 @@
+"""The software autopilot: PX4's identity and behaviour on MAVLink, as far as a flight needs it.
+
+No socket, clock or thread: the caller brings the time, the truth and the bytes.
+"""
+
+import math
+
+from vfguide.aircraft.performance import Performance
+from vfguide.field.rate_law import rate_law
+from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
+from vfguide.geometry.units import G0, MS
+from vfguide.geometry.vector import Vec3
+from vfguide.link.enums import AttitudeTypeMask, MavSeverity
+from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
+from vfguide.sim.autopilot.airframe_model import Airframe
+from vfguide.sim.autopilot.estimate import Estimate, Estimator
+from vfguide.sim.autopilot.flight_mode import LOST, NEXT, REPORTED, Event, Mode
+from vfguide.sim.autopilot.inner_loop import inner_loop
+from vfguide.sim.autopilot.instruments import Instruments
+from vfguide.sim.autopilot.loiter import Hold
+from vfguide.sim.autopilot.mavlink_channel import SECOND, Port
+from vfguide.sim.autopilot.motor import SOUND, Motor
+from vfguide.sim.autopilot.noise import RateNoise
+from vfguide.sim.autopilot.parameters import HOLD_ACTION, Parameters
+from vfguide.sim.autopilot.signals import Controls, ControlTuple, Inner, InnerTuple, without_names
+from vfguide.sim.autopilot.telemetry import MAKERS, Report
+from vfguide.sim.truth import Truth
+
+ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+THROTTLE_IGNORE = int(AttitudeTypeMask.THROTTLE_IGNORE)
+ROLL_RATE_IGNORE = int(AttitudeTypeMask.BODY_ROLL_RATE_IGNORE)
+PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
+YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
+"""Bits of the type mask as plain integers: flags of an enumeration cost a microsecond each."""
+K_ATTITUDE = 2.5
+"""Attitude gain for setpoints of attitude [1/s], PX4's FW_R_TC of 0.4 s."""
+
+
+class Autopilot:
+    """One autopilot, airborne, armed and in hold from its first moment."""
+
+    def __init__(
+        self,
+        sysid: int,
+        airframe: Airframe,
+        aircraft: Performance,
+        airspeed: float,
+        first: Truth,
+        instruments: Instruments,
+        motor: Motor = SOUND,
+    ) -> None:
+        """An autopilot that has just taken over.
+
+        Args:
+            sysid: its MAVLink system id.
+            airframe: what the rate loop and the thrust map know of the aircraft.
+            aircraft: what its hold knows of it.
+            airspeed: true airspeed of its hold [m/s].
+            first: the truth at its start; the local frame begins there.
+            instruments: what it measures with.
+            motor: what it gets of the thrust that it sets; it does not know.
+        """
+        self.sysid = sysid
+        self.mode = Mode.HOLD
+        self.parameters = Parameters()
+        self.ports: list[Port] = []
+        self.now = 0
+        """[us since 1970]."""
+        self._airframe = airframe
+        self._tables = airframe.tables
+        self._estimator = Estimator(first, instruments)
+        self._tells_wind = instruments.tells_wind
+        errors = instruments.errors
+        self._rates = None if errors is None else RateNoise(errors, instruments.rate_seed)
+        self._cruise = aircraft.airspeed_cruise
+        self._has_airspeed = self._estimator.has_airspeed(first.time)
+        self.estimate: Estimate = self._estimator.update(first)
+        self._hold = Hold(aircraft, airspeed)
+        self._hold.begin_here(self.estimate)
+        self.setpoint: SetAttitudeTarget | None = None
+        self._setpoint_at = -SECOND * 3600
+        self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
+        self._motor = motor
+        self._thrust_share = motor.share(first.time)
+        self._is_flyable = True  # else PX4 puts all surfaces to trim and stops the motor
+        self._integral: Vec3 = (0.0, 0.0, 0.0)
+        self._controls: ControlTuple = Controls()
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """Latitude, longitude [rad] and altitude [m] of the local frame."""
+        return self._estimator.origin
+
+    def control(self, inner: InnerTuple, dt: float) -> ControlTuple:
+        """The rate loop and the thrust map: at every step of the plant."""
+        if not self._is_flyable:
+            self._controls = self._airframe.cruise.controls._replace(throttle=0.0)
+            return self._controls
+        if self._rates is not None:
+            inner = self._rates.measure(inner, self._estimator.error.airspeed)
+        if not self._has_airspeed:
+            # PX4 then scales with the trim airspeed.
+            inner = without_names(Inner(*inner)._replace(airspeed=self._cruise))
+        p, q, r, thrust = self._wanted
+        self._controls, self._integral = inner_loop(
+            self._tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt
+        )
+        return self._controls
+
+    def update(self, now: int, truth: Truth) -> None:
+        """The slower part: estimate, loss of the stream, attitude setpoints, hold."""
+        self.now = now
+        rate_error = (0.0, 0.0, 0.0) if self._rates is None else self._rates.last
+        self.estimate = self._estimator.update(truth, rate_error)
+        self._has_airspeed = self._estimator.has_airspeed(truth.time)
+        self._thrust_share = self._motor.share(truth.time)
+        self._watch_stream()
+        if self.mode is not Mode.OFFBOARD:
+            wanted = self._hold.step(self.estimate)
+            self._wanted = (*wanted.omega_b, wanted.thrust)
+            self._is_flyable = True
+        elif self.setpoint is not None and not self.setpoint.type_mask & ATTITUDE_IGNORE:
+            self._follow(self.setpoint)  # its body rates change with the attitude
+
+    def streams(self, port: Port) -> list[bytes]:
+        """The frames that are due on a port now."""
+        report = self.report()
+        messages = port.take_queue(self.now)
+        due = port.due(self.now)
+        if not self._tells_wind and WindCov.MSGID in due:
+            due.remove(WindCov.MSGID)
+        messages += [MAKERS[msgid](report) for msgid in due]
+        return [port.encode(message) for message in messages]
+
+    def report(self) -> Report:
+        """Everything that the streams tell."""
+        return Report(
+            self.now,
+            round(self.estimate.time / MS) % 2**32,
+            self.estimate,
+            self._estimator.origin,
+            self._estimator.home,
+            self.mode,
+            True,
+            self.setpoint if self.mode is Mode.OFFBOARD else None,
+            Controls(*self._controls).throttle,
+        )
+
+    def take_setpoint(self, setpoint: SetAttitudeTarget) -> None:
+        """Take a setpoint; the stream goes on with it."""
+        self.setpoint = setpoint
+        self._setpoint_at = self.now
+        if self.mode in LOST:
+            self.happen(Event.STREAM_BACK)
+        if self.mode is Mode.OFFBOARD:
+            self._follow(setpoint)
+
+    @property
+    def has_stream(self) -> bool:
+        """Whether setpoints arrive."""
+        age = self.now - self._setpoint_at
+        return age <= self.parameters["COM_OF_LOSS_T"] * SECOND
+
+    def happen(self, event: Event) -> None:
+        """Go on in the table of modes; tell the links."""
+        after = NEXT[self.mode, event]
+        if after is self.mode:
+            return
+        self.mode = after
+        if after in (Mode.HOLD, Mode.LOST_TO_HOLD):
+            self._hold.begin_here(self.estimate)
+        elif after is not Mode.OFFBOARD:
+            self._hold.begin_about(self._estimator.home)
+        elif self.setpoint is not None:
+            self._follow(self.setpoint)
+        self._announce(after)
+
+    def pass_on(self, message: AdsbVehicle) -> None:
+        """Send what the receiver has heard to every link."""
+        for port in self.ports:
+            port.queue(self.now, message)
+
+    def _announce(self, mode: Mode) -> None:
+        name = REPORTED[mode].name.lower()
+        lost = mode in LOST
+        text = f"Failsafe: no offboard setpoints, {name}" if lost else f"Flight mode {name}"
+        severity = MavSeverity.CRITICAL if lost else MavSeverity.INFO
+        for port in self.ports:
+            port.queue(self.now, CurrentMode(0, REPORTED[mode], REPORTED[mode]))
+            if port.has_ground_station:
+                port.queue(self.now, Statustext(severity, text))
+
+    def _watch_stream(self) -> None:
+        if self.mode is Mode.OFFBOARD and not self.has_stream:
+            hold = self.parameters["NAV_RCL_ACT"] == HOLD_ACTION
+            self.happen(Event.STREAM_LOST_HOLD if hold else Event.STREAM_LOST_RETURN)
+
+    def _follow(self, sp: SetAttitudeTarget) -> None:
+        """Body rates and thrust of the setpoint; what it ignores is not made up for."""
+        mask = sp.type_mask
+        if mask & ATTITUDE_IGNORE:
+            omega_b = (
+                0.0 if mask & ROLL_RATE_IGNORE else sp.body_roll_rate,
+                0.0 if mask & PITCH_RATE_IGNORE else sp.body_pitch_rate,
+                0.0 if mask & YAW_RATE_IGNORE else sp.body_yaw_rate,
+            )
+        else:
+            omega_b = self._rates_for_attitude(sp)
+        self._wanted = (*omega_b, 0.0 if mask & THROTTLE_IGNORE else sp.thrust)
+        self._is_flyable = all(map(math.isfinite, self._wanted))
+
+    def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
+        """Roll and pitch of the quaternion, the yaw of a coordinated turn."""
+        roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
+        yaw = self.estimate.euler[2]
+        turn = G0 * math.tan(roll) / max(self.estimate.true_airspeed, 5.0)
+        coordinated = (
+            -turn * math.sin(pitch),
+            turn * math.sin(roll) * math.cos(pitch),
+            turn * math.cos(roll) * math.cos(pitch),
+        )
+        R_na = from_euler(roll, pitch, yaw)
+        return rate_law(from_euler(*self.estimate.euler), R_na, coordinated, K_ATTITUDE)

@@ -1,0 +1,244 @@
+"""The messages of the software autopilot's streams, made from its estimate."""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vfguide.geometry.so3 import quaternion_from_euler
+from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM, PERCENT
+from vfguide.link.enums import (
+    AttitudeTypeMask,
+    GpsFixType,
+    LandedState,
+    MavAutopilot,
+    MavState,
+    MavType,
+    MissionState,
+    ModeFlag,
+    SysStatusSensor,
+    VtolState,
+)
+from vfguide.link.messages import (
+    Attitude,
+    AttitudeQuaternion,
+    AttitudeTarget,
+    CurrentMode,
+    ExtendedSysState,
+    GlobalPositionInt,
+    GpsGlobalOrigin,
+    GpsRawInt,
+    Heartbeat,
+    HomePosition,
+    LocalPositionNed,
+    Message,
+    MissionCurrent,
+    SetAttitudeTarget,
+    SysStatus,
+    SystemTime,
+    VfrHud,
+    WindCov,
+)
+from vfguide.sim.autopilot.estimate import Estimate, Origin
+from vfguide.sim.autopilot.flight_mode import LOST, REPORTED, Mode
+
+ALL_HEALTHY = (
+    SysStatusSensor.SENSOR_3D_GYRO
+    | SysStatusSensor.SENSOR_3D_ACCEL
+    | SysStatusSensor.SENSOR_3D_MAG
+    | SysStatusSensor.SENSOR_ABSOLUTE_PRESSURE
+    | SysStatusSensor.SENSOR_DIFFERENTIAL_PRESSURE
+    | SysStatusSensor.SENSOR_GPS
+    | SysStatusSensor.AHRS
+    | SysStatusSensor.SENSOR_BATTERY
+    | SysStatusSensor.PREARM_CHECK
+)
+BATTERY_VOLTAGE = 44_400
+"""[mV]"""
+
+
+class Report(NamedTuple):
+    """Everything that the streams tell."""
+
+    now: int
+    """[us since 1970]."""
+    time_boot_ms: int
+    """Time since the start [ms]."""
+    estimate: Estimate
+    origin: Origin
+    home: Origin
+    mode: Mode
+    armed: bool
+    setpoint: SetAttitudeTarget | None
+    """The one that is flown."""
+    throttle: float
+    """0 to 1."""
+
+
+def heartbeat(report: Report) -> Heartbeat:
+    """HEARTBEAT with PX4's encoding of the mode."""
+    flags = ModeFlag.CUSTOM_MODE_ENABLED
+    if report.mode is not Mode.OFFBOARD:
+        flags |= ModeFlag.AUTO_ENABLED | ModeFlag.GUIDED_ENABLED | ModeFlag.STABILIZE_ENABLED
+    if report.armed:
+        flags |= ModeFlag.SAFETY_ARMED
+    status = MavState.CRITICAL if report.mode in LOST else MavState.ACTIVE
+    mode = REPORTED[report.mode]
+    return Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, flags, mode, status)
+
+
+def attitude(report: Report) -> Attitude:
+    """ATTITUDE."""
+    return Attitude(report.time_boot_ms, *report.estimate.euler, *report.estimate.omega_b)
+
+
+def attitude_quaternion(report: Report) -> AttitudeQuaternion:
+    """ATTITUDE_QUATERNION."""
+    w, x, y, z = quaternion_from_euler(*report.estimate.euler)
+    return AttitudeQuaternion(report.time_boot_ms, w, x, y, z, *report.estimate.omega_b)
+
+
+def local_position(report: Report) -> LocalPositionNed:
+    """LOCAL_POSITION_NED about the vehicle's start."""
+    return LocalPositionNed(report.time_boot_ms, *report.estimate.p_l, *report.estimate.v_n)
+
+
+def global_position(report: Report) -> GlobalPositionInt:
+    """GLOBAL_POSITION_INT."""
+    estimate = report.estimate
+    north, east, down = estimate.v_n
+    return GlobalPositionInt(
+        report.time_boot_ms,
+        round(estimate.latitude / DEG_E7),
+        round(estimate.longitude / DEG_E7),
+        round(estimate.altitude / MM),
+        round((estimate.altitude - report.home.altitude) / MM),
+        round(north / CM_S),
+        round(east / CM_S),
+        round(down / CM_S),
+        compass(estimate.euler[2]),
+    )
+
+
+def compass(angle: float) -> int:
+    """An angle as 0 to 35999 hundredths of a degree."""
+    return round(angle / CDEG) % 36000
+
+
+def vfr_hud(report: Report) -> VfrHud:
+    """VFR_HUD; the airspeed is calibrated, as PX4's is."""
+    north, east, down = report.estimate.v_n
+    return VfrHud(
+        report.estimate.calibrated_airspeed,
+        math.hypot(north, east),
+        round(report.estimate.euler[2] / DEG) % 360,
+        round(report.throttle / PERCENT),
+        report.estimate.altitude,
+        -down,
+    )
+
+
+def wind_cov(report: Report) -> WindCov:
+    """WIND_COV; the wind blows toward this vector. As on PX4 no vertical wind is estimated."""
+    north, east, _ = report.estimate.wind_n
+    altitude = report.estimate.altitude
+    return WindCov(report.now, north, east, 0.0, 0.25, 0.25, altitude, 0.5, 0.5)
+
+
+def gps_raw(report: Report) -> GpsRawInt:
+    """GPS_RAW_INT of a receiver with a 3-D fix."""
+    estimate = report.estimate
+    north, east, _ = estimate.v_n
+    return GpsRawInt(
+        report.now,
+        GpsFixType.GPS_FIX_TYPE_3D_FIX,
+        round(estimate.latitude / DEG_E7),
+        round(estimate.longitude / DEG_E7),
+        round(estimate.altitude / MM),
+        80,
+        120,
+        round(math.hypot(north, east) / CM_S),
+        compass(math.atan2(east, north)),
+        12,
+        round(estimate.altitude / MM),
+    )
+
+
+def home_position(report: Report) -> HomePosition:
+    """HOME_POSITION: where the vehicle started."""
+    lat, lon, alt = origin_on_the_wire(report.home)
+    return HomePosition(lat, lon, alt, 0.0, 0.0, 0.0, (1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+
+
+def global_origin(report: Report) -> GpsGlobalOrigin:
+    """GPS_GLOBAL_ORIGIN of the local frame."""
+    lat, lon, alt = origin_on_the_wire(report.origin)
+    return GpsGlobalOrigin(lat, lon, alt, report.now)
+
+
+def origin_on_the_wire(origin: Origin) -> tuple[int, int, int]:
+    """Latitude, longitude [1e-7 deg] and altitude [mm]."""
+    return (
+        round(origin.latitude / DEG_E7),
+        round(origin.longitude / DEG_E7),
+        round(origin.altitude / MM),
+    )
+
+
+def sys_status(_: Report) -> SysStatus:
+    """SYS_STATUS: all well."""
+    return SysStatus(
+        ALL_HEALTHY, ALL_HEALTHY, ALL_HEALTHY, 200, BATTERY_VOLTAGE, -1, 100, 0, 0, 0, 0, 0, 0
+    )
+
+
+def extended_sys_state(report: Report) -> ExtendedSysState:
+    """EXTENDED_SYS_STATE: in the air."""
+    landed = LandedState.IN_AIR if report.armed else LandedState.UNDEFINED
+    return ExtendedSysState(VtolState.UNDEFINED, landed)
+
+
+def system_time(report: Report) -> SystemTime:
+    """SYSTEM_TIME: the date of the simulation."""
+    return SystemTime(report.now, report.time_boot_ms)
+
+
+def current_mode(report: Report) -> CurrentMode:
+    """CURRENT_MODE."""
+    mode = REPORTED[report.mode]
+    return CurrentMode(0, mode, mode)
+
+
+def attitude_target(report: Report) -> AttitudeTarget:
+    """ATTITUDE_TARGET: the setpoint that is flown, level flight without one."""
+    sp = report.setpoint
+    if sp is None:
+        ignore = AttitudeTypeMask.ATTITUDE_IGNORE
+        return AttitudeTarget(report.time_boot_ms, ignore, (1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0)
+    rates = (sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate)
+    return AttitudeTarget(report.time_boot_ms, sp.type_mask, sp.q, *rates, sp.thrust)
+
+
+def mission_current(_: Report) -> MissionCurrent:
+    """MISSION_CURRENT: there is none."""
+    return MissionCurrent(0, 0, MissionState.NO_MISSION)
+
+
+MAKERS: dict[int, Callable[[Report], Message]] = {
+    Heartbeat.MSGID: heartbeat,
+    SysStatus.MSGID: sys_status,
+    SystemTime.MSGID: system_time,
+    GpsRawInt.MSGID: gps_raw,
+    Attitude.MSGID: attitude,
+    AttitudeQuaternion.MSGID: attitude_quaternion,
+    LocalPositionNed.MSGID: local_position,
+    GlobalPositionInt.MSGID: global_position,
+    MissionCurrent.MSGID: mission_current,
+    GpsGlobalOrigin.MSGID: global_origin,
+    VfrHud.MSGID: vfr_hud,
+    AttitudeTarget.MSGID: attitude_target,
+    WindCov.MSGID: wind_cov,
+    HomePosition.MSGID: home_position,
+    ExtendedSysState.MSGID: extended_sys_state,
+    CurrentMode.MSGID: current_mode,
+}
+"""The maker of every message that can be streamed or requested, by its id."""
