@@ -147,7 +147,7 @@ def test_what_moves_may_come_over_a_goal_and_start_over_it(tmp_path: Path) -> No
         # Plant and law.
         (
             PAPER.replace("kinematic", "jsbsim").replace("id = 1", "id = 1\nidentify = true"),
-            "vehicle[0].identify = True: "
+            "vehicle[0].identify = true: "
             'only law = "flight" flies a test flight, allowed here false',
         ),
         (
