@@ -6,11 +6,18 @@ from typing import NamedTuple
 import numpy as np
 from avoidance_worlds import TICK, Turning, World
 
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.airspace.fence import fence_distance
 from vfguide.airspace.hazards import INTRUDER_WIDTH, Hazards
-from vfguide.assurance.decision import Assurance, Decision, Reason, Stored, assure, fresh_stored
+from vfguide.assurance.decision import (
+    Assurance,
+    BackupManoeuvre,
+    Decision,
+    Reason,
+    assure,
+    no_backup,
+)
 from vfguide.field.obstacle import (
     PlacedObstacle,
     Rows,
@@ -20,7 +27,7 @@ from vfguide.field.obstacle import (
 )
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, replacing
+from vfguide.geometry.rows import Row, reader, replacing, width, writer
 from vfguide.geometry.shapes.cylinder import upright_distance
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add, scale, sub
@@ -31,6 +38,29 @@ ROLLING = 1.15
 """The aircraft's lags over those that the assurance believes."""
 REACHED = 60.0
 """Within this of the goal the aircraft turns round and flies back to where it came from [m]."""
+
+
+class Logged(NamedTuple):
+    """What was decided at one tick, and of what."""
+
+    time: float
+    """[s]."""
+    motion: PointMass
+    wish: tuple[float, float]
+    """Bank and path angle [rad]."""
+    stored: BackupManoeuvre
+    """What the decision before left."""
+    decision: Decision
+    distance: float
+    """From the nearest surface [m], and which that is: see `true_distance`."""
+    nearest: int
+    known: int
+    """How many obstacles were known."""
+
+
+LOGGED_WIDTH = width(Logged)
+"""How many numbers the row of a tick has."""
+read_logged, write_logged = reader(Logged), writer(Logged)
 
 
 class Flown(NamedTuple):
@@ -54,7 +84,7 @@ class Flown(NamedTuple):
 
 
 @compiled
-def wish_for(motion: Motion, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
+def wish_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
     """Bank towards the goal, path angle towards its height."""
     north, east = goal[0] - motion.p_n[0], goal[1] - motion.p_n[1]
     error = wrap(math.atan2(east, north) - motion.azimuth)
@@ -146,9 +176,9 @@ def hazards_among(world: World, rows: Rows) -> Hazards:
 
 @compiled
 def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
-    """The whole flight, a tick every 0.05 s; `log` (ticks, 24) takes what was decided."""
+    """The whole flight, a tick every 0.05 s; `log` takes what was decided, a `Logged` a row."""
     rows, motion, goal = world.rows.copy(), world.start, world.goal
-    known, limits, stored = np.zeros(len(rows)), aircraft.limits, fresh_stored()
+    known, limits, stored = np.zeros(len(rows)), aircraft.limits, no_backup()
     slow = slowed(limits)
     least, when, hazard, escapes, bad, first_bad, legs = math.inf, 0.0, -1, 0, 0, math.inf, 0
     for k in range(len(log)):
@@ -157,28 +187,18 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         come_in_sight(rows, motion.p_n, t, known)
         hazards = hazards_among(world, rows[known > 0.0])
         wish = wish_for(motion, goal, limits)
-        log[k, 16:20] = np.array(stored)
-        log[k, 20:22] = np.array(wish)
+        before = stored
         decision = Decision(wish[0], wish[1], Reason.CLEAR.value, 0.0, 0.0, -1)
         if assured:
             decision, stored = assure(
                 motion, wish, world.wind_n, world.gust, hazards, t, TICK, aircraft, stored
             )
         escapes += decision.reason != Reason.CLEAR.value
-        if decision.reason == Reason.LEAST_BAD.value:
+        if decision.reason == Reason.BEST_EFFORT.value:
             bad, first_bad = bad + 1, min(first_bad, t)
-        log[k, 0] = t
-        log[k, 1], log[k, 2], log[k, 3] = motion.p_n
-        log[k, 4], log[k, 5], log[k, 6] = motion.azimuth, motion.bank, motion.gamma
-        log[k, 7], log[k, 8] = decision.bank, decision.gamma
-        log[k, 9], log[k, 10], log[k, 11] = decision.reason, decision.margin, decision.conflict
         distance, nearest = true_distance(world, rows, motion.p_n, t)
-        log[k, 12], log[k, 13], log[k, 14], log[k, 15] = (
-            distance,
-            nearest,
-            len(hazards.obstacles),
-            stored.side,
-        )
+        seen = len(hazards.obstacles)
+        write_logged(Logged(t, motion, wish, before, decision, distance, nearest, seen), log[k])
         if distance < least:
             least, when, hazard = distance, t, nearest
         gust = (world.gusts_n[k, 0], world.gusts_n[k, 1], world.gusts_n[k, 2])
@@ -186,28 +206,26 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         if math.hypot(motion.p_n[0] - goal[0], motion.p_n[1] - goal[1]) < REACHED:
             goal = (world.goal[0] - goal[0], world.goal[1] - goal[1], goal[2])
             legs += 1
-    unclear = log[0, 9] == Reason.LEAST_BAD.value
+    unclear = read_logged(log[0]).decision.reason == Reason.BEST_EFFORT.value
     return Flown(least, when, hazard, escapes, bad, first_bad, unclear, legs)
 
 
 @compiled
-def repeat_decision(world: World, aircraft: Assurance, row: Rows, times: int) -> float:
+def repeat_decision(world: World, aircraft: Assurance, row: Row, times: int) -> float:
     """Take the decision of one row of a log so many times; everything is known and stands."""
-    hazards = hazards_among(world, world.rows)
-    motion = Motion((row[1], row[2], row[3]), row[4], row[5], row[6], world.start.airspeed)
-    stored = Stored(row[16], row[17], row[18], row[19])
-    total = 0.0
+    hazards, total = hazards_among(world, world.rows), 0.0
+    logged = read_logged(row)
     for _ in range(times):
         decision, _ = assure(
-            motion,
-            (row[20], row[21]),
+            logged.motion,
+            logged.wish,
             world.wind_n,
             world.gust,
             hazards,
-            row[0],
+            logged.time,
             TICK,
             aircraft,
-            stored,
+            logged.stored,
         )
         total += decision.bank
     return total

@@ -4,15 +4,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vfguide.aircraft.point_mass import Motion
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.fence import Fences, Zone, fences
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.geometry.rows import table_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import Shape
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vectors
 
 HEIGHT = 150.0
 AIRSPEED = 25.0
@@ -20,7 +19,7 @@ GUST_LAG = 2.0
 """Time in which gusts are forgotten [s]."""
 TICK = 0.05
 """Time between two decisions [s]."""
-Tracks = NDArray[np.float64]
+Tracks = Vectors
 NO_TRACKS: Tracks = np.zeros((0, 2, 3))
 
 
@@ -38,7 +37,7 @@ class Turning(NamedTuple):
 class World(NamedTuple):
     """One world, as compiled code takes it."""
 
-    start: Motion
+    start: PointMass
     goal: Vec3
     rows: Rows
     """Obstacles as `obstacle_rows` has them; those that turn are turned while it is flown."""
@@ -49,7 +48,7 @@ class World(NamedTuple):
     ceiling: float
     wind_n: Vec3
     gust: float
-    gusts_n: NDArray[np.float64]
+    gusts_n: Vectors
     """(ticks, 3) [m/s]."""
     tracks: Tracks = NO_TRACKS
     """(K, n, 3), n at least 2: where upright cylinders are at each tick, NED [m]."""
@@ -159,19 +158,19 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
     turning = [Turning()] * len(rows)
     if kind == "turning":
         ranges = ((-0.15, 0.15), (-3.0, 3.0), (0.0, 25.0))
-        turning = list(map(Turning, *(rng.uniform(*its, len(rows)) for its in ranges)))
+        turning = list(map(Turning, *(rng.uniform(*each, len(rows)) for each in ranges)))
     zones, floor, ceiling = list[Zone](), -math.inf, math.inf
     if kind == "fence":
         zones, floor, ceiling = narrow_fence(rng), 100.0, 200.0
     speed, toward = rng.uniform(0.0, 8.0), rng.uniform(-math.pi, math.pi)
     wind_n = (speed * math.cos(toward), speed * math.sin(toward), 0.0)
     gust = 1.5 * float(number % 2)
-    gusts = np.zeros((round(duration / TICK) + 1, 3))
+    gusts: Vectors = np.zeros((round(duration / TICK) + 1, 3))
     keep = math.exp(-TICK / GUST_LAG)
     for k in range(1, len(gusts)):
         push = rng.normal(size=3) * (gust, gust, 0.5 * gust)
         gusts[k] = keep * gusts[k - 1] + math.sqrt(1.0 - keep * keep) * push
-    start = Motion((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
+    start = PointMass((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
     goal = (1000.0, 0.0, -HEIGHT)
     turns, fence = table_of(Turning, turning), fences(zones)
     return World(start, goal, rows, turns, fence, floor, ceiling, wind_n, gust, gusts)

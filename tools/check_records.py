@@ -14,14 +14,16 @@ One line for each violation on standard output; the exit status is 1 if there is
    - mappings, whose subscript is a key;
    - arrays that are declared as one of `ARRAYS`, which are aliases in `vfguide.geometry.vector`,
      and parts, sums and multiples of such. An array that is not declared so may be a row of a
-     record, and is refused.
+     record, and is refused;
+   - tables of records, declared as `Table` of `vfguide.geometry.rows`, along their first axis:
+     `table[0]` is the row of a record, `table[1:]` a table; `table[0, 3]` is refused.
 
 2. No attribute of a module is set or deleted.
 3. No function is built of the code of another (`FunctionType`, `CodeType`).
 
 The types are pyright's: a copy of the sources, in which the rule's expressions are wrapped into
-`reveal_type`, is checked in a temporary folder. There each alias of `ARRAYS` is a class of its
-own, so that an array that is declared so is told from any other.
+`reveal_type`, is checked in a temporary folder. There each alias of `ARRAYS` and `TABLE` is a class
+of its own, so that an array that is declared so is told from any other.
 """
 
 import ast
@@ -38,9 +40,13 @@ ROOT = Path(__file__).parent.parent
 PACKAGES = ("vfguide", "tools")
 ALIASES = Path("vfguide/geometry/vector.py")
 """Where the aliases of `ARRAYS` are defined."""
-ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series", "Indices")
+ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series", "Indices", "Mask")
 """Aliases of arrays: one vector, many along the last axis, one matrix, many along the last two
-axes, a number at each of many instants or of each of many like things, and indices."""
+axes, a number at each of many instants or of each of many like things, indices, and which of like
+things."""
+ROWS = Path("vfguide/geometry/rows.py")
+TABLE = "Table"
+"""The alias of rows of records, and where it is defined."""
 SEQUENCES = ("array", "bytearray", "bytes", "deque", "list", "memoryview", "range", "str")
 SEQUENCES += ("LiteralString", "Sequence", "GridSpec", "Match")
 """Types of like things: a `GridSpec` has places of a figure, a `Match` groups of text."""
@@ -52,7 +58,7 @@ LONGEST = 3
 BUILDERS = ("FunctionType", "CodeType")
 LIKE = "LikeThings"
 LIKE_CLASS = f'''
-class {LIKE}(np.ndarray[Any, np.dtype[np.float64]]):
+class {LIKE}(np.ndarray[tuple[Any, ...], np.dtype[np.float64]]):
     T: "{LIKE}"
     def __getitem__(self, key: Any) -> "{LIKE}": ...
     def __iter__(self) -> "Iterator[{LIKE}]": ...
@@ -64,6 +70,17 @@ class {LIKE}(np.ndarray[Any, np.dtype[np.float64]]):
     for side in ("", "r")
 )
 """In the copy: the class of arrays that are declared as vectors, matrices and series."""
+TABLE_KIND = "RowsOfRecords"
+TABLE_CLASS = f'''
+class {TABLE_KIND}(np.ndarray[tuple[Any, ...], np.dtype[np.float64]]):
+    @overload
+    def __getitem__(self, key: slice) -> "{TABLE_KIND}": ...
+    @overload
+    def __getitem__(self, key: Any) -> np.ndarray[tuple[Any, ...], np.dtype[np.float64]]: ...
+    def __iter__(self) -> "Iterator[np.ndarray[tuple[Any, ...], np.dtype[np.float64]]]": ...
+    def copy(self, order: Any = "C") -> "{TABLE_KIND}": ...
+'''
+"""In the copy: the class of tables."""
 SETTINGS = {
     "include": list(PACKAGES),
     "extraPaths": ["tools"],
@@ -85,6 +102,8 @@ class Question(NamedTuple):
     """The part of it whose type decides."""
     subscript: bool
     """Whether it is a subscript by number; else it sets an attribute."""
+    axes: bool = False
+    """Whether the subscript is of more than the first axis."""
 
 
 class Violation(NamedTuple):
@@ -127,7 +146,8 @@ class Asker(ast.NodeTransformer):
             case ast.Subscript(value=ast.Name(id="Annotated" | "Literal")):
                 pass  # a type
             case ast.Subscript(slice=index) if has_number(index):
-                node.value = self.asked(node.value, text, True)
+                axes = isinstance(index, ast.Tuple)
+                node.value = self.asked(node.value, text, True, axes)
             case ast.Attribute(value=ast.Name(id="self" | "cls")):
                 pass  # what declares the attributes of a class must stay
             case ast.Attribute(ctx=ast.Store() | ast.Del()):
@@ -136,10 +156,10 @@ class Asker(ast.NodeTransformer):
                 node.args = [self.asked(base, text, False), *rest]
         return node
 
-    def asked(self, base: ast.expr, text: str, subscript: bool) -> ast.expr:
+    def asked(self, base: ast.expr, text: str, subscript: bool, axes: bool = False) -> ast.expr:
         """The expression `base`, wrapped; `text` is the code that it is part of."""
         marker = ast.keyword("expected_text", ast.Constant(str(len(self.questions))))
-        question = Question(self.path, base.lineno, text, ast.unparse(base), subscript)
+        question = Question(self.path, base.lineno, text, ast.unparse(base), subscript, axes)
         self.questions.append(question)
         asked = ast.Call(ast.Name("reveal_type", ast.Load()), [base], [marker])
         return ast.copy_location(asked, base)
@@ -188,6 +208,8 @@ def breaks(question: Question, kind: str) -> bool:
         return kind.startswith("Module(")
     if kind.split("[", maxsplit=1)[0] in MAPPINGS:
         return False
+    if kind == TABLE_KIND:
+        return question.axes
     try:
         return not is_like(ast.parse(kind, mode="eval").body, question.base.isupper())
     except SyntaxError:
@@ -203,11 +225,18 @@ def builders(path: Path, tree: ast.AST) -> Iterable[Violation]:
                 yield Violation(path, node.lineno, f"{name}(...) builds a function of code")
 
 
-def with_classes(source: str) -> str:
-    """The module of the aliases, each of them a class of its own kind."""
-    names = "|".join(ARRAYS)
-    head = "import numpy as np\nfrom typing import Any\nfrom collections.abc import Iterator\n"
-    return head + LIKE_CLASS + re.sub(rf"^({names}) = .*$", rf"\1 = {LIKE}", source, flags=re.M)
+def with_classes(source: str, path: Path) -> str:
+    """A module, in which the aliases are classes of their own kind."""
+    head = "import numpy as np\nfrom typing import Any, overload\n"
+    head += "from collections.abc import Iterator\n"
+    if path == ROWS:
+        return head + TABLE_CLASS + renamed(source, (TABLE,), TABLE_KIND)
+    return head + LIKE_CLASS + renamed(source, ARRAYS, LIKE) if path == ALIASES else source
+
+
+def renamed(source: str, aliases: Iterable[str], kind: str) -> str:
+    """A module in which some aliases stand for another type."""
+    return re.sub(rf"^({'|'.join(aliases)}) = .*$", rf"\1 = {kind}", source, flags=re.M)
 
 
 def types_of(folder: Path) -> dict[int, str]:
@@ -215,7 +244,7 @@ def types_of(folder: Path) -> dict[int, str]:
     (folder / "pyrightconfig.json").write_text(json.dumps(SETTINGS))
     command = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable]
     done = subprocess.run(command, cwd=folder, check=False, capture_output=True, text=True)
-    told = [its["message"] for its in json.loads(done.stdout)["generalDiagnostics"]]
+    told = [each["message"] for each in json.loads(done.stdout)["generalDiagnostics"]]
     found = (MISMATCH.search(message) for message in told)
     return {int(match[1]): match[2] for match in found if match}
 
@@ -225,7 +254,9 @@ def violations(root: Path = ROOT) -> list[Violation]:
     questions: list[Question] = []
     found: list[Violation] = []
     with tempfile.TemporaryDirectory() as name:
-        for source in sorted(its for package in PACKAGES for its in (root / package).rglob("*.py")):
+        for source in sorted(
+            each for package in PACKAGES for each in (root / package).rglob("*.py")
+        ):
             path = source.relative_to(root)
             tree = ast.parse(source.read_text())
             found += builders(path, tree)
@@ -233,7 +264,7 @@ def violations(root: Path = ROOT) -> list[Violation]:
             text = ast.unparse(ast.fix_missing_locations(asked))
             copy = Path(name) / path
             copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_text(with_classes(text) if path == ALIASES else text)
+            copy.write_text(with_classes(text, path))
         kinds = types_of(Path(name))
     for number, question in enumerate(questions):
         kind = kinds.get(number, "unknown")

@@ -25,7 +25,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from flown_worlds import DRAWN, SPEED, Table, scenario_of
@@ -35,6 +35,7 @@ from rich.table import Table as RichTable
 
 from vfguide.field.swarm_control import fly_paper_law
 from vfguide.geometry.shapes.base import EDGED
+from vfguide.geometry.vector import Series
 from vfguide.guidance.laws import FLIGHT, PAPER, Law
 from vfguide.loop.rows import step_measured
 from vfguide.runs.steps import Steps
@@ -74,12 +75,20 @@ class Row:
     """Setpoints that the assurance chose."""
 
 
+class Flown(NamedTuple):
+    """One world by one law."""
+
+    outcome: Outcome
+    took: Series
+    """Each of its steps [us]."""
+
+
 def with_reach(table: Table, reach: float) -> Table:
     """The world with the reactive areas of the paper's law that large [m]; ours has none."""
     return {
         **table,
         "obstacle": [
-            {**its, "reactive_level": level_of(its, reach)} for its in table.get("obstacle", [])
+            {**each, "reactive_level": level_of(each, reach)} for each in table.get("obstacle", [])
         ],
     }
 
@@ -91,10 +100,12 @@ def level_of(obstacle: Table, reach: float) -> float:
         case "sphere":
             size, exponent = obstacle["radius_m"], 1.0
         case "ellipsoid" | "superquadric":
-            size = min(obstacle["semi_axes_m"][:2])
+            a, b, _ = obstacle["semi_axes_m"]
+            size = min(a, b)
             exponent = min(obstacle.get("exponents", [1.0]))
         case "box":
-            size = 0.5 * min(obstacle["size_m"][:2])
+            length, width, _ = obstacle["size_m"]
+            size = 0.5 * min(length, width)
         case _:
             size = obstacle["radius_m"]
     return min((1.0 + reach / size) ** (2.0 * exponent), HIGHEST)
@@ -103,8 +114,9 @@ def level_of(obstacle: Table, reach: float) -> float:
 def on_papers_plant(table: Table) -> Table:
     """The world for the paper's rigid body: its law, its speed, no wind."""
     left_out = ("wind", "traffic", "traffic_receiver", "fence", "avoidance")
-    goal = table["vehicle"][0]["goal"][0]["position_m"]
-    apart = float(np.linalg.norm(np.subtract(goal, table["vehicle"][0]["position_m"])))
+    (vehicle,) = table["vehicle"]
+    (goal,) = vehicle["goal"]
+    apart = float(np.linalg.norm(np.subtract(goal["position_m"], vehicle["position_m"])))
     return {
         **{key: value for key, value in table.items() if key not in left_out},
         "plant": "kinematic",
@@ -121,18 +133,18 @@ def is_for(law: str, table: Table) -> bool:
 
 def stands(table: Table) -> bool:
     """Whether nothing in the world moves."""
-    moving = any(any(its.get("velocity_mps", ())) for its in table.get("obstacle", []))
+    moving = any(any(each.get("velocity_mps", ())) for each in table.get("obstacle", []))
     return not moving and not table.get("traffic") and "fence" not in table
 
 
-def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> tuple[Outcome, Any]:
-    """One world by one law, and what each of its steps took [us]."""
+def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> Flown:
+    """One world by one law."""
     took: list[float] = []
     if law == PAPERS_PLANT:
         steps = Steps(paper=timed(fly_paper_law, took))
-        return fly_table(on_papers_plant(table), number, args, steps), np.array(took)
+        return Flown(fly_table(on_papers_plant(table), number, args, steps), np.array(took))
     steps = Steps(measured=timed(step_by(FLOWN[law]), took))
-    return fly_table(table, number, args, steps), np.array(took)
+    return Flown(fly_table(table, number, args, steps), np.array(took))
 
 
 def step_by(law: Law) -> Callable[..., Any]:
@@ -157,16 +169,16 @@ def timed(function: Any, took: list[float]) -> Any:
     return noting
 
 
-def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, tuple[Outcome, Any]]:
+def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, Flown]:
     """One world by all laws that can be flown in it."""
     kind, number, args = job
     table = with_reach(scenario_of(kind, args.seed, number), args.reach_m)
-    flown: dict[str, tuple[Outcome, Any]] = {}
+    flown: dict[str, Flown] = {}
     for law in args.laws:
         asked = args.reference_s if not flown and stands(table) else 0.0
         if is_for(law, table):
-            its = argparse.Namespace(**{**vars(args), "reference_s": asked})
-            flown[law] = fly_by(law, table, number, its)
+            each = argparse.Namespace(**{**vars(args), "reference_s": asked})
+            flown[law] = fly_by(law, table, number, each)
     return flown
 
 
@@ -178,11 +190,11 @@ def prepare(args: argparse.Namespace) -> None:
         fly_by(law, table, 0, silent)
 
 
-def row_of(kind: str, law: str, flown: Sequence[dict[str, tuple[Outcome, Any]]]) -> Row:
+def row_of(kind: str, law: str, flown: Sequence[dict[str, Flown]]) -> Row:
     """The line of one law in one kind of worlds."""
-    outcomes = [its[law][0] for its in flown if law in its]
-    took = np.concatenate([its[law][1] for its in flown if law in its])
-    references = [shortest(its) for its in flown if law in its]
+    outcomes = [each[law].outcome for each in flown if law in each]
+    took = np.concatenate([each[law].took for each in flown if law in each])
+    references = [shortest(each) for each in flown if law in each]
     clean = [o.meets and not o.hits for o in outcomes]
     lengths = zip(outcomes, references, clean, strict=True)
     over = [o.length_m / r for o, r, counts in lengths if counts]
@@ -201,9 +213,9 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, tuple[Outcome, Any]]])
     )
 
 
-def shortest(flown: dict[str, tuple[Outcome, Any]]) -> float:
+def shortest(flown: dict[str, Flown]) -> float:
     """Length of the shortest path in one world [m]: of BIT* where it was asked and found one."""
-    outcomes = [outcome for outcome, _ in flown.values()]
+    outcomes = [each.outcome for each in flown.values()]
     asked = [o.reference_m for o in outcomes if np.isfinite(o.reference_m)]
     return asked[0] if asked else outcomes[0].free_m
 
@@ -266,7 +278,7 @@ def write_csv(rows: Sequence[Row], path: Path) -> None:
         writer.writerows(astuple(row) for row in rows)
 
 
-def flown_of(kind: str, args: argparse.Namespace) -> Iterator[dict[str, tuple[Outcome, Any]]]:
+def flown_of(kind: str, args: argparse.Namespace) -> Iterator[dict[str, Flown]]:
     """All worlds of one kind."""
     jobs = [(kind, number, args) for number in range(args.first, args.first + args.runs)]
     if args.workers == 1:
@@ -308,11 +320,11 @@ def main() -> None:
     rows: list[Row] = []
     for kind in args.kinds:
         flown = list(flown_of(kind, args))
-        laws = [law for law in args.laws if any(law in its for its in flown)]
+        laws = [law for law in args.laws if any(law in each for each in flown)]
         rows += [row_of(kind, law, flown) for law in laws]
         for law in laws:
             print(f"{kind}, {law}, seed {args.seed}:", flush=True)
-            show_failures([its[law][0] for its in flown if law in its])
+            show_failures([each[law].outcome for each in flown if law in each])
     console = Console()
     Console(width=None if console.is_terminal else WIDTH).print(rich_table(rows))
     if args.csv:

@@ -9,6 +9,7 @@ from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm, fly_paper_law
 from vfguide.geometry.rows import columns
+from vfguide.geometry.vector import Matrices, Series, Vectors
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
 DT = 0.02
@@ -22,14 +23,14 @@ GAINS = PaperGains(0.25, 3.5, DT)
 class Flight:
     """N robots, from their starts until all stand or the time is over."""
 
-    p_n: Rows
+    p_n: Vectors
     """(T, N, 3) [m]."""
-    R_nb: Rows
+    R_nb: Matrices
     """(T, N, 3, 3)."""
     standing: np.ndarray
     """(N,) whether each is at its goal."""
 
-    def headings(self, goals: Rows) -> Rows:
+    def headings(self, goals: Rows) -> Series:
         """Angles between body x and the goal's direction at the end, (N,) [rad]."""
         nose, wanted = self.R_nb[-1, :, :, 0], columns(GoalFrame, goals).R_ng[:, :, 0]
         cosine = np.sum(nose * wanted, axis=1)

@@ -17,17 +17,24 @@ import time
 from dataclasses import dataclass
 
 import numpy as np
-from avoidance_flights import Flown, fly, repeat_decision, slowed
+from avoidance_flights import (
+    LOGGED_WIDTH,
+    Flown,
+    Logged,
+    fly,
+    read_logged,
+    repeat_decision,
+    slowed,
+)
 from avoidance_worlds import DRAWN, TICK, World, draw_world
 from manoeuvre_tree import best_escape
 
 from vfguide.aircraft.performance import Gains
-from vfguide.aircraft.point_mass import Motion
 from vfguide.assurance.decision import Assurance, Reason, assurance
+from vfguide.geometry.rows import Table, columns
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
 
-COLUMNS = 24
 REPEATS = 20
 ENOUGH = 5.0
 """The tree does not look for a larger distance than this [m]."""
@@ -50,16 +57,15 @@ def the_aircraft() -> Assurance:
     return assurance(aircraft, Gains(aircraft.airspeed_cruise))
 
 
-def best_possible(world: World, log: np.ndarray, aircraft: Assurance) -> float:
+def best_possible(world: World, log: Table, aircraft: Assurance) -> float:
     """The least of what the tree finds at the moments at which something came in sight [m].
 
     Obstacles that turn are taken as they are drawn: the tree then says nothing of value.
     """
-    known = log[:, 14]
-    moments = [0, *(np.flatnonzero(np.diff(known) > 0) + 1)]
+    moments = [0, *(np.flatnonzero(np.diff(columns(Logged, log).known) > 0) + 1)]
     best = ENOUGH
     for k in moments:
-        motion = Motion(tuple(map(float, log[k, 1:4])), *map(float, log[k, 4:7]), 25.0)
+        motion = read_logged(log[k]).motion
         limits = slowed(aircraft.limits)
         best = min(best, best_escape(world, world.rows, motion, k * TICK, limits, ENOUGH))
     return best
@@ -68,7 +74,7 @@ def best_possible(world: World, log: np.ndarray, aircraft: Assurance) -> float:
 def try_world(kind: str, number: int, args: argparse.Namespace) -> Outcome:
     """Fly one world with and without the assurance."""
     world, aircraft = draw_world(kind, args.seed, number, args.duration), the_aircraft()
-    log = np.zeros((round(args.duration / TICK), COLUMNS))
+    log = np.zeros((round(args.duration / TICK), LOGGED_WIDTH))
     without = fly(world, aircraft, False, log)
     assured = fly(world, aircraft, True, log)
     hit = assured.least < 0.0 and not assured.unclear_start
@@ -106,7 +112,7 @@ def show_cost(args: argparse.Namespace) -> None:
         world, number = draw_world("static", args.seed, number, args.duration), number + 1
         if len(world.rows) != 15:
             continue
-        log = np.zeros((round(args.duration / TICK), COLUMNS))
+        log: Table = np.zeros((round(args.duration / TICK), LOGGED_WIDTH))
         fly(world, aircraft, True, log)
         repeat_decision(world, aircraft, log[0], 1)
         for row in log[::10]:
@@ -123,13 +129,17 @@ def show_cost(args: argparse.Namespace) -> None:
 def show_flight(kind: str, args: argparse.Namespace) -> None:
     """Print the decisions of one flight, four a second where the assurance acts."""
     world = draw_world(kind, args.seed, args.only, args.duration)
-    log = np.zeros((round(args.duration / TICK), COLUMNS))
+    log: Table = np.zeros((round(args.duration / TICK), LOGGED_WIDTH))
     print(fly(world, the_aircraft(), True, log))
     print("time, position, azimuth, bank, path angle | commands, reason, margin | distance, to")
     for row in log[:: round(0.25 / TICK)]:
-        if row[9] != Reason.CLEAR:
-            print(*(f"{x:.2f}" for x in row[:7]), "|", *(f"{x:.2f}" for x in row[7:11]), end=" | ")
-            print(f"{row[12]:.2f} {row[13]:.0f}")
+        logged = read_logged(row)
+        motion, decision = logged.motion, logged.decision
+        if decision.reason != Reason.CLEAR:
+            at = (logged.time, *motion.p_n, motion.azimuth, motion.bank, motion.gamma)
+            chosen = (decision.bank, decision.gamma, decision.reason, decision.margin)
+            print(*(f"{x:.2f}" for x in at), "|", *(f"{x:.2f}" for x in chosen), end=" | ")
+            print(f"{logged.distance:.2f} {logged.nearest}")
 
 
 def main() -> None:
@@ -147,7 +157,7 @@ def main() -> None:
     if args.cost:
         show_cost(args)
         return
-    kinds = args.kind or list(DRAWN)
+    kinds: list[str] = args.kind or list(DRAWN)
     if args.only is not None:
         show_flight(kinds[0], args)
         return

@@ -24,7 +24,7 @@ from vfguide.geometry.dual import Dual3
 from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.distance import onto_surface
-from vfguide.geometry.vector import Matrices
+from vfguide.geometry.vector import Matrices, Series, Vectors
 
 SPACING = Spacing(10.0, 100.0)
 NOBODY = np.zeros((0, 6))
@@ -49,8 +49,8 @@ class Scene(NamedTuple):
     """Points that move among obstacles and robots."""
 
     goal: GoalFrame
-    p: Rows
-    v: Rows
+    p: Vectors
+    v: Vectors
     obstacles: Rows
     others: Rows
 
@@ -68,12 +68,12 @@ def floats(a: np.ndarray) -> tuple[float, ...]:
     return tuple(map(float, a))
 
 
-def lengths(a: Rows) -> Rows:
+def lengths(a: Vectors) -> Series:
     """Of the vectors in the last axis."""
     return np.linalg.norm(a, axis=-1)
 
 
-def directions(rng: np.random.Generator, count: int) -> Rows:
+def directions(rng: np.random.Generator, count: int) -> Vectors:
     """Random unit vectors, (count, 3)."""
     a = rng.normal(size=(count, 3))
     return a / lengths(a)[:, None]
@@ -85,7 +85,7 @@ def random_goal(rng: np.random.Generator, size: float) -> GoalFrame:
     return goal_frame(position, rng.uniform(-math.pi, math.pi), rng.uniform(-1.0, 1.0))
 
 
-def on_level(body: shape.Shape, level: float, towards: Rows) -> Rows:
+def on_level(body: shape.Shape, level: float, towards: Vectors) -> Vectors:
     """Points where U has a value: those of the surface, scaled until it has."""
     rows = obstacle_rows([Obstacle(body, STILL)])
     points = []
@@ -117,7 +117,7 @@ def random_scene(rng: np.random.Generator, moving: bool, robots: bool) -> Scene:
     for i, direction in enumerate(directions(rng, 4 * IN_A_SCENE // 5)):
         near = obstacles[i % len(obstacles)]
         p[i] = near.p_n + rng.uniform(0.8, 1.3) * direction * near.shape.semi_axes
-    others = np.hstack([rng.uniform(-60.0, 60.0, (2, 3)), 20.0 * rng.normal(size=(2, 3))])
+    others: Rows = np.hstack([rng.uniform(-60.0, 60.0, (2, 3)), 20.0 * rng.normal(size=(2, 3))])
     return Scene(random_goal(rng, 300.0), p, v, obstacle_rows(obstacles), others[: 2 * robots])
 
 
@@ -146,7 +146,7 @@ def least_field(rng: np.random.Generator, body: shape.Shape, count: int) -> floa
     return least
 
 
-def turn_rates(scene: Scene, half: float) -> Rows:
+def turn_rates(scene: Scene, half: float) -> Vectors:
     """Body rates of R_a from fourth-order differences over two and four half steps."""
     wide = scene.at(2.0 * half).R_na - scene.at(-2.0 * half).R_na
     narrow = scene.at(half).R_na - scene.at(-half).R_na

@@ -13,6 +13,7 @@ from search_worlds import HEIGHT, World
 
 from vfguide.field.obstacle import Rows, obstacle_distance, read_obstacle
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Vector
 
 try:
     from ompl import base, geometric, util
@@ -62,8 +63,9 @@ def reference_length(world: World, radius: float, apart: float, seconds: float, 
         raise ModuleNotFoundError(MISSING)
     util.setLogLevel(util.LogLevel.LOG_NONE)
     util.RNG.setSeed(seed + 1)
-    ends = np.array([world.start, world.goal])[:, :2]
-    low, high = ends.min(axis=0) - AROUND, ends.max(axis=0) + AROUND
+    ends = np.array([(pose.x, pose.y) for pose in (world.start, world.goal)])
+    low: Vector = ends.min(axis=0) - AROUND
+    high: Vector = ends.max(axis=0) + AROUND
     cells = tuple(int(n) for n in np.ceil((high - low) / CELL))
     free = free_cells(world.obstacles, (float(low[0]), float(low[1])), (cells[0], cells[1]), apart)
     space = base.DubinsStateSpace(radius)

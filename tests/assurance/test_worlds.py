@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 from assurance_samples import FLOWN
-from avoidance_flights import fly, slowed
+from avoidance_flights import LOGGED_WIDTH, Logged, fly, read_logged, slowed
 from avoidance_worlds import DRAWN, TICK, draw_world
 from manoeuvre_tree import best_escape
 
-from vfguide.aircraft.point_mass import Motion
+from vfguide.geometry.rows import columns
 
 
 def flown(kind, number, assured=True, seed=1):
-    log = np.zeros((1200, 24))
+    log = np.zeros((1200, LOGGED_WIDTH))
     return fly(draw_world(kind, seed, number, 60.0), FLOWN, assured, log), log
 
 
@@ -38,8 +38,8 @@ def test_what_appears_too_late_is_missed_as_well_as_the_tree_of_manoeuvres_can(s
     flight, log = flown("popup", number, seed=seed)
     world = draw_world("popup", seed, number, 60.0)
     best = np.inf
-    for k in np.flatnonzero(np.diff(log[:, 14]) > 0) + 1:
-        at = Motion(tuple(map(float, log[k, 1:4])), *map(float, log[k, 4:7]), 25.0)
+    for k in np.flatnonzero(np.diff(columns(Logged, log).known) > 0) + 1:
+        at = read_logged(log[k]).motion
         limits = slowed(FLOWN.limits)
         best = min(best, best_escape(world, world.rows, at, k * TICK, limits, 5.0))
     assert flight.least >= best - 5.0

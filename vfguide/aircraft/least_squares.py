@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import Series
 
 Array = NDArray[np.float64]
 
-TIMES = np.geomspace(0.01, 2.0, 54)
+TIMES: Series = np.geomspace(0.01, 2.0, 54)
 """Response times that are tried, (54,), 10 % apart [s]."""
 SINGULAR = 1e-9
 """Regressors of length 1 with less than this of their own, squared, are not told apart."""
@@ -56,7 +57,7 @@ def fitted(A: Array, y: Array, instruments: Array | None = None) -> Fit:
     """
     x, spread, left = solved(A, y, A if instruments is None else instruments)
     squares = float(np.sum(left**2))
-    variance = squares / max(1, len(y) - len(x)) * persistence(left)
+    variance = squares / max(1, len(y) - len(x)) * noise_correlation(left)
     return Fit(x, variance * spread, squares, variance)
 
 
@@ -155,7 +156,7 @@ def inverted(M: Array) -> Array:
 
 
 @compiled
-def persistence(left: Array) -> float:
+def noise_correlation(left: Array) -> float:
     """How many samples in a row tell the same: 1 and twice the sum of the autocorrelations."""
     power, total = 0.0, 1.0
     for value in left:
@@ -171,7 +172,7 @@ def persistence(left: Array) -> float:
 
 
 @compiled
-def first_order(time: Array, asked: Array, delay: Array, response_time: float) -> Array:
+def first_order(time: Series, asked: Series, delay: Series, response_time: float) -> Series:
     """What follows setpoints with a lag of first order, at the times of the samples, (N,).
 
     Args:

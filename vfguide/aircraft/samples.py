@@ -5,13 +5,12 @@ from collections.abc import Iterable
 from typing import NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.aircraft.flight_model import STEEPEST_BANK
 from vfguide.aircraft.least_squares import Array, fitted, with_constant
 from vfguide.geometry.rows import columns, table_of
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.geometry.vector import Mask, Mat3, Matrices, Series, Vec3, Vectors
 
 WINDOW = 1.0
 """Lift and thrust are compared in means over this time [s]."""
@@ -33,36 +32,36 @@ class Sample(NamedTuple):
 class Samples(NamedTuple):
     """A flight, at N instants in the order of time: the columns of a table of `Sample`."""
 
-    time: Array
+    time: Series
     """(N,) of the attitude [s]."""
-    R_nb: Array
+    R_nb: Matrices
     """(N, 3, 3) attitude, body FRD to NED."""
-    v_n: Array
+    v_n: Vectors
     """(N, 3) velocity over ground [m/s]."""
-    airspeed: Array
+    airspeed: Series
     """(N,) true airspeed [m/s]; no number: not told, or not believed."""
-    roll_rate: Array
+    roll_rate: Series
     """(N,) [rad/s]."""
-    roll_rate_asked: Array
+    roll_rate_asked: Series
     """(N,) setpoint that answers this state [rad/s]."""
-    thrust: Array
+    thrust: Series
     """(N,) the same of the thrust, 0 to 1."""
-    delay: Array
+    delay: Series
     """(N,) so long after the attitude the setpoint begins to act [s]."""
 
 
 class Means(NamedTuple):
     """A flight in means over WINDOW, (M,) each."""
 
-    airspeed: Array
+    airspeed: Series
     """True airspeed [m/s]."""
-    alpha: Array
+    alpha: Series
     """Angle of attack in level air [rad]."""
-    load: Array
+    load: Series
     """Load factor."""
-    banked: Array
+    banked: Series
     """The load factor that the bank asks for in a level turn."""
-    along: Array
+    along: Series
     """Specific force along the fuselage, over g."""
 
 
@@ -75,9 +74,10 @@ def sound(samples: Samples) -> Samples:
     """The samples that can be reckoned with: of numbers alone but for the airspeed, in order."""
     told = samples._replace(airspeed=samples.time)
     numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in told]
-    good: NDArray[np.bool_] = np.logical_and.reduce(numbers)
-    time = np.where(good, samples.time, -math.inf)
-    good[1:] &= time[1:] > np.maximum.accumulate(time)[:-1]
+    good: Mask = np.logical_and.reduce(numbers)
+    time: Series = np.where(good, samples.time, -math.inf)
+    latest: Series = np.maximum.accumulate(time)
+    good[1:] &= time[1:] > latest[:-1]
     return Samples(*(values[good] for values in samples))
 
 
@@ -89,7 +89,8 @@ def with_airspeed(samples: Samples) -> Samples:
 
 def means_of(samples: Samples) -> Means:
     """The means of samples whose airspeed is known, two at least."""
-    v_n, R_nb = halfway(samples.v_n) - wind_of(samples), halfway(samples.R_nb)
+    v_n = halfway(samples.v_n) - wind_of(samples)
+    R_nb: Matrices = halfway(samples.R_nb)
     u, _, w = np.einsum("nij,ni->jn", R_nb, v_n)
     dt = np.diff(samples.time)
     force_n = np.diff(samples.v_n, axis=0) / dt[:, None] - np.array([0.0, 0.0, G0])
@@ -112,8 +113,8 @@ def wind_of(samples: Samples) -> Array:
     return np.array([north, east, 0.0])
 
 
-def halfway(values: Array) -> Array:
-    """Between the samples."""
+def halfway(values: Vectors) -> Vectors:
+    """Between the samples, which are along the first axis."""
     return 0.5 * (values[1:] + values[:-1])
 
 

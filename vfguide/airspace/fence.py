@@ -13,7 +13,7 @@ import numpy as np
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, table_of
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, Vectors
 
 Point = tuple[float, float]
 """North and east [m]."""
@@ -55,7 +55,7 @@ class Fences(NamedTuple):
 
     zones: Rows
     """A `PackedZone` a row."""
-    corners: Rows
+    corners: Vectors
     """(C, 2): north, east [m]."""
 
 
@@ -101,7 +101,7 @@ def fence_distance(fences: Fences, i: int, p_n: Vec3) -> float:
 
 
 @compiled
-def zone_distance(zone: PackedZone, corners: Rows, north: float, east: float) -> float:
+def zone_distance(zone: PackedZone, corners: Vectors, north: float, east: float) -> float:
     """Horizontal distance from the edge of a zone [m], negative inside."""
     first, count = zone.first_corner, zone.corners
     if count == 1:

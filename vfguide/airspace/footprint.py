@@ -9,11 +9,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.field.obstacle import Rows, read_obstacle, shape_of
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, width, writer
+from vfguide.geometry.rows import Table, reader, width, writer
 from vfguide.geometry.shapes.base import Section, Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
 
@@ -85,12 +84,13 @@ def touching(section: Section, nx: float, ny: float) -> float:
 
 
 @compiled
-def sides_round(section: Section, c: float, s: float) -> NDArray[np.float64]:
+def sides_round(section: Section, c: float, s: float) -> Table:
     """The polygon round a section, its axes turned by the angle of cosine `c` and sine `s`.
 
     A `Side` a row, clockwise from above.
     """
-    sides, quarter = np.empty((SIDES, SIDE_WIDTH)), np.empty(SIDES // 4 + 1)
+    sides: Table = np.empty((SIDES, SIDE_WIDTH))
+    quarter = np.empty(SIDES // 4 + 1)
     for k in range(len(quarter)):
         quarter[k] = touching(section, max(math.cos(k * STEP), 0.0), math.sin(k * STEP))
     for k in range(SIDES):

@@ -69,7 +69,8 @@ def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
         airspeed: a guess of the true airspeed [m/s].
         d_n: direction of flight through the air, NED.
     """
-    x, P = np.zeros(STATES), np.zeros((STATES, STATES))
+    x: StateVector = np.zeros(STATES)
+    P: Covariance = np.zeros((STATES, STATES))
     x[NORTH] = v_n[0] - airspeed * d_n[0]
     x[EAST] = v_n[1] - airspeed * d_n[1]
     x[AIRSPEED] = airspeed

@@ -5,41 +5,39 @@ each other; one point is an array of shape (3,). For a goal p_d, R_d elsewhere, 
 `navigation_fields((p - p_d) @ R_d) @ R_d.T`.
 """
 
-from typing import Any
-
 from vfguide.field import navigation
 from vfguide.field.attitude import frame, frame_fields, frame_rate
 from vfguide.geometry.compiled import over_points
-from vfguide.geometry.vector import vec3
+from vfguide.geometry.vector import Matrix, Vector, vec3
 
 AT_REST = (0.0, 0.0, 0.0)
 
 
 @over_points("(float64[:], float64[:])", "(n)->(n)")
-def navigation_fields(p: Any, F: Any) -> None:
+def navigation_fields(p: Vector, F: Vector) -> None:
     """F of each point, (..., 3): eq_VF_xyz_compo."""
     F[0], F[1], F[2] = navigation.navigation_field(vec3(p))
 
 
 @over_points("(float64[:], float64[:])", "(n)->(n)")
-def normal_fields(p: Any, G: Any) -> None:
+def normal_fields(p: Vector, G: Vector) -> None:
     """G of each point, (..., 3): Lemma 1, eq_VF_G_xyz_comp."""
     G[0], G[1], G[2] = navigation.normal_field(vec3(p))
 
 
 @over_points("(float64[:], float64[:])", "(n)->(n)")
-def binormal_fields(p: Any, H: Any) -> None:
+def binormal_fields(p: Vector, H: Vector) -> None:
     """H = G x F of each point, (..., 3): eq_VF_H_xyz_comp, corrected."""
     H[0], H[1], H[2] = navigation.binormal_field(vec3(p))
 
 
 @over_points("(float64[:], float64[:, :])", "(n)->(n,n)")
-def attitudes(p: Any, R_ga: Any) -> None:
+def attitudes(p: Vector, R_ga: Matrix) -> None:
     """R_a of each point, (..., 3, 3): eq_auxi_atti_matrix, defined everywhere."""
     R_ga[0], R_ga[1], R_ga[2] = frame(frame_fields(vec3(p), AT_REST))
 
 
 @over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")
-def attitude_rates(p: Any, v: Any, Omega_a: Any) -> None:
+def attitude_rates(p: Vector, v: Vector, Omega_a: Vector) -> None:
     """Omega_a of each moving point, (..., 3): body rates of R_a [rad/s], Lemma 2."""
     Omega_a[0], Omega_a[1], Omega_a[2] = frame_rate(frame_fields(vec3(p), vec3(v)))

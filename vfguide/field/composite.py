@@ -24,7 +24,7 @@ from vfguide.field.transition import transition
 from vfguide.geometry import dual, vector
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.geometry.vector import Mat3, Series, Vec3
 
 
 class Composite(NamedTuple):
@@ -40,7 +40,7 @@ class Composite(NamedTuple):
     """The auxiliary attitude R_a, to NED."""
     Omega_a: Vec3
     """Its body rates [rad/s]."""
-    chi: Rows
+    chi: Series
     """Of each obstacle, (M,)."""
 
 
@@ -87,7 +87,7 @@ def free_field(goal: GoalFrame, p: Dual3) -> FreeField:
 
 @compiled
 def deflect_by_obstacles(
-    by: Deflection, free: FreeField, p: Dual3, t: float, obstacles: Rows, chi: Rows
+    by: Deflection, free: FreeField, p: Dual3, t: float, obstacles: Rows, chi: Series
 ) -> Deflection:
     """The deflection with all obstacles added; writes their chi, (M,)."""
     for i in range(len(obstacles)):
@@ -113,7 +113,7 @@ def deflect_by_robot(
 
 
 @compiled
-def compose(goal: GoalFrame, p: Dual3, free: FreeField, by: Deflection, chi: Rows) -> Composite:
+def compose(goal: GoalFrame, p: Dual3, free: FreeField, by: Deflection, chi: Series) -> Composite:
     """Field and frame of a deflection; where nothing deflects, the frame of free space."""
     fields = avoidance_frame_fields(goal, free, by)
     H = vector.cross(fields.G, fields.F)

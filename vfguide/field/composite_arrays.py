@@ -10,23 +10,23 @@ from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.vector import vec3
+from vfguide.geometry.vector import Matrices, Series, Vectors, vec3
 
 
 class CompositeArrays(NamedTuple):
     """`Composite` over arrays, NED; the leading axes are those of the points."""
 
-    F: Rows
+    F: Vectors
     """(..., 3)."""
-    G: Rows
+    G: Vectors
     """(..., 3)."""
-    H: Rows
+    H: Vectors
     """(..., 3)."""
-    R_na: Rows
+    R_na: Matrices
     """(..., 3, 3)."""
-    Omega_a: Rows
+    Omega_a: Vectors
     """(..., 3) [rad/s]."""
-    chi: Rows
+    chi: Vectors
     """(..., M)."""
 
 
@@ -80,9 +80,9 @@ def _flat(a: Any, leading: tuple[int, ...], core: tuple[int, ...]) -> Rows:
 @compiled
 def _at_points(
     goal: GoalFrame,
-    p_n: Rows,
-    v_n: Rows,
-    t: Rows,
+    p_n: Vectors,
+    v_n: Vectors,
+    t: Series,
     obstacles: Rows,
     others: Rows,
     spacing: Spacing,

@@ -7,13 +7,10 @@ gives way to nobody. So what a robot does never depends on one further down.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-
-Indices = NDArray[np.int64]
+from vfguide.geometry.vector import Indices, Vectors
 
 
 class Neighbours(NamedTuple):
@@ -25,7 +22,7 @@ class Neighbours(NamedTuple):
     """Ascending within each set."""
 
 
-def robots_in_range(p_n: Rows, detection_range: float) -> Neighbours:
+def robots_in_range(p_n: Vectors, detection_range: float) -> Neighbours:
     """N_i of all robots: who is within r_d of whom. Positions (N, 3) [m].
 
     The paper's set leaves out robots nearer than r_c, of which it says that they have collided.
@@ -35,7 +32,7 @@ def robots_in_range(p_n: Rows, detection_range: float) -> Neighbours:
     return _sets(np.concatenate((low, high)), np.concatenate((high, low)), len(p_n))
 
 
-def robots_with_priority(p_n: Rows, detection_range: float) -> Neighbours:
+def robots_with_priority(p_n: Vectors, detection_range: float) -> Neighbours:
     """N_i^+ of all robots: those of N_i to which robot i gives way, j < i (Algorithm 1)."""
     low, high = _pairs(p_n, detection_range)
     return _sets(high, low, len(p_n))
@@ -46,7 +43,7 @@ def no_neighbours(count: int) -> Neighbours:
     return Neighbours(np.zeros(count + 1, np.int64), np.zeros(0, np.int64))
 
 
-def _pairs(p_n: Rows, detection_range: float) -> tuple[Indices, Indices]:
+def _pairs(p_n: Vectors, detection_range: float) -> tuple[Indices, Indices]:
     """Robots i < j within range of each other."""
     # Neither option changes the result; with them 10,000 robots take 60 % of the time.
     tree = KDTree(p_n, balanced_tree=False, compact_nodes=False)
@@ -66,7 +63,7 @@ def _sets(robot: Indices, other: Indices, count: int) -> Neighbours:
 @compiled
 def counting_sort(keys: Indices, count: int) -> tuple[Indices, Indices]:
     """Where each key 0 ... count - 1 starts in the sorted order, (count + 1,), and that order."""
-    start = np.zeros(count + 1, np.int64)
+    start: Indices = np.zeros(count + 1, np.int64)
     for key in keys:
         start[key + 1] += 1
     for key in range(count):

@@ -9,18 +9,15 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual, Dual3
-from vfguide.geometry.rows import reader, replacing, table_of, writer
+from vfguide.geometry.rows import Row, Table, reader, replacing, table_of, writer
 from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.distance import signed_distance
 from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub
 
-Rows = NDArray[np.float64]
+Rows = Table
 """A table of numbers, one thing a row."""
 
 OUT_OF_SIGHT = 1e9
@@ -117,7 +114,7 @@ def placed(obstacle: Obstacle) -> PlacedObstacle:
 
 
 @compiled
-def put_out_of_sight(row: Rows) -> None:
+def put_out_of_sight(row: Row) -> None:
     """Put the obstacle of a row so far to the north that nothing meets it."""
     obstacle = read_obstacle(row)
     _, east, down = obstacle.p_n

@@ -1,6 +1,7 @@
 """The field for many robots at once, each giving way to those above it."""
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
@@ -13,10 +14,8 @@ from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Robot, Spacing, read_robot
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import place, table_of
-
-POSITION = place(Robot, "p_n")
-"""Columns of the positions in a table of robots."""
+from vfguide.geometry.rows import columns, table_of
+from vfguide.geometry.vector import Vectors
 
 
 def fields_of_robots(
@@ -35,7 +34,9 @@ def fields_of_robots(
     if spacing is None:
         spacing, neighbours = Spacing(0.0, 0.0), no_neighbours(len(robots))
     else:
-        neighbours = robots_with_priority(robots[:, POSITION], spacing.detection_range)
+        neighbours = robots_with_priority(
+            cast("Vectors", columns(Robot, robots).p_n), spacing.detection_range
+        )
     fields = empty_fields(len(robots), len(obstacles))
     _of_robots(goals, robots, t, obstacles, neighbours, spacing, fields)
     return fields

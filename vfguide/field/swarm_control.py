@@ -20,7 +20,7 @@ from vfguide.field.robots import Robot, Spacing, write_robot
 from vfguide.field.swarm import fields_of_robots
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import width
-from vfguide.geometry.vector import mat3, norm, scale, sub, vec3
+from vfguide.geometry.vector import Matrices, Series, Vectors, mat3, norm, scale, sub, vec3
 
 ROBOT_WIDTH = width(Robot)
 """How many numbers the row of a robot has."""
@@ -31,9 +31,9 @@ TURN = 0.3
 class Swarm(NamedTuple):
     """N robots in the order of their priority."""
 
-    p_n: Rows
+    p_n: Vectors
     """(N, 3) positions, NED [m]."""
-    R_nb: Rows
+    R_nb: Matrices
     """(N, 3, 3) attitudes, body to NED."""
     moving: NDArray[np.bool_]
     """(N,) whether the robot flies to its goal; else it stands still."""
@@ -63,7 +63,7 @@ def fly_paper_law(
     obstacles: Rows,
     spacing: Spacing | None,
     gains: PaperGains,
-) -> tuple[Rows, Rows]:
+) -> tuple[Series, Vectors]:
     """Speeds (N,) [m/s] and body rates (N, 3) [rad/s] of all robots.
 
     Args:
@@ -80,7 +80,7 @@ def fly_paper_law(
 
 
 @compiled
-def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
+def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Series]:
     """The robots, moving with v_x R e_x, a `Robot` a row; and speeds v_x = k_v |p - p_d| (N,)."""
     count = len(goals)
     robots, speed = np.zeros((count, ROBOT_WIDTH)), np.zeros(count)
@@ -94,12 +94,12 @@ def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Rows]:
 
 
 @compiled
-def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float, most: float) -> Rows:
+def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float, most: float) -> Vectors:
     """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s].
 
     The roll of Omega_a is taken as `most` [rad/s] at the most.
     """
-    omega_b = np.zeros((len(swarm.p_n), 3))
+    omega_b: Vectors = np.zeros((len(swarm.p_n), 3))
     for i in range(len(swarm.p_n)):
         if swarm.moving[i]:
             R_nb, R_na, Omega_a = mat3(swarm.R_nb[i]), mat3(fields.R_na[i]), vec3(fields.Omega_a[i])

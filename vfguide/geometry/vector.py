@@ -27,6 +27,8 @@ Series = NDArray[np.float64]
 """One number at each of n instants, or of each of n like things, (n,)."""
 Indices = NDArray[np.int64]
 """Places in a sequence of like things, or counts of them, (n,)."""
+Mask = NDArray[np.bool_]
+"""Which of n like things, (n,)."""
 
 
 @compiled

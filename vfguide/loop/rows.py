@@ -6,11 +6,10 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.local_frame import Quaternion, place_state, place_told, read_measurement
-from vfguide.field.obstacle import Rows
+from vfguide.estimation.local_frame import Quaternion, place_measured, place_state, read_measurement
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
-from vfguide.geometry.vector import Vec3, mat3, matvec, vec3
+from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
@@ -45,7 +44,7 @@ def step_measured(
         that was passed [m].
     """
     told = read_measurement(measured)
-    inputs = Inputs(place_state(told, origin), place_told(told, origin), False)
+    inputs = Inputs(place_state(told, origin), place_measured(told, origin), False)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     setpoint, left, outcome = step(inputs, state, legs, airspace, law, aircraft)
     after = np.empty(len(before))
@@ -55,7 +54,7 @@ def step_measured(
 
 @compiled
 def step_body(
-    time: float, p: Rows, R: Rows, before: Row, legs: Legs, law: Law, vehicle: Row
+    time: float, p: Vector, R: Matrix, before: Row, legs: Legs, law: Law, vehicle: Row
 ) -> tuple[Vec3, Row]:
     """A step for a rigid body whose state is known: body rates [rad/s], and the next state.
 
@@ -73,7 +72,7 @@ def step_body(
     body, R_nb = read_vehicle(vehicle), mat3(R)
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
-    state = FlightState(time, vec3(p), v_n, R_nb, speed, CALM)
+    state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, CALM)
     inputs = Inputs(state, state, True)
     setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))

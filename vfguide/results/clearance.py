@@ -11,15 +11,11 @@ import numpy as np
 
 from vfguide.field.obstacle import PlacedObstacle, Rows
 from vfguide.field.obstacle_arrays import distances, levels
-from vfguide.geometry.rows import place
+from vfguide.geometry.rows import columns
 from vfguide.geometry.vector import Series
 from vfguide.results.path import positions
 from vfguide.results.record import Array, FlightRecord
 
-POSITION, VELOCITY, SEMI_AXES = (
-    place(PlacedObstacle, name) for name in ("p_n", "v_n", "semi_axes")
-)
-"""Columns of these fields in a table of obstacles."""
 PARTS = 16
 """A step is looked at in so many parts,"""
 ROUNDS = 4
@@ -33,7 +29,7 @@ def min_levels(record: FlightRecord, obstacles: Rows) -> Array:
     """Least U of each obstacle on the path, (M,)."""
     values = levels(record.p_n, record.time, obstacles)
     each = zip(values.T, obstacles[:, None], strict=True)
-    return np.array([_refined(record, its, levels, row) for its, row in each])
+    return np.array([_refined(record, each, levels, row) for each, row in each])
 
 
 def min_clearances(record: FlightRecord, obstacles: Rows) -> Array:
@@ -56,7 +52,8 @@ def _min_clearance(record: FlightRecord, row: Rows) -> float:
     nearest = int(np.argmin(from_centre))
     (reached,) = distances(record.p_n[nearest], record.time[nearest], row)
     longest = np.linalg.norm(np.diff(offset, axis=0), axis=1).max(initial=0.0)
-    candidates = from_centre - np.linalg.norm(row[0, SEMI_AXES]) - longest <= reached
+    reach = np.linalg.norm(columns(PlacedObstacle, row).semi_axes)
+    candidates = from_centre - reach - longest <= reached
     values = np.full(len(from_centre), np.inf)
     values[candidates] = distances(record.p_n[candidates], record.time[candidates], row).ravel()
     return _refined(record, values, distances, row)
@@ -64,7 +61,8 @@ def _min_clearance(record: FlightRecord, row: Rows) -> float:
 
 def centres(row: Rows, time: Array) -> Array:
     """Where the centre of one obstacle is, (n, 3) [m]."""
-    return row[0, POSITION] + time[:, None] * row[0, VELOCITY]
+    obstacle = columns(PlacedObstacle, row)
+    return obstacle.p_n + time[:, None] * obstacle.v_n
 
 
 def _refined(record: FlightRecord, values: Series, measure: Measure, row: Rows) -> float:

@@ -7,10 +7,10 @@ from typing import Protocol
 import numpy as np
 
 from vfguide.field.goal_frame import GoalFrame
-from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
 from vfguide.geometry.rows import row_of, width
+from vfguide.geometry.vector import Vectors
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
@@ -21,19 +21,19 @@ from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.kinematic import Bodies, Commands
 
 
-class Pilot(Protocol):
+class KinematicLaw(Protocol):
     """Steers all bodies, in the order of their ids."""
 
     def steer(self, time: float, bodies: Bodies) -> Commands:
         """What drives the bodies from `time` [s] until the next update."""
         ...
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """(N, 3) vectors that point along the courses: velocities, where the bodies never stop."""
         ...
 
 
-class PaperPilot:
+class PaperKinematicLaw:
     """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
 
     Where a robot is on its way it reads from its legs: its state is known exactly.
@@ -51,7 +51,7 @@ class PaperPilot:
         self._flown_to = [-1] * len(legs)
         self._goals = np.zeros((len(legs), width(GoalFrame)))
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """The noses: a robot that stands has a course too."""
         return bodies.R_nb[:, :, 0]
 
@@ -68,7 +68,7 @@ class PaperPilot:
         )
 
 
-class FlightPilot:
+class FlightKinematicLaw:
     """Law `flight`: every body flies its own way at its airspeed."""
 
     def __init__(
@@ -80,7 +80,7 @@ class FlightPilot:
         self._states = [row_of_state(fresh_state()) for _ in vehicles]
         self._speed = np.array([plan.gains.airspeed for plan in self._plans])
 
-    def courses(self, bodies: Bodies) -> Rows:
+    def courses(self, bodies: Bodies) -> Vectors:
         """The velocities."""
         return self._speed[:, None] * bodies.R_nb[:, :, 0]
 
