@@ -241,7 +241,7 @@ def test_speeds_and_bank_to_fly(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("roll_s", "k_w", "k_lateral", "k_elevation", "sluggish"),
+    ("roll_s", "k_w", "k_lateral", "k_elevation", "response_lag"),
     [
         (0.04, 3.5, 1.2, 0.5, 0.0),
         (0.08, 3.5, 1.2, 0.5, 0.0),
