@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from vfguide.aircraft.performance import Gains
-from vfguide.aircraft.point_mass import Motion
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
-from vfguide.assurance.decision import assurance, assure, fresh_stored
+from vfguide.assurance.decision import assurance, assure, no_backup
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.geometry.shapes import shape
 from vfguide.scenario.aircraft_file import load_aircraft
@@ -28,15 +28,15 @@ def hazards(obstacles=(), intruders=(), zones=(), floor=-math.inf, ceiling=math.
 
 
 def motion(p_n=(0.0, 0.0, -150.0), azimuth=0.0, bank=0.0, gamma=0.0, airspeed=25.0):
-    return Motion(p_n, azimuth, bank, gamma, airspeed)
+    return PointMass(p_n, azimuth, bank, gamma, airspeed)
 
 
 def ball(p_n, radius=40.0, v_n=STILL):
     return Obstacle(shape.sphere(radius), p_n, v_n=v_n)
 
 
-def decide(at, known, wish=LEVEL, wind_n=STILL, gust=0.0, t=0.0, dt=0.1, stored=None, of=FLOWN):
-    return assure(at, wish, wind_n, gust, known, t, dt, of, stored or fresh_stored())
+def decide(at, known, wish=LEVEL, wind_n=STILL, gust=0.0, t=0.0, dt=0.1, backup=None, of=FLOWN):
+    return assure(at, wish, wind_n, gust, known, t, dt, of, backup or no_backup())
 
 
 def random_field(rng, count=8):

@@ -122,7 +122,7 @@ def shortest(start, course, radius, to):
 
     They lead to the beginning of the straight end of the approach, and along it.
     """
-    final = GAINS.final * radius
+    final = GAINS.final_approach * radius
     c, s = math.cos(to.course), math.sin(to.course)
     north, east = start[0] - to.p_n[0], start[1] - to.p_n[1]
     x, y, course = c * north + s * east + final, c * east - s * north, course - to.course

@@ -9,10 +9,10 @@ from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.shapes import shape
-from vfguide.paths.edge import hop_in, pieces_of, pose_along
+from vfguide.paths.edge import edge_in, pose_along, segments_of
 from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Air, Task, ground_speed
-from vfguide.planning.route_search import find_detour
+from vfguide.planning.route_search import find_route
 
 RADIUS = 80.0
 CALM = Air(25.0, 0.0, 0.0)
@@ -35,43 +35,45 @@ def wall(begin, end, thick=10.0):
 
 
 def find(obstacles, start, goal, fence=NO_FENCE, band=LEVEL, **options):
-    """The task and its detour."""
+    """The task and its following."""
     task = task_of(start, goal, **options)
     rows = obstacles if isinstance(obstacles, np.ndarray) else obstacle_rows(obstacles)
-    return task, find_detour(rows, fence, band, task)
+    return task, find_route(rows, fence, band, task)
 
 
-def flown(task, detour, step=1.0):
-    """Poses and times every `step` metres along a detour."""
+def flown(task, following, step=1.0):
+    """Poses and times every `step` metres along a following."""
     t, poses = task.t, []
-    for i in range(len(detour.hops)):
-        for piece in pieces_of(hop_in(detour.hops, i), task.radius):
-            count = max(1, math.ceil(piece.length / step))
+    for i in range(len(following.route_edges)):
+        for segment in segments_of(edge_in(following.route_edges, i), task.radius):
+            count = max(1, math.ceil(segment.length / step))
             for k in range(count):
-                at = pose_along(piece, piece.length * (k + 0.5) / count, task.radius)
+                at = pose_along(segment, segment.length * (k + 0.5) / count, task.radius)
                 poses.append(
-                    (at, t + 0.5 * piece.length / count / ground_speed(task.air, at.course))
+                    (at, t + 0.5 * segment.length / count / ground_speed(task.air, at.course))
                 )
-                t += piece.length / count / ground_speed(task.air, at.course)
+                t += segment.length / count / ground_speed(task.air, at.course)
     return poses
 
 
-def least_clearance(obstacles, task, detour, height=-100.0):
+def least_clearance(obstacles, task, following, height=-100.0):
     """From the obstacles, beyond a radius from the ends [m]."""
     rows = obstacles if isinstance(obstacles, np.ndarray) else obstacle_rows(obstacles)
     least = math.inf
-    for at, t in flown(task, detour, 2.0):
+    for at, t in flown(task, following, 2.0):
         for i in range(len(rows)):
             least = min(least, obstacle_distance(rows, i, (at.x, at.y, height), t))
     return least
 
 
-def assert_joined(task, detour):
+def assert_joined(task, following):
     """Each hop ends where the next begins, the first and the last at the ends of the task."""
-    ends = [hop_in(detour.hops, i).begin for i in range(len(detour.hops))] + [task.goal]
+    ends = [edge_in(following.route_edges, i).begin for i in range(len(following.route_edges))] + [
+        task.goal
+    ]
     assert ends[0] == task.start
     for i, end in enumerate(ends[1:]):
-        third = pieces_of(hop_in(detour.hops, i), task.radius)[2]
+        third = segments_of(edge_in(following.route_edges, i), task.radius)[2]
         there = pose_along(third, third.length, task.radius)
         assert math.hypot(there.x - end.x, there.y - end.y) < 1e-7
         assert abs(wrap(there.course - end.course)) < 1e-9

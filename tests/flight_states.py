@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState, RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
@@ -17,7 +17,7 @@ from vfguide.geometry.vector import matmul, matvec
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.planning import planning
-from vfguide.planning.objective import Target, objective_at
+from vfguide.planning.objective import GuidanceTarget, objective_at
 from vfguide.planning.route import Route, fresh_route
 
 AEROSONDE = Performance(
@@ -40,7 +40,7 @@ AEROSONDE = Performance(
 )
 GAINS = Gains(25.0)
 VEHICLE = Vehicle(AEROSONDE, GAINS)
-GOAL = Target((0.0, 0.0, -150.0), 0.5, 0.0, 0.0, 0.0)
+GOAL = GuidanceTarget((0.0, 0.0, -150.0), 0.5, 0.0, 0.0, 0.0)
 
 
 class Memory(NamedTuple):
@@ -59,8 +59,8 @@ def fresh_memory() -> Memory:
 
 @compiled
 def guide(
-    here: FlightState, target: Target, vehicle: Vehicle, memory: Memory
-) -> tuple[RateSetpoint, Memory, Wish]:
+    here: FlightState, target: GuidanceTarget, vehicle: Vehicle, memory: Memory
+) -> tuple[RateSetpoint, Memory, GuidanceCommand]:
     """From a state that is known to a setpoint that is not limited yet: no hazards, no mission."""
     nav, goal, m = known_state(here, memory.time), objective_at(target, here), memory
     route = planning.update(nav, goal, None, True, m.route, m.guidance.slope, vehicle)
@@ -71,8 +71,8 @@ def guide(
 
 @compiled
 def guide_within_limits(
-    here: FlightState, target: Target, vehicle: Vehicle, memory: Memory
-) -> tuple[RateSetpoint, Memory, Wish]:
+    here: FlightState, target: GuidanceTarget, vehicle: Vehicle, memory: Memory
+) -> tuple[RateSetpoint, Memory, GuidanceCommand]:
     """The same, its setpoint limited."""
     setpoint, after, wish = guide(here, target, vehicle, memory)
     return limits.apply(setpoint, vehicle), after, wish

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
@@ -19,7 +19,7 @@ from vfguide.loop.step import step
 @compiled
 def step_told(
     state: FlightState, before: Row, legs: Legs, airspace: Airspace | None, law: Law, vehicle: Row
-) -> tuple[Vec3, Row, Wish]:
+) -> tuple[Vec3, Row, GuidanceCommand]:
     """Body rates, the row of what the step left, and what was flown; nothing is predicted."""
     inputs, s = Inputs(state, state, False), read_state(before)
     setpoint, left, outcome = step(inputs, s, legs, airspace, law, read_vehicle(vehicle))

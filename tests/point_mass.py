@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from loop_steps import step_told
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace
@@ -43,7 +43,7 @@ class Moment(NamedTuple):
     state: FlightState
     row: Row
     """Of the `LoopState` that the step left."""
-    wish: Wish
+    wish: GuidanceCommand
 
     @property
     def goal(self) -> int:

@@ -6,11 +6,18 @@ from typing import NamedTuple
 import numpy as np
 from avoidance_worlds import TICK, Turning, World
 
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.airspace.fence import fence_distance
 from vfguide.airspace.hazards import INTRUDER_WIDTH, Hazards
-from vfguide.assurance.decision import Assurance, Decision, Reason, Stored, assure, fresh_stored
+from vfguide.assurance.decision import (
+    Assurance,
+    BackupManoeuvre,
+    Decision,
+    Reason,
+    assure,
+    no_backup,
+)
 from vfguide.field.obstacle import (
     PlacedObstacle,
     Rows,
@@ -38,10 +45,10 @@ class Logged(NamedTuple):
 
     time: float
     """[s]."""
-    motion: Motion
+    motion: PointMass
     wish: tuple[float, float]
     """Bank and path angle [rad]."""
-    stored: Stored
+    stored: BackupManoeuvre
     """What the decision before left."""
     decision: Decision
     distance: float
@@ -77,7 +84,7 @@ class Flown(NamedTuple):
 
 
 @compiled
-def wish_for(motion: Motion, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
+def wish_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
     """Bank towards the goal, path angle towards its height."""
     north, east = goal[0] - motion.p_n[0], goal[1] - motion.p_n[1]
     error = wrap(math.atan2(east, north) - motion.azimuth)
@@ -171,7 +178,7 @@ def hazards_among(world: World, rows: Rows) -> Hazards:
 def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
     """The whole flight, a tick every 0.05 s; `log` takes what was decided, a `Logged` a row."""
     rows, motion, goal = world.rows.copy(), world.start, world.goal
-    known, limits, stored = np.zeros(len(rows)), aircraft.limits, fresh_stored()
+    known, limits, stored = np.zeros(len(rows)), aircraft.limits, no_backup()
     slow = slowed(limits)
     least, when, hazard, escapes, bad, first_bad, legs = math.inf, 0.0, -1, 0, 0, math.inf, 0
     for k in range(len(log)):
@@ -187,7 +194,7 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
                 motion, wish, world.wind_n, world.gust, hazards, t, TICK, aircraft, stored
             )
         escapes += decision.reason != Reason.CLEAR.value
-        if decision.reason == Reason.LEAST_BAD.value:
+        if decision.reason == Reason.BEST_EFFORT.value:
             bad, first_bad = bad + 1, min(first_bad, t)
         distance, nearest = true_distance(world, rows, motion.p_n, t)
         seen = len(hazards.obstacles)
@@ -199,7 +206,7 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         if math.hypot(motion.p_n[0] - goal[0], motion.p_n[1] - goal[1]) < REACHED:
             goal = (world.goal[0] - goal[0], world.goal[1] - goal[1], goal[2])
             legs += 1
-    unclear = read_logged(log[0]).decision.reason == Reason.LEAST_BAD.value
+    unclear = read_logged(log[0]).decision.reason == Reason.BEST_EFFORT.value
     return Flown(least, when, hazard, escapes, bad, first_bad, unclear, legs)
 
 

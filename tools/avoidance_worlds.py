@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.aircraft.point_mass import Motion
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.fence import Fences, Zone, fences
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.geometry.rows import table_of
@@ -37,7 +37,7 @@ class Turning(NamedTuple):
 class World(NamedTuple):
     """One world, as compiled code takes it."""
 
-    start: Motion
+    start: PointMass
     goal: Vec3
     rows: Rows
     """Obstacles as `obstacle_rows` has them; those that turn are turned while it is flown."""
@@ -158,7 +158,7 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
     turning = [Turning()] * len(rows)
     if kind == "turning":
         ranges = ((-0.15, 0.15), (-3.0, 3.0), (0.0, 25.0))
-        turning = list(map(Turning, *(rng.uniform(*its, len(rows)) for its in ranges)))
+        turning = list(map(Turning, *(rng.uniform(*each, len(rows)) for each in ranges)))
     zones, floor, ceiling = list[Zone](), -math.inf, math.inf
     if kind == "fence":
         zones, floor, ceiling = narrow_fence(rng), 100.0, 200.0
@@ -170,7 +170,7 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
     for k in range(1, len(gusts)):
         push = rng.normal(size=3) * (gust, gust, 0.5 * gust)
         gusts[k] = keep * gusts[k - 1] + math.sqrt(1.0 - keep * keep) * push
-    start = Motion((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
+    start = PointMass((0.0, 0.0, -HEIGHT), rng.normal(0.0, 0.3), 0.0, 0.0, AIRSPEED)
     goal = (1000.0, 0.0, -HEIGHT)
     turns, fence = table_of(Turning, turning), fences(zones)
     return World(start, goal, rows, turns, fence, floor, ceiling, wind_n, gust, gusts)

@@ -244,7 +244,7 @@ def types_of(folder: Path) -> dict[int, str]:
     (folder / "pyrightconfig.json").write_text(json.dumps(SETTINGS))
     command = [sys.executable, "-m", "pyright", "--outputjson", "--pythonpath", sys.executable]
     done = subprocess.run(command, cwd=folder, check=False, capture_output=True, text=True)
-    told = [its["message"] for its in json.loads(done.stdout)["generalDiagnostics"]]
+    told = [each["message"] for each in json.loads(done.stdout)["generalDiagnostics"]]
     found = (MISMATCH.search(message) for message in told)
     return {int(match[1]): match[2] for match in found if match}
 
@@ -254,7 +254,9 @@ def violations(root: Path = ROOT) -> list[Violation]:
     questions: list[Question] = []
     found: list[Violation] = []
     with tempfile.TemporaryDirectory() as name:
-        for source in sorted(its for package in PACKAGES for its in (root / package).rglob("*.py")):
+        for source in sorted(
+            each for package in PACKAGES for each in (root / package).rglob("*.py")
+        ):
             path = source.relative_to(root)
             tree = ast.parse(source.read_text())
             found += builders(path, tree)

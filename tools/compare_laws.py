@@ -88,7 +88,7 @@ def with_reach(table: Table, reach: float) -> Table:
     return {
         **table,
         "obstacle": [
-            {**its, "reactive_level": level_of(its, reach)} for its in table.get("obstacle", [])
+            {**each, "reactive_level": level_of(each, reach)} for each in table.get("obstacle", [])
         ],
     }
 
@@ -133,7 +133,7 @@ def is_for(law: str, table: Table) -> bool:
 
 def stands(table: Table) -> bool:
     """Whether nothing in the world moves."""
-    moving = any(any(its.get("velocity_mps", ())) for its in table.get("obstacle", []))
+    moving = any(any(each.get("velocity_mps", ())) for each in table.get("obstacle", []))
     return not moving and not table.get("traffic") and "fence" not in table
 
 
@@ -177,8 +177,8 @@ def fly_all(job: tuple[str, int, argparse.Namespace]) -> dict[str, Flown]:
     for law in args.laws:
         asked = args.reference_s if not flown and stands(table) else 0.0
         if is_for(law, table):
-            its = argparse.Namespace(**{**vars(args), "reference_s": asked})
-            flown[law] = fly_by(law, table, number, its)
+            each = argparse.Namespace(**{**vars(args), "reference_s": asked})
+            flown[law] = fly_by(law, table, number, each)
     return flown
 
 
@@ -192,9 +192,9 @@ def prepare(args: argparse.Namespace) -> None:
 
 def row_of(kind: str, law: str, flown: Sequence[dict[str, Flown]]) -> Row:
     """The line of one law in one kind of worlds."""
-    outcomes = [its[law].outcome for its in flown if law in its]
-    took = np.concatenate([its[law].took for its in flown if law in its])
-    references = [shortest(its) for its in flown if law in its]
+    outcomes = [each[law].outcome for each in flown if law in each]
+    took = np.concatenate([each[law].took for each in flown if law in each])
+    references = [shortest(each) for each in flown if law in each]
     clean = [o.meets and not o.hits for o in outcomes]
     lengths = zip(outcomes, references, clean, strict=True)
     over = [o.length_m / r for o, r, counts in lengths if counts]
@@ -215,7 +215,7 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, Flown]]) -> Row:
 
 def shortest(flown: dict[str, Flown]) -> float:
     """Length of the shortest path in one world [m]: of BIT* where it was asked and found one."""
-    outcomes = [its.outcome for its in flown.values()]
+    outcomes = [each.outcome for each in flown.values()]
     asked = [o.reference_m for o in outcomes if np.isfinite(o.reference_m)]
     return asked[0] if asked else outcomes[0].free_m
 
@@ -320,11 +320,11 @@ def main() -> None:
     rows: list[Row] = []
     for kind in args.kinds:
         flown = list(flown_of(kind, args))
-        laws = [law for law in args.laws if any(law in its for its in flown)]
+        laws = [law for law in args.laws if any(law in each for each in flown)]
         rows += [row_of(kind, law, flown) for law in laws]
         for law in laws:
             print(f"{kind}, {law}, seed {args.seed}:", flush=True)
-            show_failures([its[law].outcome for its in flown if law in its])
+            show_failures([each[law].outcome for each in flown if law in each])
     console = Console()
     Console(width=None if console.is_terminal else WIDTH).print(rich_table(rows))
     if args.csv:

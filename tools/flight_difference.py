@@ -97,7 +97,7 @@ def fields_of(timed: Timed) -> Iterator[tuple[str, str]]:
     yield "message", message_of(timed)
     message = decode(frame)
     if message is not None:
-        yield from ((key, repr(its)) for key, its in zip(message._fields, message, strict=True))
+        yield from ((key, repr(each)) for key, each in zip(message._fields, message, strict=True))
     for key in ("sysid", "compid", "seq", "version"):
         yield key, repr(getattr(frame, key))
     yield "payload", frame.payload.hex()
@@ -126,7 +126,7 @@ def entries(value: Any) -> dict[str, Any] | None:
     """What is in a table or a list, by the ends of their paths; None for a value by itself."""
     match value:
         case dict():
-            return {f".{key}": its for key, its in value.items()}
+            return {f".{key}": each for key, each in value.items()}
         case list():
-            return {f"[{index}]": its for index, its in enumerate(value)}
+            return {f"[{index}]": each for index, each in enumerate(value)}
     return None

@@ -12,7 +12,7 @@ from avoidance_flights import true_distance
 from avoidance_worlds import TICK, Tracks, World
 from manoeuvre_tree import HOLD, LEVELS, best_escape
 
-from vfguide.aircraft.point_mass import Motion
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.detection import comes_into_sight
 from vfguide.assurance.decision import assurance
 from vfguide.field.obstacle import Rows
@@ -45,7 +45,7 @@ def best_possible(loaded: LoadedScenario, record: FlightRecord) -> float:
         return math.inf
     t = float(record.time[k])
     levels, hold = reach_of(float(record.time[last]) - t)
-    motion = motion_of(record, k, world)
+    motion = point_mass_of(record, k, world)
     return best_escape(world, world.rows, motion, t, limits, ENOUGH, levels, hold)
 
 
@@ -56,13 +56,13 @@ def reach_of(ahead: float) -> tuple[int, float]:
     return MANY, min(LONG, max(HOLD, (ahead + AFTERWARDS) / MANY))
 
 
-def motion_of(record: FlightRecord, k: int, world: World) -> Motion:
+def point_mass_of(record: FlightRecord, k: int, world: World) -> PointMass:
     """The true motion at sample `k`, through air that moves as the wind does in the mean."""
     north, east, down = (float(x) for x in record.v_n[k] - world.wind_n)
     airspeed = math.sqrt(north * north + east * east + down * down)
     p_n = tuple(float(x) for x in record.p_n[k])
     bank, gamma = float(record.euler[k, 0]), math.asin(-down / airspeed)
-    return Motion(p_n, math.atan2(east, north), bank, gamma, airspeed)
+    return PointMass(p_n, math.atan2(east, north), bank, gamma, airspeed)
 
 
 def world_of(loaded: LoadedScenario, record: FlightRecord) -> World:
@@ -87,16 +87,16 @@ def world_of(loaded: LoadedScenario, record: FlightRecord) -> World:
     )
 
 
-def motion_of_start(record: FlightRecord) -> Motion:
+def motion_of_start(record: FlightRecord) -> PointMass:
     """Where the flight began."""
     p_n = tuple(float(x) for x in record.p_n[0])
-    return Motion(p_n, float(record.euler[0, 2]), 0.0, 0.0, float(record.airspeed[0]))
+    return PointMass(p_n, float(record.euler[0, 2]), 0.0, 0.0, float(record.airspeed[0]))
 
 
 def tracks_of(loaded: LoadedScenario, until: float) -> Tracks:
     """The true paths of other aircraft."""
     times = np.arange(round(until / TICK) + 1) * TICK
-    paths = [motion_at(path_of(its), times)[0] for its in loaded.scenario.traffic]
+    paths = [motion_at(path_of(each), times)[0] for each in loaded.scenario.traffic]
     return np.array(paths).reshape(len(paths), len(times), 3)
 
 
@@ -109,10 +109,10 @@ def known_from(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
     assert known is not None
     seen = [int(k) for k in first_seen(known.obstacles, record.p_n, record.time)]
     seen += [0] * (len(known.fences.zones) + 1)
-    for its in scenario.traffic:
-        told = np.arange(0.0, float(record.time[-1]) - its.delay_s, its.interval_s)
-        arrives = np.searchsorted(record.time, told + its.delay_s - 1e-9)
-        apart = motion_at(path_of(its), told)[0] - record.p_n[arrives]
+    for each in scenario.traffic:
+        told = np.arange(0.0, float(record.time[-1]) - each.delay_s, each.interval_s)
+        arrives = np.searchsorted(record.time, told + each.delay_s - 1e-9)
+        apart = motion_at(path_of(each), told)[0] - record.p_n[arrives]
         near = np.linalg.norm(apart, axis=1) <= scenario.traffic_receiver.range_m
         seen.append(int(arrives[np.argmax(near)]) if near.any() else -1)
     return seen

@@ -122,7 +122,7 @@ def from_start(table: Table) -> float:
 
 def apart_from_start(obstacles: list[Table]) -> list[Table]:
     """Those that leave room at the start."""
-    return [its for its in obstacles if from_start(its) > 150.0 + its.get("radius_m", 40.0)]
+    return [each for each in obstacles if from_start(each) > 150.0 + each.get("radius_m", 40.0)]
 
 
 def movers(rng: Generator, number: int) -> Table:
@@ -216,11 +216,11 @@ def turner(rng: Generator, number: int) -> Table:
         "velocity_mps": [round(x, 3) for x in begin],
         "change": [
             {
-                "time_s": its.time,
-                "velocity_mps": [round(x, 3) for x in its.v_n],
-                "within_s": its.within,
+                "time_s": each.time,
+                "velocity_mps": [round(x, 3) for x in each.v_n],
+                "within_s": each.within,
             }
-            for its in turns
+            for each in turns
         ],
     }
 
@@ -231,7 +231,7 @@ def turning(rng: Generator, number: int) -> Table:
     radius = round(float(rng.uniform(20.0, 50.0)), 1)
     found = [turner(rng, k + 1) for k in range(int(rng.integers(1, 5)))]
     world["avoidance"] = {"traffic_radius_m": radius, "traffic_half_height_m": radius}
-    world["traffic"] = [its for its in found if from_start(its) > 150.0 + radius]
+    world["traffic"] = [each for each in found if from_start(each) > 150.0 + radius]
     world["traffic_receiver"] = {"range_m": HEARD_FROM + radius}
     return world
 
@@ -288,7 +288,7 @@ def dead_end(rng: Generator, number: int) -> Table:
             wall((middle - shift, -500.0), (middle - shift, 150.0), thick),
             wall((middle + shift, -150.0), (middle + shift, 500.0), thick),
         ]
-    world["obstacle"] = [{**its, "visible_from_m": 1000.0} for its in walls]
+    world["obstacle"] = [{**each, "visible_from_m": 1000.0} for each in walls]
     return world
 
 

@@ -28,7 +28,7 @@ NOBODY = np.zeros((0, 6))
 ALONE = Spacing(0.0, 1.0)
 
 
-class Jumps(NamedTuple):
+class PositionResets(NamedTuple):
     """Of one path."""
 
     suspect: int
@@ -40,17 +40,17 @@ class Jumps(NamedTuple):
     elsewhere: int
 
 
-def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> Jumps:
+def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> PositionResets:
     """The jumps of R_a along a path (T, 3) among static obstacles, steps of `dt` [s]."""
     v_n = np.diff(p_n, axis=0) / dt
     start = field(goal, obstacles, p_n[:-1], v_n)
     end = field(goal, obstacles, p_n[1:], v_n)
     suspects = np.flatnonzero(mismatch(start, end, dt) > SUSPECT)
     found = [locate(goal, obstacles, p_n[k], v_n[k], dt) for k in suspects]
-    jumps = [its for its in found if its is not None]
+    jumps = [each for each in found if each is not None]
     chi_zero = sum(jump == "chi" for jump in jumps)
     axis = sum(jump == "axis" for jump in jumps)
-    return Jumps(len(suspects), chi_zero, axis, len(jumps) - chi_zero - axis)
+    return PositionResets(len(suspects), chi_zero, axis, len(jumps) - chi_zero - axis)
 
 
 def locate(goal: GoalFrame, obstacles: Rows, p: Rows, v: Rows, span: float) -> str | None:

@@ -58,7 +58,7 @@ class NoFlightError(Exception):
     """A scenario was not flown to its end; the message says what the program said last."""
 
 
-class Finding(NamedTuple):
+class ParameterEstimate(NamedTuple):
     """What a comparison found."""
 
     name: str
@@ -151,7 +151,7 @@ def commit_of(reference: str) -> str:
 def names_of(files: Iterable[str]) -> list[str]:
     """The names of the scenarios among files, of paths below the folder of scenarios."""
     paths = map(PurePath, files)
-    names = {its.with_suffix("") for its in paths if its.suffix == ".toml"}
+    names = {each.with_suffix("") for each in paths if each.suffix == ".toml"}
     return sorted(name.as_posix() for name in names if "aircraft" not in name.parts)
 
 
@@ -241,18 +241,18 @@ def fly_reference(side: Side, kept: Path, name: str) -> None:
         raise BadInputError(f"the reference does not fly {name}: {error}") from error
 
 
-def compare(side: Side, kept: Path, flown: Path, name: str) -> Finding:
+def compare(side: Side, kept: Path, flown: Path, name: str) -> ParameterEstimate:
     """Fly one scenario as the tree does, and compare it with the kept flight."""
     try:
         side.fly(name, flown / name)
     except NoFlightError as error:
-        return Finding(name, same=False, told=f"does not fly: {error}")
+        return ParameterEstimate(name, same=False, told=f"does not fly: {error}")
     found = flight_difference(kept / name, flown / name)
     told = found or f"identical, {frames_in(flown / name):,} frames"
-    return Finding(name, same=found is None, told=told)
+    return ParameterEstimate(name, same=found is None, told=told)
 
 
-def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
+def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[ParameterEstimate]:
     """All scenarios that were asked for."""
     commit = commit_of(args.reference)
     before, here = names_at(commit), names_here()
@@ -264,7 +264,7 @@ def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding
     for name in wanted:
         if name not in both:
             lacking = "reference" if name in here else "tree"
-            yield Finding(name, same=name in here, told=f"the {lacking} lacks it")
+            yield ParameterEstimate(name, same=name in here, told=f"the {lacking} lacks it")
     flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
     yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
 
@@ -275,7 +275,7 @@ def recordings_in(folder: Path) -> list[Path]:
     return [log for log in logs if (log.parent / "scenario.toml").exists()]
 
 
-def compare_recordings(folder: Path | None, workers: int) -> Iterator[Finding]:
+def compare_recordings(folder: Path | None, workers: int) -> Iterator[ParameterEstimate]:
     """All recordings below a folder, replayed by the tree."""
     logs = recordings_in(folder.absolute()) if folder else []
     if not logs:
@@ -283,11 +283,11 @@ def compare_recordings(folder: Path | None, workers: int) -> Iterator[Finding]:
     yield from in_turn(replay, logs, workers)
 
 
-def replay(log: Path) -> Finding:
+def replay(log: Path) -> ParameterEstimate:
     """One recording."""
     done = Side(ROOT, {}).vfguide("replay", log)
     name = f"recording {log.parent.name}/{log.name}"
-    return Finding(name, same=done.returncode == 0, told=", ".join(lines_of(done)))
+    return ParameterEstimate(name, same=done.returncode == 0, told=", ".join(lines_of(done)))
 
 
 def say(line: str) -> None:
@@ -317,7 +317,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
-def findings(args: argparse.Namespace) -> Iterator[Finding]:
+def estimates(args: argparse.Namespace) -> Iterator[ParameterEstimate]:
     """Everything that is compared."""
     if args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
@@ -330,7 +330,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Compare; returns the exit status."""
     status = SAME
     try:
-        for finding in findings(parse(arguments)):
+        for finding in estimates(parse(arguments)):
             say(f"{finding.name}: {finding.told}")
             status = status if finding.same else DIFFERENT
     except (BadInputError, OSError) as error:

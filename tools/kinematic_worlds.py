@@ -41,7 +41,7 @@ def random_goals(rng: np.random.Generator, p_n: Rows) -> Rows:
     """Goals at these places (N, 3), of any heading and of climbs up to 60 degrees."""
     headings, climbs = rng.uniform(-math.pi, math.pi, len(p_n)), rng.uniform(-1.05, 1.05, len(p_n))
     places = [(float(x), float(y), float(z)) for x, y, z in p_n]
-    return goal_rows([goal_frame(*its) for its in zip(places, headings, climbs, strict=True)])
+    return goal_rows([goal_frame(*each) for each in zip(places, headings, climbs, strict=True)])
 
 
 def starts_in_free_space(seed: tuple[int, int], count: int) -> tuple[Rows, Bodies]:

@@ -11,13 +11,13 @@ import numpy as np
 from avoidance_flights import true_distance
 from avoidance_worlds import TICK, World
 
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, width, writer
 
-read_motion, write_motion = reader(Motion), writer(Motion)
-MOTION_NUMBERS = width(Motion)
+read_motion, write_motion = reader(PointMass), writer(PointMass)
+MOTION_NUMBERS = width(PointMass)
 ACTIONS, LEVELS, HOLD = 9, 4, 2.0
 
 
@@ -25,13 +25,13 @@ ACTIONS, LEVELS, HOLD = 9, 4, 2.0
 def act(
     world: World,
     rows: Rows,
-    motion: Motion,
+    motion: PointMass,
     t: float,
     action: int,
     limits: Dynamics,
     bound: float,
     hold: float,
-) -> tuple[Motion, float]:
+) -> tuple[PointMass, float]:
     """The motion after one action, and the least distance on the way; ended below `bound`."""
     bank = limits.bank_max * (action % 3 - 1)
     gamma = limits.climb_max if action // 3 == 1 else 0.0
@@ -50,7 +50,7 @@ def act(
 def best_escape(
     world: World,
     rows: Rows,
-    motion: Motion,
+    motion: PointMass,
     t: float,
     limits: Dynamics,
     enough: float,

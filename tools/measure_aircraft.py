@@ -67,12 +67,12 @@ class FlightTest:
 
     def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> Answers:
         """What the model does from a step at cruise on."""
-        its = identify(self.model, self.cruise, self.altitude)
-        plant = Plant(self.model, Start(0.8, 0.1, self.altitude, 0.0, its.cruise))
-        wanted, memory = (*omega_b, its.cruise_thrust + thrust), STEADY
+        each = identify(self.model, self.cruise, self.altitude)
+        plant = Plant(self.model, Start(0.8, 0.1, self.altitude, 0.0, each.cruise))
+        wanted, memory = (*omega_b, each.cruise_thrust + thrust), STEADY
         answers = [answer_of(plant)]
         for _ in range(round(seconds / STEP)):
-            controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
+            controls, memory = inner_loop(each.tables, plant.inner(), wanted, memory, STEP)
             plant.advance(controls)
             answers.append(answer_of(plant))
         omega_b, thrusts = zip(*answers, strict=True)
@@ -127,7 +127,7 @@ def lift_fit(test: FlightTest) -> tuple[float, float]:
 
 def measure(test: FlightTest, name: str, stock: str | None) -> str:
     """The whole file."""
-    its, bench = identify(test.model, test.cruise, test.altitude), Bench(test.model, test.altitude)
+    each, bench = identify(test.model, test.cruise, test.altitude), Bench(test.model, test.altitude)
     stall = last_that(test.trims, test.cruise, 0.2 * test.cruise, 0.01 * test.cruise)
     fastest = last_that(test.trims, test.cruise, 2.0 * test.cruise, 0.01 * test.cruise)
 
@@ -138,8 +138,8 @@ def measure(test: FlightTest, name: str, stock: str | None) -> str:
     rates = [fastest_rate(test, axis) for axis in range(3)]
     roll_s = time_to_63(test.share(0, rates[0] * DEG))
     thrusts = test.responses(STEADY, 0.1, 4.0).thrust
-    thrust_s = time_to_63((thrusts - thrusts[0]) / (0.1 * its.thrust.full_thrust))
-    per_climb = bench.mass * G0 / its.thrust.full_thrust
+    thrust_s = time_to_63((thrusts - thrusts[0]) / (0.1 * each.thrust.full_thrust))
+    per_climb = bench.mass * G0 / each.thrust.full_thrust
     per_airspeed, integral = airspeed_gains(per_climb, thrust_s)
     zero, load = lift_fit(test)
     model = f'\n[model]\nstock = "{stock}"\n' if stock else ""
@@ -169,10 +169,10 @@ alpha_zero_deg = {zero:.2f}
 alpha_load_deg_m2ps2 = {load:.1f}
 
 [thrust]
-# Full thrust at cruise is {its.thrust.full_thrust:.4g} N.
-trim = {its.cruise_thrust:.3f}
+# Full thrust at cruise is {each.thrust.full_thrust:.4g} N.
+trim = {each.cruise_thrust:.3f}
 per_climb = {per_climb:.2f}
-per_load = {drag_of_lift(test) / its.thrust.full_thrust:.3f}
+per_load = {drag_of_lift(test) / each.thrust.full_thrust:.3f}
 per_airspeed = {per_airspeed:.3f}
 integral = {integral:.3f}
 

@@ -105,7 +105,7 @@ def fly_table(table: Table, number: int, args: argparse.Namespace, steps: Steps 
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s)
     vehicle = result.vehicles[0]
     goal = vehicle.goals[0]
-    clearances = [its.min_clearance_m for its in (*vehicle.obstacles, *vehicle.traffic)]
+    clearances = [each.min_clearance_m for each in (*vehicle.obstacles, *vehicle.traffic)]
     clearances.append(fence_clearance(loaded.scenario, record.p_n))
     if loaded.scenario.plant == "jsbsim":
         clearances.append(float(record.height_above_ground.min()) - TOUCH)

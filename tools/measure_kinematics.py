@@ -15,7 +15,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from frame_jumps import Jumps, count_jumps
+from frame_jumps import PositionResets, count_jumps
 from kinematic_flights import fly
 from kinematic_worlds import level_at, random_swarm, random_world, starts_in_free_space
 from scipy.spatial import KDTree
@@ -52,7 +52,7 @@ class Outcome(NamedTuple):
     """Error of the direction at the end [rad]."""
     level: float
     """Least U of an obstacle on the path."""
-    jumps: Jumps | None
+    jumps: PositionResets | None
 
 
 def main() -> None:
@@ -120,15 +120,15 @@ def print_worlds(options: argparse.Namespace, gains: PaperGains) -> None:
     job = partial(fly_world, options.seed, gains, options.paths)
     with multiprocessing.Pool(options.workers) as pool:
         outcomes = pool.map(job, range(options.worlds), chunksize=10)
-    inside = [its.number for its in outcomes if its.level <= 1.0]
+    inside = [each.number for each in outcomes if each.level <= 1.0]
     print(f"\n{options.worlds} worlds of 3 to 8 static superquadrics, one robot of any attitude")
-    lost = [its.number for its in outcomes if not its.reached]
+    lost = [each.number for each in outcomes if not each.reached]
     row("not at the goal", f"{len(lost)}, in worlds {lost}")
-    row("direction error [deg]", spread_of([its.heading / DEG for its in outcomes]))
-    row("least U", f"{min(its.level for its in outcomes):.4f}")
+    row("direction error [deg]", spread_of([each.heading / DEG for each in outcomes]))
+    row("least U", f"{min(each.level for each in outcomes):.4f}")
     row("penetrations", f"{len(inside)}, in worlds {inside}")
-    jumps = [its.jumps for its in outcomes if its.jumps is not None]
-    total = Jumps(*(sum(column) for column in zip(*jumps, strict=True)))
+    jumps = [each.jumps for each in outcomes if each.jumps is not None]
+    total = PositionResets(*(sum(column) for column in zip(*jumps, strict=True)))
     print(f"R_a along the paths through the first {len(jumps)}")
     row("steps that turn unlike Omega_a", f"{total.suspect}, looked into")
     row("jumps where chi is zero", f"{total.at_chi_zero}, n . G changes its sign")

@@ -202,9 +202,9 @@ def beyond(record: FlightRecord, time: float | None, goal: Sequence[float]) -> t
     if time is None or record.position_error_n is None:
         return math.nan, math.nan
     columns = np.hstack((record.p_n, record.position_error_n)).T
-    p_n, error = np.split(np.array([np.interp(time, record.time, its) for its in columns]), 2)
+    p_n, error = np.split(np.array([np.interp(time, record.time, each) for each in columns]), 2)
     # Between samples the path bends: only the plane across it counts.
-    along = np.array([np.interp(time, record.time, its) for its in record.v_n.T])
+    along = np.array([np.interp(time, record.time, each) for each in record.v_n.T])
     along /= np.linalg.norm(along)
     off = p_n + error - np.array(goal)
     return float(np.linalg.norm(error)), float(np.linalg.norm(off - along * (off @ along)))
@@ -216,7 +216,9 @@ def believed(record: FlightRecord) -> tuple[float, float, float]:
         return math.nan, math.nan, math.nan
     steps = max(1, round(SMOOTHED_S / (record.time[1] - record.time[0])))
     weights = np.ones(steps) / steps
-    wind = np.column_stack([np.convolve(its, weights)[: len(its)] for its in record.wind_n.T[:2]])
+    wind = np.column_stack(
+        [np.convolve(each, weights)[: len(each)] for each in record.wind_n.T[:2]]
+    )
     late = slice(steps, None)
     believed = np.column_stack((air.wind_north, air.wind_east))[late]
     error = np.abs(believed - wind[late]).max(axis=1)

@@ -20,9 +20,9 @@ from search_worlds import HEIGHT, World, draw
 from vfguide.airspace.footprint import Band
 from vfguide.airspace.keep_out import NO_FENCE, hazards_of
 from vfguide.paths.dubins import length_of
-from vfguide.paths.edge import next_word
-from vfguide.planning.collision_check import Air, Task, way_is_clear
-from vfguide.planning.route_search import Detour, find_detour
+from vfguide.paths.edge import next_path
+from vfguide.planning.collision_check import Air, Task, route_is_clear
+from vfguide.planning.route_search import FoundRoute, find_route
 
 LEVEL = Band(-HEIGHT, -HEIGHT)
 REPEATS = 3
@@ -36,7 +36,7 @@ class Outcome:
 
     number: int
     kind: str
-    detour: Detour
+    following: FoundRoute
     free: float
     """Length without obstacles [m]."""
     reference: float
@@ -61,25 +61,25 @@ def measure(world: World, number: int, args: argparse.Namespace) -> Outcome:
     air = Air(args.airspeed, args.wind, 0.0)
     task = Task(world.start, world.goal, args.radius, air, 0.0)
     asked = (world.obstacles, NO_FENCE, LEVEL, task)
-    detour = find_detour(*asked)
-    free = args.radius * length_of(next_word(world.start, world.goal, args.radius, -1.0))
+    following = find_route(*asked)
+    free = args.radius * length_of(next_path(world.start, world.goal, args.radius, -1.0))
     reference = math.nan
     if args.reference_s > 0.0 and is_installed():
         reference = reference_length(
             world, args.radius, REFERENCE_CLEARANCE, args.reference_s, number
         )
-    hazards = hazards_of(world.obstacles, LEVEL, detour.clearance)
-    way = (hazards, task, detour.clearance, detour.hops, 0, 0, 0.0)
-    way_is_clear(*way)
-    seconds = seconds_of(find_detour, *asked)
+    hazards = hazards_of(world.obstacles, LEVEL, following.clearance)
+    progress = (hazards, task, following.clearance, following.route_edges, 0, 0, 0.0)
+    route_is_clear(*progress)
+    seconds = seconds_of(find_route, *asked)
     return Outcome(
         number,
         world.kind,
-        detour,
+        following,
         free,
         reference,
         1e3 * seconds,
-        1e6 * seconds_of(way_is_clear, *way),
+        1e6 * seconds_of(route_is_clear, *progress),
     )
 
 
@@ -93,26 +93,27 @@ def figures(values: list[float], quantiles: tuple[float, ...]) -> str:
 
 def show(name: str, outcomes: list[Outcome]) -> None:
     """Print what was found in worlds of one kind."""
-    found = [o for o in outcomes if len(o.detour.hops) > 0]
-    missed = [o for o in outcomes if len(o.detour.hops) == 0]
+    found = [o for o in outcomes if len(o.following.route_edges) > 0]
+    missed = [o for o in outcomes if len(o.following.route_edges) == 0]
     hopeless = [o for o in missed if o.reference == math.inf]
     both = [o for o in found if math.isfinite(o.reference)]
     print(f"{name}: {len(outcomes)} worlds, {len(found)} found, {len(hopeless)} by neither")
     print(f"  missed though there is a way: {[o.number for o in missed if o not in hopeless]}")
     print(f"  found here alone: {sum(o.reference == math.inf for o in found)}")
-    ratios = [o.detour.length / o.reference for o in both]
+    ratios = [o.following.length / o.reference for o in both]
     print(f"  length over the reference, 50 90 100 %: {figures(ratios, (0.5, 0.9, 1.0))}")
-    ratios = [o.detour.length / o.free for o in found]
+    ratios = [o.following.length / o.free for o in found]
     print(f"  length over that without obstacles:     {figures(ratios, (0.5, 0.9, 1.0))}")
     times = [o.time_ms for o in outcomes]
     print(f"  time of a search [ms], 50 95 100 %:     {figures(times, (0.5, 0.95, 1.0))}")
     times = [o.check_us for o in found]
     print(f"  a look at the way [us], 50 95 100 %:    {figures(times, (0.5, 0.95, 1.0))}")
-    kept = sorted({o.detour.clearance for o in found}, reverse=True)
-    counts = ", ".join(f"{c:g} m: {sum(o.detour.clearance == c for o in found)}" for c in kept)
-    print(f"  clearance {counts}; most hops {max((len(o.detour.hops) for o in found), default=0)}")
-    for o in sorted(both, key=lambda o: -o.detour.length / o.reference)[:3]:
-        print(f"    world {o.number}: {o.detour.length:.0f} m, reference {o.reference:.0f} m")
+    kept = sorted({o.following.clearance for o in found}, reverse=True)
+    counts = ", ".join(f"{c:g} m: {sum(o.following.clearance == c for o in found)}" for c in kept)
+    most = max((len(o.following.route_edges) for o in found), default=0)
+    print(f"  clearance {counts}; most edges {most}")
+    for o in sorted(both, key=lambda o: -o.following.length / o.reference)[:3]:
+        print(f"    world {o.number}: {o.following.length:.0f} m, reference {o.reference:.0f} m")
 
 
 def main() -> None:

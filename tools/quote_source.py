@@ -1,4 +1,4 @@
-"""For the pages: a function of the program, quoted by `{{ source FILE FUNCTION }}`."""
+"""For the pages: a function quoted from its source by `{{ source FILE FUNCTION }}`."""
 
 import ast
 import re

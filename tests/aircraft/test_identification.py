@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.gain_scheduling import BEGIN
-from vfguide.aircraft.identification import Finding, identify
+from vfguide.aircraft.identification import ParameterEstimate, identify
 from vfguide.aircraft.least_squares import first_order
 from vfguide.aircraft.samples import Sample, Samples, samples_of, sound
 from vfguide.geometry.units import DEG, G0
@@ -102,25 +102,25 @@ def test_the_instants_of_a_flight_are_its_columns():
 
 def found_in(samples, before=AEROSONDE):
     found = identify(samples, before, 0.3)
-    return found, {its.key: its for its in found.findings}
+    return found, {its.key: its for its in found.estimates}
 
 
 @pytest.mark.parametrize("wind", [(0.0, 0.0, 0.0), (3.0, -2.0, 0.0), (-9.0, 8.0, 0.0)])
 def test_the_numbers_of_a_flight_are_found(wind):
-    found, findings = found_in(flight(wind))
-    assert all(its.used for its in findings.values())
+    found, estimates = found_in(flight(wind))
+    assert all(its.used for its in estimates.values())
     for key, true in TRUE.items():
         # A setpoint is held for DT: the response to it seems so much faster or slower.
         most = 0.06 * abs(true) + (DT if key.endswith("_s") else 0.0)
-        assert findings[key].value == pytest.approx(true, abs=most), key
+        assert estimates[key].value == pytest.approx(true, abs=most), key
     its = found.aircraft
     assert (its.thrust_trim, its.thrust_per_climb, its.thrust_per_load) == tuple(
-        findings[key].value for key in ("trim", "per_climb", "per_load")
+        estimates[key].value for key in ("trim", "per_climb", "per_load")
     )
-    assert its.alpha_zero == pytest.approx(DEG * findings["alpha_zero_deg"].value)
-    assert its.alpha_load == pytest.approx(DEG * findings["alpha_load_deg_m2ps2"].value)
+    assert its.alpha_zero == pytest.approx(DEG * estimates["alpha_zero_deg"].value)
+    assert its.alpha_load == pytest.approx(DEG * estimates["alpha_load_deg_m2ps2"].value)
     assert its.thrust_per_airspeed == pytest.approx(0.8 * its.thrust_per_climb / G0, rel=1e-3)
-    assert found.roll_time == findings["roll_s"].value
+    assert found.roll_time == estimates["roll_s"].value
     untouched = ("airspeed_min", "airspeed_max", "bank_max", "load_max", "climb_max", "rate_max")
     assert all(getattr(its, name) == getattr(AEROSONDE, name) for name in untouched)
 
@@ -155,23 +155,23 @@ def test_standard_errors_are_honest():
 def test_straight_flight_shows_nothing():
     """Noise alone must not be taken for an aircraft."""
     for seed in range(10):
-        found, findings = found_in(noisy(flight(lively=0.0), seed))
-        assert not any(its.used for its in findings.values()), findings
+        found, estimates = found_in(noisy(flight(lively=0.0), seed))
+        assert not any(its.used for its in estimates.values()), estimates
         assert (found.aircraft, found.roll_time) == (AEROSONDE, 0.3)
 
 
 def test_gusts_make_the_lift_unsure_and_leave_the_thrust():
-    found, findings = found_in(flight(gusts=2.0))
-    assert not findings["alpha_load_deg_m2ps2"].used
+    found, estimates = found_in(flight(gusts=2.0))
+    assert not estimates["alpha_load_deg_m2ps2"].used
     assert found.aircraft.alpha_load == AEROSONDE.alpha_load
-    assert findings["per_climb"].used
-    assert findings["per_climb"].value == pytest.approx(TRUE["per_climb"], rel=0.1)
+    assert estimates["per_climb"].used
+    assert estimates["per_climb"].value == pytest.approx(TRUE["per_climb"], rel=0.1)
 
 
 def test_without_an_airspeed_sensor_the_roll_response_alone_is_found():
     samples = flight()
-    found, findings = found_in(samples._replace(airspeed=np.full_like(samples.time, math.nan)))
-    assert [key for key, its in findings.items() if its.used] == ["roll_s"]
+    found, estimates = found_in(samples._replace(airspeed=np.full_like(samples.time, math.nan)))
+    assert [key for key, its in estimates.items() if its.used] == ["roll_s"]
     assert found.aircraft == AEROSONDE
 
 
@@ -179,31 +179,31 @@ def test_without_an_airspeed_sensor_the_roll_response_alone_is_found():
 def test_a_gap_in_the_airspeed_costs_no_more_than_itself(gap):
     samples = flight()
     lost = (samples.time >= gap[0]) & (samples.time < gap[1])
-    found, findings = found_in(
+    found, estimates = found_in(
         samples._replace(airspeed=np.where(lost, math.nan, samples.airspeed))
     )
-    assert all(its.used for its in findings.values())
+    assert all(its.used for its in estimates.values())
     for key, true in TRUE.items():
         most = 0.06 * abs(true) + (DT if key.endswith("_s") else 0.0)
-        assert findings[key].value == pytest.approx(true, abs=most), key
-    assert found.aircraft.thrust_trim == findings["trim"].value
+        assert estimates[key].value == pytest.approx(true, abs=most), key
+    assert found.aircraft.thrust_trim == estimates["trim"].value
 
 
 def test_an_airspeed_that_stands_still_shows_neither_lift_nor_thrust():
     """Its column is the constant's: what cannot be told apart is not known to any accuracy."""
     samples = flight()
-    found, findings = found_in(samples._replace(airspeed=np.full_like(samples.time, 27.0)))
-    assert [key for key, its in findings.items() if its.used] == ["roll_s"]
+    found, estimates = found_in(samples._replace(airspeed=np.full_like(samples.time, 27.0)))
+    assert [key for key, its in estimates.items() if its.used] == ["roll_s"]
     assert found.aircraft == AEROSONDE
 
 
 def test_what_is_flown_by_is_what_a_file_can_say():
-    found, findings = found_in(flight())
+    found, estimates = found_in(flight())
     its = found.aircraft
-    numbers = (its.thrust_per_airspeed, its.thrust_integral, *(f.value for f in findings.values()))
+    numbers = (its.thrust_per_airspeed, its.thrust_integral, *(f.value for f in estimates.values()))
     assert all(value == float(f"{value:.4g}") for value in numbers)
-    assert its.alpha_zero == math.radians(findings["alpha_zero_deg"].value)
-    assert its.alpha_load == math.radians(findings["alpha_load_deg_m2ps2"].value)
+    assert its.alpha_zero == math.radians(estimates["alpha_zero_deg"].value)
+    assert its.alpha_load == math.radians(estimates["alpha_load_deg_m2ps2"].value)
 
 
 def test_samples_that_are_no_numbers_do_not_count():
@@ -213,8 +213,8 @@ def test_samples_that_are_no_numbers_do_not_count():
     v_n[700], R_nb[1500, 1, 1], time[2100], time[2500] = math.nan, math.inf, math.nan, 3.0
     spoilt = samples._replace(v_n=v_n, R_nb=R_nb, time=time)
     assert len(sound(spoilt).time) == len(time) - 4
-    _, findings = found_in(spoilt)
-    for key, its in findings.items():
+    _, estimates = found_in(spoilt)
+    for key, its in estimates.items():
         assert its.value == pytest.approx(before[key].value, rel=0.02, abs=0.01), key
 
 
@@ -230,9 +230,9 @@ def test_anything_goes_in_and_no_exception_comes_out(n, seed):
 
     time = np.cumsum(np.abs(wild(n))) if seed % 2 else 0.1 * np.arange(n)
     samples = Samples(time, wild(n, 3, 3), wild(n, 3), *(wild(n) for _ in range(5)))
-    found, findings = found_in(samples)
+    found, estimates = found_in(samples)
     if n < 20:
-        assert not any(its.used for its in findings.values())
+        assert not any(its.used for its in estimates.values())
         assert found.aircraft == AEROSONDE
     assert all(math.isfinite(x) for x in found.aircraft if isinstance(x, float))
 
@@ -240,8 +240,8 @@ def test_anything_goes_in_and_no_exception_comes_out(n, seed):
 def test_a_roll_rate_that_does_not_follow_is_no_response():
     samples = flight()
     rates = np.random.default_rng(2).normal(0.0, 0.5, len(samples.time))
-    found, findings = found_in(samples._replace(roll_rate=rates))
-    assert not findings["roll_s"].used
+    found, estimates = found_in(samples._replace(roll_rate=rates))
+    assert not estimates["roll_s"].used
     assert found.roll_time == 0.3
 
 
@@ -257,4 +257,4 @@ def test_a_roll_rate_that_does_not_follow_is_no_response():
     ],
 )
 def test_a_finding_is_told_with_the_digits_that_it_has(value, sigma, text):
-    assert str(Finding("a", "x", value, sigma, True)) == text
+    assert str(ParameterEstimate("a", "x", value, sigma, True)) == text

@@ -11,7 +11,7 @@ from vfguide.aircraft.least_squares import (
     best_time,
     first_order,
     fitted,
-    persistence,
+    noise_correlation,
     with_constant,
 )
 
@@ -28,7 +28,7 @@ def test_it_is_numpy_s_least_squares(seed, n, N):
     assert fit.x == pytest.approx(x, rel=1e-6)
     assert fit.squares == pytest.approx(float(squares[0]), rel=1e-6)
     left = y - A @ x
-    covariance = np.linalg.inv(A.T @ A) * float(squares[0]) / (N - n) * persistence(left)
+    covariance = np.linalg.inv(A.T @ A) * float(squares[0]) / (N - n) * noise_correlation(left)
     assert fit.covariance == pytest.approx(covariance, rel=1e-5)
 
 
@@ -53,10 +53,10 @@ def test_regressors_that_cannot_be_told_apart_have_no_standard_error(other):
 def test_errors_that_last_count_as_fewer():
     rng = np.random.default_rng(1)
     white = rng.normal(0.0, 1.0, 4000)
-    assert persistence(white) == pytest.approx(1.0, abs=0.3)
+    assert noise_correlation(white) == pytest.approx(1.0, abs=0.3)
     # Of a mean over 25 samples the autocorrelations sum up to 25.
     lasting = np.convolve(white, np.ones(25), "valid")
-    assert persistence(lasting) == pytest.approx(25.0, rel=0.3)
+    assert noise_correlation(lasting) == pytest.approx(25.0, rel=0.3)
 
 
 @given(st.floats(0.02, 1.0), SEEDS)

@@ -8,7 +8,7 @@ from assurance_samples import AEROSONDE, FLOWN, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.path_limits import ZOOM
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
@@ -24,7 +24,7 @@ from vfguide.assurance.assurance import (
     fresh_assurance,
     in_air,
     in_room,
-    motion_of,
+    point_mass_of,
     raised,
 )
 from vfguide.assurance.backup_manoeuvre import Manoeuvre, climb_of
@@ -33,7 +33,7 @@ from vfguide.estimation.estimation import known_state
 from vfguide.geometry.so3 import IDENTITY
 
 HERE = (0.0, 0.0, -150.0)
-WISH = Wish(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
+WISH = GuidanceCommand(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
 VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 NORTHWARD = FlightState(1.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 0.0))
 
@@ -94,7 +94,7 @@ def test_air_that_moves_faster_than_any_limit_still_leaves_a_decision(sinking):
 def test_tracks_begin_with_the_path_over_the_ground():
     """Level over the ground through air that sinks: no track may begin with a climb."""
     here = FlightState(0.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 5.0))
-    assert motion_of(here).gamma == 0.0
+    assert point_mass_of(here).gamma == 0.0
 
 
 def test_a_way_with_little_room_has_a_smaller_margin():
@@ -128,12 +128,12 @@ def test_a_command_that_leaves_a_way_out_passes_as_it_is():
 
 
 @pytest.mark.parametrize(
-    ("obstacle", "reason"), [(NEAR, Reason.ESCAPE), (TOO_NEAR, Reason.LEAST_BAD)]
+    ("obstacle", "reason"), [(NEAR, Reason.ESCAPE), (TOO_NEAR, Reason.BEST_EFFORT)]
 )
 def test_a_command_that_leaves_none_is_not_flown(obstacle, reason):
     command, after = judged(among(obstacle))
     assert after.decision.reason == reason
-    assert after.stored.acting == 1.0
+    assert after.backup.acting == 1.0
     assert abs(command.bank) > abs(WISH.bank)
     assert command.load == pytest.approx(math.cos(command.gamma) / math.cos(command.bank))
     kept = ("course", "azimuth", "remaining", "phase", "radius")

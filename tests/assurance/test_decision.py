@@ -6,14 +6,14 @@ from assurance_samples import FLOWN, LEVEL, SMALL, ball, decide, hazards, motion
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.aircraft.point_mass import Motion, advance
+from vfguide.aircraft.point_mass import PointMass, advance
 from vfguide.airspace.fence import Zone
 from vfguide.airspace.hazards import Hazards, Intruder
 from vfguide.assurance.backup_manoeuvre import Manoeuvre, fly_for, remainder
-from vfguide.assurance.decision import Reason, Stored
+from vfguide.assurance.decision import BackupManoeuvre, Reason
 from vfguide.field.obstacle import Obstacle, obstacle_distance
 
-CLEAR, ESCAPE, LEAST_BAD = Reason
+CLEAR, ESCAPE, BEST_EFFORT = Reason
 BANKS, CLIMBS = st.floats(-2.0, 2.0), st.floats(-1.0, 1.0)
 STILL = (0.0, 0.0, 0.0)
 
@@ -32,9 +32,9 @@ def known_field(seed, count=8):
 
 @given(BANKS, CLIMBS, st.floats(-0.8, 0.8))
 def test_in_a_clear_world_it_never_acts(bank, gamma, now):
-    decision, stored = decide(motion(bank=now), hazards([ball((2e3, 0, 0))]), (bank, gamma))
+    decision, backup = decide(motion(bank=now), hazards([ball((2e3, 0, 0))]), (bank, gamma))
     assert decision.reason == CLEAR
-    assert stored.acting == 0.0
+    assert backup.acting == 0.0
     assert decision.bank == max(-FLOWN.limits.bank_max, min(FLOWN.limits.bank_max, bank))
     assert decision.gamma == max(-FLOWN.limits.descent_max, min(FLOWN.limits.climb_max, gamma))
 
@@ -59,11 +59,11 @@ def test_a_stored_plan_stays_clear_by_the_exact_distance():
     stored_plans = 0
     for seed in range(60):
         known, at, wish = known_field(seed), motion(bank=0.2), (0.3, 0.0)
-        decision, stored = decide(at, known, wish)
-        if decision.reason == LEAST_BAD:
+        decision, backup = decide(at, known, wish)
+        if decision.reason == BEST_EFFORT:
             continue
         stored_plans += 1
-        plan, t, dt = Manoeuvre(*stored[:3]), 0.0, 0.1
+        plan, t, dt = Manoeuvre(*backup[:3]), 0.0, 0.1
         if decision.reason == CLEAR:
             at, t = advance(at, *wish, STILL, FLOWN.limits, dt), dt
         while t < 15.0:
@@ -85,12 +85,12 @@ def test_turning_the_world_turns_the_decision(seed, angle):
     field, wind_n = list(random_field(np.random.default_rng(seed))), (3.0, 4.0, 0.0)
     other = [Obstacle(o.shape, turned(o.p_n), o.heading + angle, turned(o.v_n)) for o in field]
     at = motion(bank=0.3)
-    here, stored = decide(at, hazards(field), (0.5, 0.0), wind_n)
+    here, backup = decide(at, hazards(field), (0.5, 0.0), wind_n)
     there, other_stored = decide(
-        Motion(turned(at.p_n), angle, 0.3, 0.0, 25.0), hazards(other), (0.5, 0.0), turned(wind_n)
+        PointMass(turned(at.p_n), angle, 0.3, 0.0, 25.0), hazards(other), (0.5, 0.0), turned(wind_n)
     )
     assert there[:3] == here[:3]
-    assert other_stored == stored
+    assert other_stored == backup
 
 
 @pytest.mark.parametrize("of", [FLOWN, SMALL], ids=["aerosonde", "easystar"])
@@ -98,7 +98,7 @@ def test_turning_the_world_turns_the_decision(seed, angle):
 def test_it_acts_before_a_wall(of, wish):
     speed = 25.0 if of is FLOWN else 11.0
     size = speed * speed / 12.5
-    for distance, reasons in ((16.0, {CLEAR}), (0.7, {ESCAPE, LEAST_BAD})):
+    for distance, reasons in ((16.0, {CLEAR}), (0.7, {ESCAPE, BEST_EFFORT})):
         wall = ball((distance * size + 20.0 * size, 0.0, -150.0), 20.0 * size)
         decision, _ = decide(motion(airspeed=speed), hazards([wall]), wish, of=of)
         assert decision.reason in reasons
@@ -111,18 +111,18 @@ def test_it_returns_only_with_more_than_the_margin():
     for obstacles in (known, hazards(tower)):
         free, _ = decide(motion(), obstacles)
         assert free.reason == CLEAR
-    acting, _ = decide(motion(), hazards(tower), stored=Stored(0.0, 0.0, 0.0, 1.0))
+    acting, _ = decide(motion(), hazards(tower), backup=BackupManoeuvre(0.0, 0.0, 0.0, 1.0))
     assert acting.reason == ESCAPE
 
 
 def test_inside_an_obstacle_it_says_so_and_flies_on():
-    decision, stored = decide(motion(), hazards([ball((5.0, 10.0, -150.0))]), (0.2, 0.0))
-    assert decision.reason == LEAST_BAD
+    decision, backup = decide(motion(), hazards([ball((5.0, 10.0, -150.0))]), (0.2, 0.0))
+    assert decision.reason == BEST_EFFORT
     assert decision.conflict == 0.0
     assert decision.hazard == 0
     assert decision.margin < 0.0
     assert within_limits(decision)
-    assert stored.acting == 1.0
+    assert backup.acting == 1.0
 
 
 @pytest.mark.parametrize(
@@ -139,13 +139,13 @@ def test_inside_an_obstacle_it_says_so_and_flies_on():
 )
 def test_always_finite(at, wish, wind_n, gust):
     known = known_field(3)
-    decision, stored = decide(at, known, wish, wind_n, gust)
+    decision, backup = decide(at, known, wish, wind_n, gust)
     assert within_limits(decision)
-    assert all(map(math.isfinite, (*stored, decision.bank, decision.gamma, decision.margin)))
+    assert all(map(math.isfinite, (*backup, decision.bank, decision.gamma, decision.margin)))
 
 
 def test_a_state_without_a_number_is_said():
-    assert decide(motion(bank=math.nan), hazards())[0].reason == LEAST_BAD
+    assert decide(motion(bank=math.nan), hazards())[0].reason == BEST_EFFORT
 
 
 def test_floor_and_ceiling():
@@ -154,7 +154,7 @@ def test_floor_and_ceiling():
     known = hazards(floor=100.0, ceiling=200.0)
     for at, wish, other in ((low, descent, climb), (high, climb, descent)):
         assert decide(at, known, other)[0].reason == CLEAR
-        diving = Motion(at.p_n, 0.0, 0.0, wish[1], 25.0)
+        diving = PointMass(at.p_n, 0.0, 0.0, wish[1], 25.0)
         decision, _ = decide(diving, known, wish)
         assert decision.reason != CLEAR
         assert decision.gamma * wish[1] <= 0.0

@@ -9,12 +9,12 @@ from vfguide.airspace.hazards import (
     Intruder,
     hazard_count,
     hazard_distance,
-    hazard_growth,
+    hazard_uncertainty_rate,
     traffic_distance,
     traffic_rows,
 )
 from vfguide.assurance.backup_manoeuvre import KINDS, fly_for, fly_out, manoeuvre, remainder
-from vfguide.assurance.trajectory_clearance import MOST_GROWTH, clearance_along
+from vfguide.assurance.trajectory_clearance import MAX_UNCERTAINTY, clearance_along
 from vfguide.geometry.rows import width
 
 pytestmark = pytest.mark.slow
@@ -29,13 +29,16 @@ def flown_out(kind, of=FLOWN, at=None, wind_n=WIND):
     return track
 
 
-def at_every_point(known, track, growth):
+def at_every_point(known, track, uncertainty_rate):
     """Clearances (N, hazards)."""
     return np.array(
         [
             [
                 hazard_distance(known, i, tuple(map(float, p)), k * STEP)
-                - min(k * STEP * (growth + hazard_growth(known, i)), MOST_GROWTH)
+                - min(
+                    k * STEP * (uncertainty_rate + hazard_uncertainty_rate(known, i)),
+                    MAX_UNCERTAINTY,
+                )
                 for i in range(hazard_count(known))
             ]
             for k, p in enumerate(track)
@@ -51,19 +54,19 @@ def crowded(seed):
 
 
 @pytest.mark.parametrize("seed", range(10))
-@pytest.mark.parametrize("growth", [0.0, 0.5])
-def test_nothing_is_missed_between_the_points_looked_at(seed, growth):
+@pytest.mark.parametrize("uncertainty_rate", [0.0, 0.5])
+def test_nothing_is_missed_between_the_points_looked_at(seed, uncertainty_rate):
     known = crowded(seed)
     for kind in range(KINDS):
         track = flown_out(kind)
-        every = at_every_point(known, track, growth)
-        seen = clearance_along(known, track, 0.0, STEP, 30.0, growth, 12.0, 1.0, seed)
+        every = at_every_point(known, track, uncertainty_rate)
+        seen = clearance_along(known, track, 0.0, STEP, 30.0, uncertainty_rate, 12.0, 1.0, seed)
         lost = np.flatnonzero(every.min(axis=1) < 1.0)
         assert seen.lost == (pytest.approx(lost[0] * STEP) if len(lost) else math.inf)
         if not len(lost):
             assert seen.least == pytest.approx(min(12.0, every.min()))
             assert (seen.hazard >= 0) == (every.min() < 12.0)
-        first = clearance_along(known, track, 0.0, STEP, 30.0, growth, 12.0, 12.0, seed)
+        first = clearance_along(known, track, 0.0, STEP, 30.0, uncertainty_rate, 12.0, 12.0, seed)
         assert (first.hazard >= 0) == (every.min() < 12.0)
 
 

@@ -9,15 +9,15 @@ from hypothesis import strategies as st
 
 from vfguide.airspace.hazards import Intruder
 from vfguide.companion.alerts import ENOUGH, HORIZON, LOOKS, WIDER, Alert, encounter, look
-from vfguide.companion.traffic import Own, Report
+from vfguide.companion.traffic import Ownship, Report
 
-OWN = Own(1000, (0.0, 0.0, -100.0), (25.0, 0.0, 0.0))
+OWN = Ownship(1000, (0.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 part = st.floats(-300.0, 300.0)
 speed = st.floats(-40.0, 40.0)
 
 
-def of(x, y=0.0, z=-100.0, v_n=(-25.0, 0.0, 0.0), time_ms=1000, growth=0.0):
-    its = Intruder((x, y, z), v_n, 0.0, 50.0, 30.0, growth, 0.0)
+def of(x, y=0.0, z=-100.0, v_n=(-25.0, 0.0, 0.0), time_ms=1000, uncertainty_rate=0.0):
+    its = Intruder((x, y, z), v_n, 0.0, 50.0, 30.0, uncertainty_rate, 0.0)
     return Report(1, "ABC123", time_ms, its)
 
 
@@ -90,7 +90,9 @@ def test_it_ends_only_when_all_the_last_looks_are_clear_of_the_wider_volume():
 
 def test_an_old_report_counts_as_larger():
     on = {
-        age: look(Alert(is_on=True), of(600.0, 90.0, time_ms=1000 - age, growth=3.0), OWN)[0].is_on
+        age: look(
+            Alert(is_on=True), of(600.0, 90.0, time_ms=1000 - age, uncertainty_rate=3.0), OWN
+        )[0].is_on
         for age in (0, 5000)
     }
     assert on == {0: False, 5000: True}

@@ -8,21 +8,21 @@ import pytest
 from conversations import plan
 
 from vfguide.assurance.decision import Reason
-from vfguide.companion.hazard_annunciations import BACK, Lookout, way_note
+from vfguide.companion.hazard_annunciations import BACK, HazardAnnunciator, route_summary
 from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
 from vfguide.loop.state import fresh_state, row_of_state
-from vfguide.paths.dubins import Word
-from vfguide.paths.edge import Hop, hop_row
+from vfguide.paths.dubins import DubinsPath
+from vfguide.paths.edge import Edge, edge_row
 from vfguide.paths.path_progress import Pose
 from vfguide.planning.route import fresh_route
-from vfguide.planning.route_following import RouteState, fresh_route_state
-from vfguide.runs.jsbsim_vehicle import Member
+from vfguide.planning.route_following import RouteFollowing, fresh_following
+from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 
-CLEAR, ESCAPE, LEAST_BAD = Reason.CLEAR, Reason.ESCAPE, Reason.LEAST_BAD
+CLEAR, ESCAPE, BEST_EFFORT = Reason.CLEAR, Reason.ESCAPE, Reason.BEST_EFFORT
 HERE = Pose(0.0, 0.0, 0.0)
 STEP = 0.02
 
@@ -39,29 +39,29 @@ def decided(reason: Reason, conflict: float = math.inf, hazard: int = -1) -> Row
     return row_of_state(s._replace(assurance=s.assurance._replace(decision=decision)))
 
 
-def on(route: RouteState) -> Row:
+def on(route: RouteFollowing) -> Row:
     """The row of a state with a route round hazards."""
-    return row_of_state(fresh_state(5)._replace(planning=fresh_route()._replace(detour=route)))
+    return row_of_state(fresh_state(5)._replace(planning=fresh_route()._replace(following=route)))
 
 
-def searched(clearance: float, at: float, looked: float | None = None) -> RouteState:
+def searched(clearance: float, at: float, looked: float | None = None) -> RouteFollowing:
     looked = at if looked is None else looked
-    return fresh_route_state()._replace(clearance=clearance, sought=at, looked=looked)
+    return fresh_following()._replace(clearance=clearance, sought=at, looked=looked)
 
 
 def sought(clearance: float, at: float, looked: float | None = None) -> Row:
     return on(searched(clearance, at, looked))
 
 
-def with_hops(route: RouteState, radius: float, *words: Word) -> RouteState:
+def with_hops(route: RouteFollowing, radius: float, *words: DubinsPath) -> RouteFollowing:
     hops = route.hops.copy()
-    hops[: len(words)] = [hop_row(Hop(HERE, word)) for word in words]
+    hops[: len(words)] = [edge_row(Edge(HERE, word)) for word in words]
     return route._replace(length=len(words), radius=radius, hops=hops)
 
 
 def told(its: Plan, *stretches: tuple[float, Row]) -> list[tuple[float, str]]:
     """Times and notes of stretches of so many seconds with the same row."""
-    lookout, notes, now = Lookout(its), [], 0.0
+    lookout, notes, now = HazardAnnunciator(its), [], 0.0
     for seconds, row in stretches:
         for _ in range(round(seconds / STEP)):
             now = round(now + STEP, 6)
@@ -85,7 +85,7 @@ def test_an_escape_without_a_conflict_says_so(among_towers: Plan) -> None:
 
 
 def test_where_nothing_is_clear_is_said_loudly_once_a_second(among_towers: Plan) -> None:
-    notes = told(among_towers, (2.5, decided(LEAST_BAD, 1.5, 0)))
+    notes = told(among_towers, (2.5, decided(BEST_EFFORT, 1.5, 0)))
     assert [time for time, _ in notes] == pytest.approx([0.02, 1.02, 2.02])
     assert all(note.startswith("NOTHING IS CLEAR: south tower in 1.5 s") for _, note in notes)
 
@@ -99,7 +99,7 @@ def test_a_way_that_is_not_found_is_told_once_and_when_there_is_one_again(
     among_towers: Plan,
 ) -> None:
     searches = [(1.0, sought(-1.0, at)) for at in (0.5, 1.5, 2.5, 3.5)]
-    found = on(with_hops(searched(12.0, 4.5), 80.0, Word(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)))
+    found = on(with_hops(searched(12.0, 4.5), 80.0, DubinsPath(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)))
     notes = [note for _, note in told(among_towers, *searches, (2.0, found))]
     assert notes[0].startswith("no way to goal 1 found")
     assert notes[1:] == ["a way round: 2 turns, 240 m"]
@@ -115,27 +115,30 @@ def test_without_hazards_there_is_nothing_to_tell() -> None:
 
 
 def test_turns_of_hops_that_join_in_one_are_one() -> None:
-    first, second = Word(1.0, 0.4, 0.0, 1.0, 1.0, 0.3), Word(1.0, 0.2, 0.0, 1.0, -1.0, 0.6)
+    first, second = (
+        DubinsPath(1.0, 0.4, 0.0, 1.0, 1.0, 0.3),
+        DubinsPath(1.0, 0.2, 0.0, 1.0, -1.0, 0.6),
+    )
     route = with_hops(searched(12.0, 0.0), 100.0, first, second)
-    assert way_note(route) == "a way round: 3 turns, 350 m"
+    assert route_summary(route) == "a way round: 3 turns, 350 m"
 
 
 def test_a_way_over_is_told_by_its_height() -> None:
-    route = fresh_route_state()._replace(level=-184.6)
-    assert way_note(route) == "over what is in the way, at 185 m"
+    route = fresh_following()._replace(level=-184.6)
+    assert route_summary(route) == "over what is in the way, at 185 m"
 
 
 def test_a_flight_among_towers_tells_of_its_way(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    members: list[Member] = []
-    begin = Member.__init__
+    members: list[JsbsimVehicle] = []
+    begin = JsbsimVehicle.__init__
 
-    def kept(self: Member, *arguments: object) -> None:
+    def kept(self: JsbsimVehicle, *arguments: object) -> None:
         members.append(self)
         begin(self, *arguments)
 
-    monkeypatch.setattr(Member, "__init__", kept)
+    monkeypatch.setattr(JsbsimVehicle, "__init__", kept)
     fly_scenario(load_scenario("towers"), tmp_path)
     notes = members[-1].companion.news()  # the first warms up
     assert any(note.startswith("a way round: ") for note in notes)

@@ -97,7 +97,7 @@ def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
     wider = math.tan(math.radians(50.0)) / math.tan(math.radians(30.0))
     assert gains.turn_margin == pytest.approx(ours.turn_margin * wider)
     assert gains.k_w == pytest.approx(ours.k_w * 0.08 / 0.3)
-    assert gains.sluggish == pytest.approx(0.3 - 0.08)
+    assert gains.response_lag == pytest.approx(0.3 - 0.08)
 
 
 def test_it_begins_anew_when_the_autopilot_follows_again():
@@ -125,7 +125,9 @@ def test_a_leg_that_comes_to_no_end_is_left():
     assert talk.told[end - 1].startswith("not seen well enough")
     assert talk.route.identified.aircraft == plain_plan().aircraft
     assert talk.route.plan.goals == plain_plan().goals
-    assert talk.route.plan.tuned.sluggish == pytest.approx(0.3 - 0.08), "its response is unknown"
+    assert talk.route.plan.tuned.response_lag == pytest.approx(0.3 - 0.08), (
+        "its response is unknown"
+    )
 
 
 @pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])

@@ -17,7 +17,7 @@ from vfguide.companion.traffic import (
     MOST,
     SMALL_AIRCRAFT,
     STEEPEST,
-    Own,
+    Ownship,
     Picture,
     report_of,
 )
@@ -31,7 +31,7 @@ from vfguide.sim.traffic import EVERYTHING as ALL
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)
-FAR_AWAY = Own(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
+FAR_AWAY = Ownship(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 
 
 def said(p_n=(1000.0, 500.0, -150.0), *, icao=0xABC123, flags=ALL, **changes) -> AdsbVehicle:
@@ -73,7 +73,7 @@ def test_the_age_that_a_report_tells_is_heeded():
 
 
 @pytest.mark.parametrize(
-    ("lacking", "radius", "half_height", "growth", "growth_up"),
+    ("lacking", "radius", "half_height", "uncertainty_rate", "uncertainty_rate_up"),
     [
         (AdsbFlags.VALID_ALTITUDE, 50.0, ANY_HEIGHT, 3.0, 1.5),
         (AdsbFlags.VALID_VELOCITY, 50.0, 30.0, 3.0 + FASTEST, 1.5),
@@ -82,10 +82,10 @@ def test_the_age_that_a_report_tells_is_heeded():
     ],
 )
 def test_what_is_not_told_makes_the_volume_larger_or_grow(
-    lacking, radius, half_height, growth, growth_up
+    lacking, radius, half_height, uncertainty_rate, uncertainty_rate_up
 ):
     its = report(said(flags=ALL & ~lacking)).intruder
-    assert its[3:] == pytest.approx((radius, half_height, growth, growth_up))
+    assert its[3:] == pytest.approx((radius, half_height, uncertainty_rate, uncertainty_rate_up))
 
 
 def test_a_velocity_without_a_course_is_none():
@@ -180,7 +180,7 @@ def test_the_own_transponder_is_no_traffic():
 def test_an_echo_flies_where_and_as_the_own_vehicle_does(p_n, v_n, echo):
     picture = Picture(ORIGIN, SMALL_AIRCRAFT)
     picture.hear(said(), 5000)
-    assert bool(picture.others(Own(5000, p_n, v_n))) is not echo
+    assert bool(picture.others(Ownship(5000, p_n, v_n))) is not echo
 
 
 def test_rows_tell_the_time_of_the_report_on_the_clock_of_the_obstacles():
@@ -194,7 +194,7 @@ def test_only_the_nearest_in_reach_are_for_the_step():
     assert not seen.is_due(5000)
     for number in range(1, 13):
         seen.hear(said((200.0 * number, 0.0, -150.0), icao=number), 5000)
-    own = Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0))
+    own = Ownship(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0))
     assert seen.is_due(5000)
     assert seen.rows(5000, 0.0).shape == (0, width(Intruder))
     seen.look(own)
@@ -214,7 +214,7 @@ def test_hazards_get_the_others_in_reach_as_traffic_and_stay_themselves_without(
     hazards = Hazards(obstacle_rows([]), traffic_rows([]), fences([]), -math.inf, math.inf)
     assert seen.among(hazards, 5000, 0.0) is hazards
     seen.hear(said(), 5000)
-    seen.look(Own(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0)))
+    seen.look(Ownship(5000, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0)))
     among = seen.among(hazards, 5000, 7.0)
     np.testing.assert_array_equal(among.traffic, seen.rows(5000, 7.0))
     assert among.traffic.shape == (1, width(Intruder))
@@ -229,5 +229,5 @@ def test_the_operator_is_told_once_and_again_when_it_is_over():
         now, t = 500 * look, 0.5 * look
         place = (0.0, 500.0 - 25.0 * t, -150.0)
         seen.hear(said(place, heading=27_000, hor_velocity=2500, ver_velocity=0), now)
-        told += seen.look(Own(now, (40.0, -500.0 + 25.0 * t, -150.0), (0.0, 25.0, 0.0)))
+        told += seen.look(Ownship(now, (40.0, -500.0 + 25.0 * t, -150.0), (0.0, 25.0, 0.0)))
     assert told == ["traffic D-EABC in 19 s, 40 m", "traffic D-EABC is no conflict any more"]

@@ -12,8 +12,8 @@ from vfguide.estimation.position_resets import (
     BOUND,
     LEAST,
     LONGEST,
-    follow_jumps,
-    no_jumps,
+    follow_resets,
+    no_resets,
     settled,
     smoothed,
 )
@@ -29,11 +29,11 @@ def at(p_n, time=1.0, v_n=V):
 
 def flown(jumps_at, steps=400):
     """Places that are flown on in a straight flight, the told one jumping at some steps."""
-    jumps, here, offset, places, sizes = no_jumps(), (0.0, 0.0, -100.0), np.zeros(3), [], []
+    jumps, here, offset, places, sizes = no_resets(), (0.0, 0.0, -100.0), np.zeros(3), [], []
     for k in range(1, steps):
         offset = offset + jumps_at.get(k, np.zeros(3))
         told = at(np.array((25.0 * DT * k, 0.0, -100.0)) + offset)
-        jumps = follow_jumps(jumps, (here, V), told, DT)
+        jumps = follow_resets(jumps, (here, V), told, DT)
         here = smoothed(told, jumps).p_n
         places.append(here)
         sizes.append(jumps)
@@ -70,20 +70,20 @@ def test_a_jump_that_is_undone_leaves_nothing():
 
 def test_a_steep_turn_is_no_jump():
     """Steps of half a second on a circle of 60 m radius at 30 m/s: 15 m/s^2."""
-    jumps, before = no_jumps(), None
+    jumps, before = no_resets(), None
     for k in range(50):
         angle = 30.0 / 60.0 * 0.5 * k
         p_n = (60.0 * math.sin(angle), -60.0 * math.cos(angle), -100.0)
         v_n = (30.0 * math.cos(angle), 30.0 * math.sin(angle), 0.0)
         if before is not None:
-            jumps = follow_jumps(jumps, before, at(p_n, v_n=v_n), 0.5)
+            jumps = follow_resets(jumps, before, at(p_n, v_n=v_n), 0.5)
         before = (p_n, v_n)
     assert jumps.number == 0
 
 
 @pytest.mark.parametrize("dt", [0.0, -1.0, LONGEST, 10.0])
 def test_after_a_pause_nothing_is_known_of_a_jump(dt):
-    jumps = no_jumps()._replace(offset_n=(5.0, 0.0, 0.0), number=3)
-    after = follow_jumps(jumps, ((0.0, 0.0, 0.0), V), at((900.0, 0.0, 0.0)), dt)
+    jumps = no_resets()._replace(offset_n=(5.0, 0.0, 0.0), number=3)
+    after = follow_resets(jumps, ((0.0, 0.0, 0.0), V), at((900.0, 0.0, 0.0)), dt)
     assert after.offset_n == (0.0, 0.0, 0.0)
     assert after.number == 3

@@ -4,12 +4,18 @@ import pytest
 
 from vfguide.aircraft.performance import turn_length
 from vfguide.geometry.units import G0
-from vfguide.guidance.altitude_profile import GENTLE, SOON, STANDOFF, WAIT, goal_slope
+from vfguide.guidance.altitude_profile import (
+    GENTLE,
+    SMALL_ERROR_DISTANCE,
+    STANDOFF,
+    WAIT,
+    goal_slope,
+)
 from vfguide.paths.distance_for_altitude import (
     LINE_UP,
     RAMP,
     SLOPE_RATE,
-    path_needed,
+    distance_for_altitude,
     profile_height,
 )
 
@@ -34,7 +40,7 @@ def test_an_error_of_height_falls_in_a_line_and_ends_as_a_parabola(height, slope
         error = height - profile_height(remaining, slope, UNIT)
         most, waits = max(0.0, left), remaining - 0.5 * line_up - WAIT * UNIT
         if waits > 0.0:
-            most = max(most, min(off, GENTLE * (waits + SOON * UNIT)))
+            most = max(most, min(off, GENTLE * (waits + SMALL_ERROR_DISTANCE * UNIT)))
         assert min(0.0, left) - 0.02 <= error <= most + 0.02
 
 
@@ -81,7 +87,7 @@ def test_a_change_of_height_takes_the_path_needed_with_its_ramps(height, before)
     """What `plan_slope` may do, done as fast as planned: up to the slope, along it, and back."""
     most, ramp, step = 0.1, RAMP * SLOPE_RATE / (G0 * UNIT), 0.01
     sign = -1.0 if height > 0.0 else 1.0  # of the slope
-    needed = path_needed(height, 1000.0, 0.0, most, UNIT, before)
+    needed = distance_for_altitude(height, 1000.0, 0.0, most, UNIT, before)
     left, slope, flown = abs(height), max(-most, min(most, sign * before)), 0.0
     while abs(left) > 1e-3 or abs(slope) > 1e-3:
         lowering = slope * abs(slope) / (2.0 * ramp)  # what the ramp back still takes away
@@ -93,7 +99,7 @@ def test_a_change_of_height_takes_the_path_needed_with_its_ramps(height, before)
 
 
 def test_a_level_flight_at_its_height_needs_no_path():
-    assert path_needed(0.0, 1000.0, 0.0, 0.1, UNIT, 0.0) == 0.0
+    assert distance_for_altitude(0.0, 1000.0, 0.0, 0.1, UNIT, 0.0) == 0.0
 
 
 @pytest.mark.parametrize("times", [0.2, 3.0])
@@ -102,7 +108,7 @@ def test_the_profile_of_another_aircraft_is_the_same_in_turn_lengths(times):
         large, far, unit = times * height, times * remaining, times * UNIT
         there = goal_slope(large, far, slope, unit)
         assert there == pytest.approx(goal_slope(height, remaining, slope, UNIT))
-        needed = path_needed(large, far, slope, 0.1, unit, 0.03)
+        needed = distance_for_altitude(large, far, slope, 0.1, unit, 0.03)
         assert needed == pytest.approx(
-            times * path_needed(height, remaining, slope, 0.1, UNIT, 0.03)
+            times * distance_for_altitude(height, remaining, slope, 0.1, UNIT, 0.03)
         )

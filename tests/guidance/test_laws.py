@@ -6,7 +6,7 @@ import pytest
 from assurance_samples import ball, hazards
 from flight_states import GOAL, VEHICLE, state
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
@@ -18,7 +18,7 @@ from vfguide.guidance import flight_law, laws, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw
 from vfguide.planning import planning
-from vfguide.planning.objective import Objective, Target, objective_at
+from vfguide.planning.objective import GuidanceTarget, Objective, objective_at
 from vfguide.planning.route import Route, fresh_route
 
 UPDATES = {FlightLaw: flight_law.update, PaperLaw: paper_law.update}
@@ -39,11 +39,11 @@ def in_compiled_code(
     airspace: Airspace | None,
     s: GuidanceState,
     vehicle: Vehicle,
-) -> tuple[Wish, GuidanceState]:
+) -> tuple[GuidanceCommand, GuidanceState]:
     return laws.update(law, nav, goal, route, airspace, s, vehicle)
 
 
-def arguments(law: Law, here: FlightState, target: Target, airspace: Airspace | None):
+def arguments(law: Law, here: FlightState, target: GuidanceTarget, airspace: Airspace | None):
     """All that a law is given in the middle of a flight."""
     nav, goal, s = known_state(here, 1.0), objective_at(target, here), GuidanceState(0.02, -1.0)
     route = planning.update(nav, goal, None, law.plans, fresh_route(), s.slope, VEHICLE)

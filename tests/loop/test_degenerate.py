@@ -20,7 +20,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import matvec
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 pytestmark = pytest.mark.slow
 
@@ -42,7 +42,7 @@ def strange(rng, places, speeds, airspeeds):
     at = tuple(rng.choice([own, 0.0, -150.0]) for own in p_n)
     circle = rng.choice([0.0, 0.0, 1.0, -1.0])
     course, slope = rng.choice([0.0, 1.0, math.pi, -3.0]), rng.choice([0.0, 0.176, -0.176])
-    return here, Target(at, course, slope, circle, 100.0)
+    return here, GuidanceTarget(at, course, slope, circle, 100.0)
 
 
 def flown(here, target, rng):
@@ -87,7 +87,7 @@ def test_the_setpoint_turns_with_the_world_to_the_last_digits(circle):
         p_n = (*rng.uniform(-900.0, 900.0, 2), rng.uniform(-250.0, -50.0))
         yaw, angle = rng.uniform(-math.pi, math.pi, 2)
         wind = (*rng.uniform(-8.0, 8.0, 2), 0.5)
-        target = Target((30.0, -20.0, -150.0), 0.5, 0.1 * (1.0 - circle), circle, 120.0)
+        target = GuidanceTarget((30.0, -20.0, -150.0), 0.5, 0.1 * (1.0 - circle), circle, 120.0)
         states = [state(p_n, yaw + 0.005 * k, wind=wind, time=1.0 + 0.02 * k) for k in range(3)]
         here, wish = steps(states, target)
         R = rot_z(angle)
@@ -103,6 +103,6 @@ def test_the_setpoint_turns_with_the_world_to_the_last_digits(circle):
 @pytest.mark.parametrize("roll", [60.0, 120.0, 179.0, -100.0])
 def test_from_upside_down_it_rolls_back_the_short_way(roll):
     here = state((-400.0, 0.0, -150.0), 0.0, roll=roll * DEG)
-    level = Target((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0)
+    level = GuidanceTarget((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0)
     setpoint, _, _ = guide(here, level, VEHICLE, fresh_memory())
     assert setpoint.omega_b[0] * roll < 0.0

@@ -13,10 +13,10 @@ from flight_states import (
 
 from vfguide.geometry.units import DEG
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.leg import AWAY, WAY, new_leg
+from vfguide.paths.leg import ON_PATH, OUTBOUND, new_leg
 from vfguide.paths.leg_phases import fly_leg, leg_course
 from vfguide.paths.leg_start import Paths
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 STILL_AIR = (0.0, 0.0)
 
@@ -105,11 +105,11 @@ def test_a_goal_circle_that_the_start_lies_in_is_not_forbidden(start, heading, c
 
 
 def test_on_the_way_for_height_the_goal_counts_as_near_so_that_the_path_is_steep():
-    leg = new_leg()._replace(phase=AWAY, radius=80.0, final=40.0)
+    leg = new_leg()._replace(phase=OUTBOUND, radius=80.0, final_approach=40.0)
     here = Planar(0.0, -80.0, 25.0, 0.0)
     assert leg_course(leg, here, 30.0).remaining == pytest.approx(80.0 + 40.0)
-    assert fly_leg(leg, here, Paths(1000.0, 1.0, 1000.0), GAINS).phase == AWAY
-    assert fly_leg(leg, here, Paths(0.0, 1.0, 0.0), GAINS).phase == WAY
+    assert fly_leg(leg, here, Paths(1000.0, 1.0, 1000.0), GAINS).phase == OUTBOUND
+    assert fly_leg(leg, here, Paths(0.0, 1.0, 0.0), GAINS).phase == ON_PATH
 
 
 @pytest.mark.parametrize("v_n", [(0.0, 0.0, 0.0), (0.0, 0.0, 3.0)])
@@ -117,9 +117,9 @@ def test_height_to_gain_without_any_speed_over_ground(v_n):
     """The centre of the circle was a division by zero."""
     here = state((-300.0, 0.0, -20.0), 0.0, wind=(-25.0, 0.0, 0.0))._replace(v_n=v_n)
     setpoint, _, wish = guide_within_limits(
-        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0), VEHICLE, fresh_memory()
+        here, GuidanceTarget((0.0, 0.0, -150.0), 0.0, 0.0, 0.0, 0.0), VEHICLE, fresh_memory()
     )
-    assert wish.phase == AWAY
+    assert wish.phase == OUTBOUND
     assert is_within_limits(setpoint)
 
 
@@ -128,6 +128,6 @@ def test_an_airspeed_of_zero_in_a_head_wind(circle):
     """As on the ground, or of a blocked tube: zero over zero stopped the companion."""
     here = state((-300.0, 0.0, -20.0), 0.0, wind=(-12.0, 0.0, 0.0))._replace(airspeed=0.0)
     setpoint, _, _ = guide_within_limits(
-        here, Target((0.0, 0.0, -150.0), 0.0, 0.0, circle, 100.0), VEHICLE, fresh_memory()
+        here, GuidanceTarget((0.0, 0.0, -150.0), 0.0, 0.0, circle, 100.0), VEHICLE, fresh_memory()
     )
     assert is_within_limits(setpoint)

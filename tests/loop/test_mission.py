@@ -19,9 +19,9 @@ from vfguide.loop.attempts import Attempts, no_attempts
 from vfguide.loop.legs import Goal, goal_of, leg_rows, target_of
 from vfguide.loop.mission import NO_PASSAGE, MissionState, fresh_mission, passage_of, passage_since
 from vfguide.loop.state import fresh_state, row_of_state
-from vfguide.paths.leg import FIELD, WAY
+from vfguide.paths.leg import FIELD, ON_PATH
 from vfguide.planning import planning
-from vfguide.planning.excess_wind import Stand, in_air_frame, into_wind, new_stand
+from vfguide.planning.excess_wind import WindHold, fresh_wind_hold, in_air_frame, into_wind
 from vfguide.planning.route import fresh_route
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
@@ -83,7 +83,7 @@ def test_a_goal_that_is_reached_gives_way_to_the_next():
 def test_a_goal_that_is_missed_is_flown_to_again(how):
     missed = passed(**how)
     assert (missed.goal, missed.begins) == (0, True)
-    on_the_way = passed(**how, phase=WAY)
+    on_the_way = passed(**how, phase=ON_PATH)
     assert (on_the_way.goal, on_the_way.begins) == (0, False)
 
 
@@ -98,7 +98,7 @@ def test_a_leg_that_begins_is_planned_anew(offset):
         return planning.update(nav, objective, None, True, before, 0.0, VEHICLE)
 
     anew = planned(False, fresh_route())
-    worn = anew._replace(leg=anew.leg._replace(final=anew.leg.final + 30.0))
+    worn = anew._replace(leg=anew.leg._replace(final_approach=anew.leg.final_approach + 30.0))
     assert row_of(planned(goal.begins, worn)).tolist() == row_of(anew).tolist()
     assert row_of(planned(False, worn)).tolist() != row_of(anew).tolist()
 
@@ -111,7 +111,7 @@ def test_a_goal_is_given_up_when_it_was_missed_as_often_as_it_may_be():
     assert passed(4.9, legs=STUBBORN, missed=1).attempts == no_attempts()
     without_end = passed(5.1, missed=1000)
     assert (without_end.goal, without_end.attempts) == (0, Attempts(1001, 0))
-    on_the_way = passed(5.1, phase=WAY, legs=STUBBORN, missed=1)
+    on_the_way = passed(5.1, phase=ON_PATH, legs=STUBBORN, missed=1)
     assert (on_the_way.goal, on_the_way.attempts) == (0, Attempts(1, 0))
 
 
@@ -132,7 +132,7 @@ def blown(speed, held, offset=0.0):
     """What is flown to when the first goal is passed in a wind, `held` against before or not."""
     nav, wind_n = passing(offset), (0.0, speed, 0.0)
     nav = nav._replace(state=nav.state._replace(wind_n=wind_n))
-    before = MissionState(0, Attempts(1, 0), Stand(speed / 25.0, held, -120.0))
+    before = MissionState(0, Attempts(1, 0), WindHold(speed / 25.0, held, -120.0))
     goal, after, passage = mission.update(nav, before, FIELD, LEGS, VEHICLE)
     return nav, goal, after, passage
 
@@ -157,8 +157,8 @@ def test_when_the_wind_has_fallen_the_leg_begins_anew():
 
 def note(goal_before, missed, goal_after, given_up):
     """What is told where a goal was passed 5.1 m off."""
-    before = MissionState(goal_before, Attempts(missed, 0), new_stand())
-    after = MissionState(goal_after, Attempts(0, given_up), new_stand())
+    before = MissionState(goal_before, Attempts(missed, 0), fresh_wind_hold())
+    after = MissionState(goal_after, Attempts(0, given_up), fresh_wind_hold())
     rows = (row_of_state(fresh_state()._replace(mission=each)) for each in (before, after))
     return passage_note(*rows, 5.1, SimpleNamespace(goals=GOALS))
 
@@ -171,7 +171,7 @@ def test_the_operator_is_told_what_became_of_a_goal():
 
 
 def test_a_goal_that_is_reached_on_the_way_counts():
-    assert passed(4.9, phase=WAY).goal == 1
+    assert passed(4.9, phase=ON_PATH).goal == 1
 
 
 def between(before, after):

@@ -38,15 +38,15 @@ from vfguide.geometry.vector import matvec
 from vfguide.guidance import flight_law
 from vfguide.guidance.flight_law import SPARING
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
-from vfguide.paths.edge import HOP_COLUMNS, Hop, hop_row, next_word
+from vfguide.paths.edge import EDGE_WIDTH, Edge, edge_row, next_path
 from vfguide.paths.leg import new_leg
 from vfguide.paths.path_progress import Pose
 from vfguide.planning import planning
-from vfguide.planning.leg_planning import soon
+from vfguide.planning.leg_planning import predicted_state
 from vfguide.planning.objective import objective_at
 from vfguide.planning.route import Route, fresh_route
-from vfguide.planning.route_following import begin_route, fresh_route_state
-from vfguide.planning.route_search import Detour
+from vfguide.planning.route_following import begin_route, fresh_following
+from vfguide.planning.route_search import FoundRoute
 
 PLACES = st.tuples(st.floats(-900, 900), st.floats(-900, 900), st.floats(-250, -50))
 ANGLES = st.floats(-math.pi, math.pi)
@@ -139,13 +139,13 @@ def test_the_memory_is_a_record_that_compiled_code_gives_back():
 
 
 def test_an_aircraft_slow_to_roll_turns_wider_and_earlier():
-    here, sluggish = state((-300.0, 20.0, -140.0), 0.4, wind=(3.0, -4.0, 0.0)), 0.3
-    slow = GAINS._replace(sluggish=sluggish)
-    wider = flyable_radius(here, 0.8, slow) - flyable_radius(here, 0.8, GAINS)
-    assert wider == pytest.approx(0.5 * (25.0 + 5.0) * sluggish)
-    ahead = np.subtract(soon(here, slow).p_n, here.p_n)
-    assert ahead == pytest.approx(0.5 * sluggish * np.array(here.v_n))
-    assert soon(here, GAINS) == here
+    here, response_lag = state((-300.0, 20.0, -140.0), 0.4, wind=(3.0, -4.0, 0.0)), 0.3
+    slow = GAINS._replace(response_lag=response_lag)
+    radius_factor = flyable_radius(here, 0.8, slow) - flyable_radius(here, 0.8, GAINS)
+    assert radius_factor == pytest.approx(0.5 * (25.0 + 5.0) * response_lag)
+    ahead = np.subtract(predicted_state(here, slow).p_n, here.p_n)
+    assert ahead == pytest.approx(0.5 * response_lag * np.array(here.v_n))
+    assert predicted_state(here, GAINS) == here
 
 
 def test_no_turn_is_faster_than_an_aircraft_rolls():
@@ -226,9 +226,9 @@ def test_a_hold_is_flown_in_the_middle_of_a_detour_too():
     """In wind that is too strong: the hops are no place to wait."""
     here, begin = state((-300.0, 300.0, GOAL.p_n[2]), 2.0), Pose(-300.0, 300.0, 2.0)
     end = Pose(500.0, 900.0, 0.5)
-    hop = hop_row(Hop(begin, next_word(begin, end, 80.0, -1.0))).reshape(1, HOP_COLUMNS)
-    found = Detour(hop, 900.0, 25.0, 1)
-    on_route = Route(new_leg(), begin_route(fresh_route_state(), found, end, 80.0))
+    hop = edge_row(Edge(begin, next_path(begin, end, 80.0, -1.0))).reshape(1, EDGE_WIDTH)
+    found = FoundRoute(hop, 900.0, 25.0, 1)
+    on_route = Route(new_leg(), begin_route(fresh_following(), found, end, 80.0))
     circle = GOAL._replace(circle=1.0, radius=120.0)
     assert planned(here, circle, on_route) == planned(here, circle)
     assert planned(here, GOAL, on_route) != planned(here, GOAL)

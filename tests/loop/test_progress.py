@@ -20,7 +20,7 @@ from vfguide.loop import progress as stage
 from vfguide.loop.legs import Goal, leg_rows, target_of
 from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
 from vfguide.loop.state import fresh_state, row_of_state
-from vfguide.paths.leg import AWAY, FIELD, WAY, new_leg
+from vfguide.paths.leg import FIELD, ON_PATH, OUTBOUND, new_leg
 from vfguide.planning.objective import objective_at
 from vfguide.scenario.aircraft_file import load_aircraft
 from vfguide.scenario.data import find_aircraft
@@ -37,7 +37,7 @@ def in_phase(phase):
     return new_leg()._replace(phase=phase, radius=RADIUS)
 
 
-def fly_on(distance, remaining=500.0, progress=None, phase=WAY):
+def fly_on(distance, remaining=500.0, progress=None, phase=ON_PATH):
     """After a distance with a path that does not become shorter."""
     leg = in_phase(phase)
     progress = progress or after_step(fresh_progress(), remaining, leg, 0.0)
@@ -64,7 +64,7 @@ def test_ways_that_are_planned_anew_again_and_again_lead_nowhere():
     while not progress.alarmed:
         for _ in range(200):
             remaining = 1500.0 - STEP * (flown / STEP % 200)
-            progress = after_step(progress, remaining, in_phase(WAY), STEP)
+            progress = after_step(progress, remaining, in_phase(ON_PATH), STEP)
             flown += STEP
         assert flown < 5.0 * CIRCLE
     assert flown > CIRCLE
@@ -80,12 +80,12 @@ def test_a_path_that_becomes_shorter_is_progress():
 
 
 def test_away_from_the_goal_no_path_is_measured():
-    away = after_step(fresh_progress(), 100.0, in_phase(AWAY), 0.5)
+    away = after_step(fresh_progress(), 100.0, in_phase(OUTBOUND), 0.5)
     assert (away.least, away.flown) == (math.inf, 0.5)
-    assert not fly_on(9.0 * CIRCLE, 100.0, away, AWAY).alarmed
-    begun = after_step(away, 2000.0, in_phase(WAY), 0.5)
+    assert not fly_on(9.0 * CIRCLE, 100.0, away, OUTBOUND).alarmed
+    begun = after_step(away, 2000.0, in_phase(ON_PATH), 0.5)
     assert (begun.least, begun.longest, begun.flown) == (2000.0, 2000.0, 0.0)
-    assert fly_on(CIRCLE + 2.0 * STEP, 100.0, begun, AWAY).alarmed
+    assert fly_on(CIRCLE + 2.0 * STEP, 100.0, begun, OUTBOUND).alarmed
 
 
 def test_an_alarm_stays_until_the_leg_is_over():
@@ -131,20 +131,20 @@ def on_the_way(**known):
 
 def test_what_is_flown_over_the_ground_is_counted():
     before, (nav, goal) = Progress(500.0, 510.0, 20.0, False), on_the_way()
-    after = stage.update(nav, goal, in_phase(WAY), 505.0, before)
-    assert after == after_step(before, 505.0, in_phase(WAY), 0.5)
+    after = stage.update(nav, goal, in_phase(ON_PATH), 505.0, before)
+    assert after == after_step(before, 505.0, in_phase(ON_PATH), 0.5)
     assert after.flown == 20.5
 
 
 def test_on_a_circle_in_a_hold_and_after_a_pause_there_is_no_progress():
     before, (nav, goal) = Progress(500.0, 510.0, 20.0, True), on_the_way()
     held = goal._replace(is_goal=False)
-    assert stage.update(nav, held, in_phase(WAY), 505.0, before) == before
+    assert stage.update(nav, held, in_phase(ON_PATH), 505.0, before) == before
     nav, goal = on_the_way(is_continuous=False)
-    assert stage.update(nav, goal, in_phase(WAY), 505.0, before) == before
+    assert stage.update(nav, goal, in_phase(ON_PATH), 505.0, before) == before
 
 
 def test_where_a_leg_begins_nothing_of_it_is_flown():
     before, (nav, goal) = Progress(500.0, 510.0, 20.0, True), on_the_way()
     begun = goal._replace(begins=True)
-    assert stage.update(nav, begun, in_phase(WAY), 505.0, before) == fresh_progress()
+    assert stage.update(nav, begun, in_phase(ON_PATH), 505.0, before) == fresh_progress()

@@ -15,18 +15,18 @@ from vfguide.aircraft.path_limits import (
     LAST_ROOM,
     LAST_SAFE,
     LAST_ZOOM,
+    MAX_RADIUS_FACTOR,
     NEAR_FLOOR,
     ROOM,
     SAFE,
-    WIDER,
     ZOOM,
     allowed_path,
     descent_at_airspeed,
     highest_path,
+    largest_radius_factor,
     path_angle,
     path_limits,
     steepest_descent,
-    widest,
 )
 from vfguide.aircraft.performance import turn_length
 from vfguide.geometry.units import DEG
@@ -103,10 +103,12 @@ def test_the_slope_changes_no_faster_than_its_rate(below, dt):
     st.floats(1.0, 3.0),
 )
 def test_the_path_is_never_steeper_than_the_aircraft_flies(
-    height, remaining, groundspeed, speed, wider
+    height, remaining, groundspeed, speed, radius_factor
 ):
     here = state((0.0, 0.0, GOAL.p_n[2] - height), 0.0)._replace(airspeed=speed)
-    slope = plan_slope(here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, wider, 0.0, 100.0)
+    slope = plan_slope(
+        here, GOAL, AEROSONDE, SPEED, remaining, groundspeed, radius_factor, 0.0, 100.0
+    )
     rise = slope * max(groundspeed, 0.2 * speed) / speed
     assert abs(rise) <= math.sin(10.0 * DEG) + 1e-12
     limits = path_limits(speed, SPEED, math.inf, AEROSONDE)
@@ -174,11 +176,14 @@ def test_in_wider_turns_a_descent_is_steeper_as_far_as_the_aircraft_flies():
     assert steepest_descent(AEROSONDE, 9.0, 0.0) == AEROSONDE.descent_max
     goal = -math.tan(9.0 * DEG)
     assert steepest_descent(AEROSONDE, 1.15, goal) == pytest.approx(9.0 * DEG)
-    assert widest(AEROSONDE) == WIDER
+    assert largest_radius_factor(AEROSONDE) == MAX_RADIUS_FACTOR
     gentle = AEROSONDE._replace(descent_max=math.asin(1.05 * glide))
-    assert widest(gentle) == pytest.approx(1.05)
-    assert widest(AEROSONDE._replace(descent_max=0.5 * math.asin(glide))) == 1.0
-    assert widest(AEROSONDE._replace(airspeed_max=1.02 * AEROSONDE.airspeed_cruise)) == 1.0
+    assert largest_radius_factor(gentle) == pytest.approx(1.05)
+    assert largest_radius_factor(AEROSONDE._replace(descent_max=0.5 * math.asin(glide))) == 1.0
+    assert (
+        largest_radius_factor(AEROSONDE._replace(airspeed_max=1.02 * AEROSONDE.airspeed_cruise))
+        == 1.0
+    )
 
 
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])

@@ -98,7 +98,7 @@ def test_what_is_reported_is_taken_from_its_place():
     row, s = numbered(), flown()
     assert goal_of_row(row) == s.mission.goal
     assert decision_of_row(row) == s.assurance.decision
-    assert (row_of(route_of_row(row)) == row_of(s.planning.detour)).all()
+    assert (row_of(route_of_row(row)) == row_of(s.planning.following)).all()
     assert number_of_resets(row) == s.estimation.resets.number
     assert is_alarmed(row) == s.progress.alarmed == 1
     assert trusts_sensor_of_row(row) == s.estimation.air.sensor.trusted == 1

@@ -19,7 +19,12 @@ from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.local_frame import Measurement, measurement_numbers, place_state, place_told
+from vfguide.estimation.local_frame import (
+    Measurement,
+    measurement_numbers,
+    place_measured,
+    place_state,
+)
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.shapes import shape
@@ -92,7 +97,7 @@ def test_a_state_that_is_known_exactly_is_not_estimated():
 @pytest.mark.parametrize("airspace", [None, towers()])
 def test_the_step_for_a_link_is_the_step(law, airspace):
     s = fresh_state(0 if airspace is None else 2)
-    inputs = Inputs(place_state(MEASURED, ORIGIN), place_told(MEASURED, ORIGIN), False)
+    inputs = Inputs(place_state(MEASURED, ORIGIN), place_measured(MEASURED, ORIGIN), False)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
     measured = np.array(measurement_numbers(MEASURED))
     omega_b, thrust, q_nb, row_after, miss = step_measured(

@@ -21,9 +21,9 @@ def along(pose, curvature, length):
 
 
 @given(st.sampled_from(WORDS), turns, st.floats(0.0, 6.0), turns, st.floats(1.0, 100.0))
-def test_no_path_of_three_pieces_is_shorter(word, first, middle, last, radius):
+def test_no_path_of_three_pieces_is_shorter(path, first, middle, last, radius):
     end = (0.0, 0.0, 0.0)
-    for curvature, length in zip(word, (first, middle, last), strict=True):
+    for curvature, length in zip(path, (first, middle, last), strict=True):
         end = along(end, curvature, length)
     scaled = (radius * end[0], radius * end[1], end[2])
     shortest = dubins_length((0.0, 0.0, 0.0), scaled, radius)

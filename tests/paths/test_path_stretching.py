@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import FULL, length_of, shortest_word
+from vfguide.paths.dubins import FULL, length_of, shortest_path
 from vfguide.paths.path_progress import Pose, after_turn
 from vfguide.paths.path_stretching import (
     SHORTER,
@@ -15,9 +15,9 @@ from vfguide.paths.path_stretching import (
     STRIDES,
     TURN,
     TURNS,
-    best_away,
     best_end,
-    path_away,
+    best_outbound,
+    outbound_length,
 )
 
 RADIUS, SPEED = 62.5, 25.0
@@ -26,7 +26,7 @@ NEEDED = st.floats(0.0, 2000.0)
 
 
 def shortest(x, y, course):
-    return RADIUS * length_of(shortest_word(x, y, course, RADIUS))
+    return RADIUS * length_of(shortest_path(x, y, course, RADIUS))
 
 
 def at(x, y, course):
@@ -37,8 +37,8 @@ def at(x, y, course):
 def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
     x, y, course, needed
 ):
-    way = shortest(x, y, course)
-    needed = min(needed, way + FULL * RADIUS)
+    progress = shortest(x, y, course)
+    needed = min(needed, progress + FULL * RADIUS)
     farther, length = best_end(at(x, y, course), RADIUS, needed)
     if math.isinf(length):
         ends = [0.1 * RADIUS * k for k in range(STRIDES)]
@@ -56,14 +56,15 @@ def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
 @given(PLACE, PLACE, COURSE, NEEDED)
 def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course, needed):
     needed = min(needed, shortest(x, y, course) + FULL * RADIUS)
-    chosen, length = best_away(at(x, y, course), RADIUS, needed)
+    chosen, length = best_outbound(at(x, y, course), RADIUS, needed)
     assert needed <= length < math.inf
     lengths = {}
     for k in range(-TURNS, TURNS + 1):
         arc = abs(k) * TURN * RADIUS
         pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), abs(k) * TURN, RADIUS)
         lengths[pose.course] = tuple(
-            arc + path_away(pose, RADIUS, needed + slack * RADIUS - arc) for slack in (0.0, SLACK)
+            arc + outbound_length(pose, RADIUS, needed + slack * RADIUS - arc)
+            for slack in (0.0, SLACK)
         )
     nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL)))
     plain, with_slack = lengths[nearest]
@@ -77,10 +78,10 @@ def test_a_course_on_which_a_metre_more_leaps_by_most_of_a_circle_is_not_taken()
     here = at(-337.8, 115.83, course)
     right = after_turn(Pose(here.x, here.y, course), 1.0, TURN, RADIUS)
     arc, needed = TURN * RADIUS, 483.5
-    ahead = path_away(Pose(here.x, here.y, course), RADIUS, needed)
-    assert arc + path_away(right, RADIUS, needed - arc) < ahead
-    assert arc + path_away(right, RADIUS, needed + 1.0 - arc) > ahead + 3.0 * RADIUS
-    chosen, length = best_away(here, RADIUS, needed)
+    ahead = outbound_length(Pose(here.x, here.y, course), RADIUS, needed)
+    assert arc + outbound_length(right, RADIUS, needed - arc) < ahead
+    assert arc + outbound_length(right, RADIUS, needed + 1.0 - arc) > ahead + 3.0 * RADIUS
+    chosen, length = best_outbound(here, RADIUS, needed)
     assert chosen == pytest.approx(course)
     assert length == pytest.approx(ahead)
 
@@ -89,14 +90,14 @@ def test_a_little_that_is_missing_costs_no_circle_where_one_of_both_is_steady():
     """20 m more than the shortest way: a longer end, or away from the goal, leaps by 170 m."""
     course = math.radians(310.7)
     here = at(-111.6, 137.6, course)
-    way = shortest(here.x, here.y, course)
-    assert best_end(here, RADIUS, way + 20.0)[1] < way + 25.0
-    assert best_away(here, RADIUS, way + 20.0)[1] > way + 200.0
+    progress = shortest(here.x, here.y, course)
+    assert best_end(here, RADIUS, progress + 20.0)[1] < progress + 25.0
+    assert best_outbound(here, RADIUS, progress + 20.0)[1] > progress + 200.0
     course = math.radians(118.2)
     here = at(-134.1, -84.5, course)
-    way = shortest(here.x, here.y, course)
-    assert best_end(here, RADIUS, way + 20.0)[1] > way + 170.0
-    assert best_away(here, RADIUS, way + 20.0)[1] < way + 25.0
+    progress = shortest(here.x, here.y, course)
+    assert best_end(here, RADIUS, progress + 20.0)[1] > progress + 170.0
+    assert best_outbound(here, RADIUS, progress + 20.0)[1] < progress + 25.0
 
 
 @pytest.mark.parametrize(
@@ -113,4 +114,4 @@ def test_a_little_that_is_missing_costs_no_circle_where_one_of_both_is_steady():
 def test_every_search_ends(x, needed, end_found, away_found):
     here, needed = at(x, 0.0, 0.0), shortest(x, 0.0, 0.0) + needed
     assert math.isfinite(best_end(here, RADIUS, needed)[1]) == end_found
-    assert math.isfinite(best_away(here, RADIUS, needed)[1]) == away_found
+    assert math.isfinite(best_outbound(here, RADIUS, needed)[1]) == away_found

@@ -16,16 +16,16 @@ from vfguide.planning.overflight import (
     MOST_LEVELS,
     NO_LEVEL,
     UNDER,
-    Heights,
+    AltitudePlan,
     aim_at,
+    altitude_plan_by,
+    altitude_plan_left,
     band_of,
     change_length,
     cost_of,
     distance_beside,
-    heights_by,
-    heights_left,
     is_passed,
-    left_in_way,
+    left_in_path,
     levels_for,
 )
 
@@ -40,12 +40,14 @@ def ridge(north: float, wide: float = 1600.0, top: float = 110.0, bottom: float 
     return Obstacle(body, (north, 0.0, -0.5 * (top + bottom)), v_n=v_n)
 
 
-def by(level: float, rise: float = 400.0, fall: float = 700.0, here=HERE, there=THERE) -> Heights:
-    return Heights(here, there, level, rise, fall)
+def by(
+    level: float, rise: float = 400.0, fall: float = 700.0, here=HERE, there=THERE
+) -> AltitudePlan:
+    return AltitudePlan(here, there, level, rise, fall)
 
 
-def left(heights: Heights, *obstacles: Obstacle) -> int:
-    return len(left_in_way(obstacle_rows(list(obstacles)), heights, MARGIN))
+def left(heights: AltitudePlan, *obstacles: Obstacle) -> int:
+    return len(left_in_path(obstacle_rows(list(obstacles)), heights, MARGIN))
 
 
 @pytest.mark.parametrize(("level", "stays"), [(-135.1, 0), (-134.9, 1), (-70.0, 1), (0.0, 1)])
@@ -99,9 +101,9 @@ def test_a_change_of_height_takes_longer_downwind_and_with_less_of_the_slope(up)
 def test_on_the_way_up_less_path_is_enough_than_was_planned():
     """Else a gust that is taken for the wind would end it."""
     here = state((-1500.0, 0.0, -100.0), 0.0)
-    planned = heights_by(-190.0, here, GOAL, AEROSONDE, GAINS)
+    planned = altitude_plan_by(-190.0, here, GOAL, AEROSONDE, GAINS)
     windier = here._replace(wind_n=(5.0, 0.0, 0.0))
-    now = heights_left(-190.0, planned.fall, windier, GOAL, AEROSONDE, GAINS)
+    now = altitude_plan_left(-190.0, planned.fall, windier, GOAL, AEROSONDE, GAINS)
     assert now.rise < planned.rise
     assert now.fall == planned.fall
 

@@ -17,7 +17,7 @@ from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
 from vfguide.loop.state import take_over
 from vfguide.scenario.fence import ZoneEntry
-from vfguide.scenario.hazards import Fence, outlines_of
+from vfguide.scenario.hazards import Fence, keep_out_zones_of
 
 pytestmark = pytest.mark.slow
 
@@ -42,7 +42,7 @@ def among(plan, obstacles, seen=2000.0, entries=(), heights=FREE):
     fence = Fence(zone=[ZoneEntry(**entry) for entry in entries])
     zones = fences([zone_of(entry) for entry in entries])
     hazards = Hazards(rows, traffic_rows(()), zones, *heights)
-    return replace(plan, hazards=hazards, fence=outlines_of(fence))
+    return replace(plan, hazards=hazards, fence=keep_out_zones_of(fence))
 
 
 def zone_of(entry):

@@ -9,7 +9,7 @@ from flight_samples import MINIMAL
 
 from vfguide.results.fence_distance import fence_clearance
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.hazards import hazards_of, outlines_of
+from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.load import load_scenario
 
 SQUARE = "polygon_m = [[-900, -900], [-900, 900], [900, 900], [900, -900]]"
@@ -58,7 +58,7 @@ def test_a_fence_is_written_and_read_again(tmp_path):
     assert load_scenario(again).scenario == scenario
     hazards = hazards_of(scenario)
     assert (hazards.floor, hazards.ceiling) == (20.0, math.inf)
-    assert len(outlines_of(scenario.fence).table) == 1
+    assert len(keep_out_zones_of(scenario.fence).table) == 1
 
 
 def test_without_obstacles_and_fence_there_is_nothing_to_keep_clear_of(tmp_path):

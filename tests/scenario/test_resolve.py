@@ -255,7 +255,7 @@ def test_gains_follow_the_roll_response(
     k_w: float,
     k_lateral: float,
     k_elevation: float,
-    sluggish: float,
+    response_lag: float,
 ) -> None:
     text = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
     (tmp_path / "aircraft").mkdir()
@@ -263,8 +263,8 @@ def test_gains_follow_the_roll_response(
     own.write_text(text.replace("roll_s = 0.08", f"roll_s = {roll_s}"))
     loaded = loaded_from(tmp_path)
     gains = loaded.gains(loaded.scenario.vehicles[0])
-    found = (gains.k_w, gains.k_lateral, gains.k_elevation, gains.sluggish)
-    assert found == pytest.approx((k_w, k_lateral, k_elevation, sluggish))
+    found = (gains.k_w, gains.k_lateral, gains.k_elevation, gains.response_lag)
+    assert found == pytest.approx((k_w, k_lateral, k_elevation, response_lag))
 
 
 def test_less_bank_is_asked_for_where_rolling_takes_long(tmp_path: Path) -> None:

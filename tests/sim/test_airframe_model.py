@@ -6,7 +6,7 @@ import pytest
 from sim_flights import AEROSONDE, ALTITUDE, CESSNA, airframe, bench, steady, terms
 
 from vfguide.geometry.units import DEG
-from vfguide.sim.autopilot.airframe_model import Airframe, IdentifyError, identify, rate_table
+from vfguide.sim.autopilot.airframe_model import Airframe, AirframeModelError, identify, rate_table
 from vfguide.sim.autopilot.signals import Controls
 from vfguide.sim.autopilot.thrust_map import throttle_for
 from vfguide.sim.condition import FlightCondition, Model
@@ -167,7 +167,7 @@ def test_a_model_without_a_rudder_is_refused(tmp_path):
     model.file.write_text(text)
     # The trim needs no rudder if nothing yaws: a motor without torque.
     model.file.write_text(text.replace("-0.737562149", "0"))
-    with pytest.raises(IdentifyError, match="aerosonde"):
+    with pytest.raises(AirframeModelError, match="aerosonde"):
         identify(model, 25.0)
 
 

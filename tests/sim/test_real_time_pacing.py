@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.sim.real_time_pacing import GIVEN_UP, Pace
+from vfguide.sim.real_time_pacing import GIVEN_UP, RealTimePacing
 
 PERIOD = 0.005
 
@@ -17,7 +17,7 @@ def take_due(pace, now):
 
 
 def test_nothing_is_due_before_the_first_period_is_over():
-    pace = Pace(10.0, PERIOD)
+    pace = RealTimePacing(10.0, PERIOD)
     assert pace.due(10.004) == 0
     assert pace.wait(10.004) == pytest.approx(0.001)
     assert pace.due(10.0051) == 1
@@ -25,14 +25,14 @@ def test_nothing_is_due_before_the_first_period_is_over():
 
 
 def test_steps_are_counted_from_the_start_however_they_are_taken():
-    pace = Pace(0.0, PERIOD)
+    pace = RealTimePacing(0.0, PERIOD)
     assert take_due(pace, 0.0201) == 4
     assert take_due(pace, 0.0202) == 0
     assert pace.take() == 5
 
 
 def test_an_hour_of_jitter_does_not_make_it_drift():
-    pace = Pace(123.4, PERIOD)
+    pace = RealTimePacing(123.4, PERIOD)
     late = (0.0, 0.0013, 0.0031, 0.0004)
     for number in range(100_000):
         now = 123.4 + 0.036 * number + late[number % 4]
@@ -42,7 +42,7 @@ def test_an_hour_of_jitter_does_not_make_it_drift():
 
 @given(st.lists(st.floats(0.0, 0.9 * GIVEN_UP), min_size=1, max_size=30))
 def test_what_is_late_by_less_than_the_limit_is_caught_up(naps):
-    pace, now = Pace(0.0, PERIOD), 0.0
+    pace, now = RealTimePacing(0.0, PERIOD), 0.0
     for nap in naps:
         now += nap
         take_due(pace, now)
@@ -51,7 +51,7 @@ def test_what_is_late_by_less_than_the_limit_is_caught_up(naps):
 
 
 def test_what_is_late_by_more_is_given_up_and_told():
-    pace = Pace(0.0, PERIOD)
+    pace = RealTimePacing(0.0, PERIOD)
     assert pace.due(60.0) == pytest.approx(GIVEN_UP / PERIOD, abs=2)
     assert pace.worst == pytest.approx(60.0 - PERIOD)
     assert pace.lost == pytest.approx(59.0, abs=0.01)
@@ -62,6 +62,6 @@ def test_what_is_late_by_more_is_given_up_and_told():
 
 
 def test_being_late_is_counted_from_the_first_step_that_waits():
-    pace = Pace(0.0, PERIOD)
+    pace = RealTimePacing(0.0, PERIOD)
     pace.due(0.025)
     assert pace.worst == pytest.approx(0.020)

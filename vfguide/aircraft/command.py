@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 
-class Wish(NamedTuple):
+class GuidanceCommand(NamedTuple):
     """What the law wanted at one step: for displays, logs and tests."""
 
     course: float

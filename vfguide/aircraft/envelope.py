@@ -29,7 +29,7 @@ def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
 def radius_in(wind: float, bank: float, gains: Gains) -> float:
     """The same in a wind of so many m/s."""
     radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
-    radius += 0.5 * (gains.airspeed + wind) * gains.sluggish
+    radius += 0.5 * (gains.airspeed + wind) * gains.response_lag
     return max(radius, SLOWEST_TURN * gains.airspeed)
 
 

@@ -33,7 +33,7 @@ def suited(gains: Gains, roll_time: float, roll_rate: float) -> Gains:
         k_w=gains.k_w * min(1.0, FAST / roll_time),
         k_lateral=min(k_lateral, ROLL_IN * roll_rate * G0 / gains.airspeed),
         k_elevation=gains.k_elevation * min(1.0, FAST / roll_time),
-        sluggish=max(0.0, roll_time - FAST),
+        response_lag=max(0.0, roll_time - FAST),
     )
 
 

@@ -55,7 +55,7 @@ MOST_WEIGHT = 20.0
 """An aircraft file takes no larger weight over full thrust, without unit."""
 
 
-class Finding(NamedTuple):
+class ParameterEstimate(NamedTuple):
     """A number that was looked for."""
 
     table: str
@@ -75,24 +75,24 @@ class Finding(NamedTuple):
         return f"{self.key} {self.value:.{digits}f} +- {self.sigma:.{digits}f}"
 
 
-class LiftFindings(NamedTuple):
+class LiftEstimates(NamedTuple):
     """What was looked for of the lift."""
 
-    alpha_zero: Finding
+    alpha_zero: ParameterEstimate
     """Angle of attack of zero lift [deg]."""
-    alpha_load: Finding
+    alpha_load: ParameterEstimate
     """Its slope over n / V^2 [deg m^2/s^2]."""
 
 
-class ThrustFindings(NamedTuple):
+class ThrustEstimates(NamedTuple):
     """What was looked for of the thrust."""
 
-    trim: Finding
+    trim: ParameterEstimate
     """Setpoint of level flight at cruise."""
-    per_climb: Finding
-    per_load: Finding
+    per_climb: ParameterEstimate
+    per_load: ParameterEstimate
     """Its slopes over f and n^2."""
-    response_time: Finding
+    response_time: ParameterEstimate
     """63 % of a step of the thrust [s]."""
 
 
@@ -102,7 +102,7 @@ class Identified(NamedTuple):
     aircraft: Performance
     roll_time: float
     """63 % of a step of the roll rate [s]."""
-    findings: tuple[Finding, ...]
+    estimates: tuple[ParameterEstimate, ...]
 
 
 def identify(samples: Samples, before: Performance, roll_time: float) -> Identified:
@@ -126,7 +126,7 @@ def identify(samples: Samples, before: Performance, roll_time: float) -> Identif
     return Identified(aircraft, roll.value if roll.used else roll_time, (*lift, *thrust, roll))
 
 
-def find_roll(samples: Samples) -> Finding:
+def find_roll(samples: Samples) -> ParameterEstimate:
     """63 % of a step of the roll rate [s], the link's delay apart."""
     late = samples.time > samples.time[:1] + SETTLED
     rate = samples.roll_rate[late]
@@ -142,7 +142,7 @@ def find_roll(samples: Samples) -> Finding:
     return found("response", "roll_s", BEGIN + lag, sigma, follows and sigma < WORTH * lag)
 
 
-def find_lift(means: Means) -> LiftFindings:
+def find_lift(means: Means) -> LiftEstimates:
     """Angle of attack of zero lift, and its slope over n / V^2.
 
     A gust changes the load factor and not the angle told of it, or the reverse. The bank asks for
@@ -151,7 +151,7 @@ def find_lift(means: Means) -> LiftFindings:
     """
     zero_key, load_key = "alpha_zero_deg", "alpha_load_deg_m2ps2"
     if len(means.load) < ENOUGH:
-        return LiftFindings(unseen("lift", zero_key), unseen("lift", load_key))
+        return LiftEstimates(unseen("lift", zero_key), unseen("lift", load_key))
     loaded = means.load / means.airspeed**2
     instruments = with_constant(means.banked / means.airspeed**2)
     fit = fitted(with_constant(loaded), means.alpha / DEG, instruments)
@@ -160,7 +160,7 @@ def find_lift(means: Means) -> LiftFindings:
     varied = float(np.ptp(loaded)) > VARIED * abs(float(np.mean(loaded)))
     used = varied and abs(zero) < MOST_ALPHA and 0.0 < load < MOST_LOAD
     used = used and sigma_load < WORTH * load and sigma_alpha < ALPHA_WORTH / DEG
-    return LiftFindings(
+    return LiftEstimates(
         found("lift", zero_key, zero, fit.sigma(1.0, 0.0), used),
         found("lift", load_key, load, sigma_load, used),
     )
@@ -168,14 +168,14 @@ def find_lift(means: Means) -> LiftFindings:
 
 def find_thrust(
     aircraft: Performance, samples: Samples, means: Means, alpha_sigma: float
-) -> ThrustFindings:
+) -> ThrustEstimates:
     """Thrust setpoint of level flight, its slopes over f and n^2, and its response time [s].
 
     The force along the flight is that along the fuselage, turned by the angle of attack of the
     load, which is known to `alpha_sigma` [rad]: a gust that the velocity does not show yet changes
     both.
     """
-    nothing = ThrustFindings(
+    nothing = ThrustEstimates(
         unseen("thrust", "trim"),
         unseen("thrust", "per_climb"),
         unseen("thrust", "per_load"),
@@ -204,7 +204,7 @@ def find_thrust(
     used = 0.0 < trim < 1.0 and sigma_trim < TRIM_WORTH
     used = used and per_climb < MOST_WEIGHT and sigma_climb < WORTH * per_climb
     loads = used and per_load < 1.0 and sigma_load < LOAD_WORTH
-    return ThrustFindings(
+    return ThrustEstimates(
         found("thrust", "trim", trim, sigma_trim, used),
         found("thrust", "per_climb", per_climb, sigma_climb, used),
         found("thrust", "per_load", max(0.0, per_load), sigma_load, loads),
@@ -212,7 +212,7 @@ def find_thrust(
     )
 
 
-def with_lift(before: Performance, lift: LiftFindings) -> Performance:
+def with_lift(before: Performance, lift: LiftEstimates) -> Performance:
     """The aircraft with the lift that was found."""
     zero, load = lift
     if not zero.used:
@@ -220,7 +220,7 @@ def with_lift(before: Performance, lift: LiftFindings) -> Performance:
     return before._replace(alpha_zero=math.radians(zero.value), alpha_load=math.radians(load.value))
 
 
-def with_thrust(before: Performance, thrust: ThrustFindings) -> Performance:
+def with_thrust(before: Performance, thrust: ThrustEstimates) -> Performance:
     """The aircraft with the thrust that was found, and the gains of the airspeed that suit it."""
     trim, per_climb, per_load, lag = thrust
     if not trim.used:
@@ -235,14 +235,14 @@ def with_thrust(before: Performance, thrust: ThrustFindings) -> Performance:
     )
 
 
-def found(table: str, key: str, value: float, sigma: float, used: bool) -> Finding:
+def found(table: str, key: str, value: float, sigma: float, used: bool) -> ParameterEstimate:
     """A number as an aircraft file writes it: what is flown by is what is written."""
-    return Finding(table, key, written(value), sigma, used)
+    return ParameterEstimate(table, key, written(value), sigma, used)
 
 
-def unseen(table: str, key: str) -> Finding:
+def unseen(table: str, key: str) -> ParameterEstimate:
     """A number that is not seen at all."""
-    return Finding(table, key, math.nan, math.nan, False)
+    return ParameterEstimate(table, key, math.nan, math.nan, False)
 
 
 def written(value: float) -> float:

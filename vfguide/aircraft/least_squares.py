@@ -57,7 +57,7 @@ def fitted(A: Array, y: Array, instruments: Array | None = None) -> Fit:
     """
     x, spread, left = solved(A, y, A if instruments is None else instruments)
     squares = float(np.sum(left**2))
-    variance = squares / max(1, len(y) - len(x)) * persistence(left)
+    variance = squares / max(1, len(y) - len(x)) * noise_correlation(left)
     return Fit(x, variance * spread, squares, variance)
 
 
@@ -156,7 +156,7 @@ def inverted(M: Array) -> Array:
 
 
 @compiled
-def persistence(left: Array) -> float:
+def noise_correlation(left: Array) -> float:
     """How many samples in a row tell the same: 1 and twice the sum of the autocorrelations."""
     power, total = 0.0, 1.0
     for value in left:

@@ -30,7 +30,7 @@ AIRSPEED_BAND = 0.12
 IDLE = 1.2
 """A descent in a turn is steeper than the straight glide without thrust by this factor."""
 
-WIDER = 1.15
+MAX_RADIUS_FACTOR = 1.15
 """Turns that are wider by this allow a faster and steeper descent."""
 
 
@@ -47,23 +47,23 @@ def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
 
 
 @compiled
-def steepest_descent(aircraft: Performance, wider: float, goal_slope: float) -> float:
+def steepest_descent(aircraft: Performance, radius_factor: float, goal_slope: float) -> float:
     """The same where turns are wider by a factor [rad].
 
     They are flown at a larger airspeed then. Its square is in proportion to both the radius, at the
     same bank, and the drag.
     """
-    faster = math.asin(min(wider * math.sin(descent_at_airspeed(aircraft, 0.0)), 1.0))
+    faster = math.asin(min(radius_factor * math.sin(descent_at_airspeed(aircraft, 0.0)), 1.0))
     return min(aircraft.descent_max, max(faster, descent_at_airspeed(aircraft, goal_slope)))
 
 
 @compiled
-def widest(aircraft: Performance) -> float:
+def largest_radius_factor(aircraft: Performance) -> float:
     """By which turns are widened for a steeper descent: not for more than the aircraft flies."""
     angle = max(descent_at_airspeed(aircraft, 0.0), 1e-3)
     fastest = FASTEST_DESCENT * aircraft.airspeed_max / max(aircraft.airspeed_cruise, 1e-3)
     most = min(math.sin(aircraft.descent_max) / math.sin(angle), fastest * fastest / IDLE)
-    return max(1.0, min(WIDER, most))
+    return max(1.0, min(MAX_RADIUS_FACTOR, most))
 
 
 @compiled

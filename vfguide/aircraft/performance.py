@@ -59,12 +59,12 @@ class Gains(NamedTuple):
     """Radius of the goal circles over the smallest that the bank allows in this wind."""
     core: float = 0.4
     """Radius of the line core of the field, in turn radii of still air."""
-    final: float = 0.6
+    final_approach: float = 0.6
     """Length of the straight end of the approach, in turn radii: field and circles lead to its
     beginning, so that the course has settled when the goal is passed."""
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""
-    sluggish: float = 0.0
+    response_lag: float = 0.0
     """How much longer the roll rate takes for 63 % of a step than the 0.08 s for which these
     defaults are made [s]: the course is planned for half of it ahead, and turns become wider by
     half the way that is flown meanwhile."""

@@ -22,7 +22,7 @@ PATH_LAG = 0.03
 """Lag of the path angle behind the wanted one over the airspeed [s^2/m]: 0.75 s at 25 m/s."""
 
 
-class Motion(NamedTuple):
+class PointMass(NamedTuple):
     """An aircraft moving through the air."""
 
     p_n: Vec3
@@ -60,15 +60,15 @@ def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
         aircraft.climb_max,
         descent_at_airspeed(aircraft, 0.0),
         ROLL_SHARE * aircraft.rate_max[0],
-        1.0 / gains.k_w + RATE_LAG + gains.sluggish,
-        PATH_LAG * gains.airspeed + gains.sluggish,
+        1.0 / gains.k_w + RATE_LAG + gains.response_lag,
+        PATH_LAG * gains.airspeed + gains.response_lag,
     )
 
 
 @compiled
 def advance(
-    motion: Motion, bank: float, gamma: float, wind_n: Vec3, limits: Dynamics, dt: float
-) -> Motion:
+    motion: PointMass, bank: float, gamma: float, wind_n: Vec3, limits: Dynamics, dt: float
+) -> PointMass:
     """The motion `dt` later [s], under a commanded bank and path angle [rad], in wind [m/s].
 
     Bank and path angle are exact; the turn is integrated by Simpson's rule, the way flown in the
@@ -88,7 +88,7 @@ def advance(
         motion.p_n[2] - dt * motion.airspeed * math.sin(climb) + dt * wind_n[2],
     )
     azimuth = motion.azimuth + turn * (first + 4.0 * middle + last) / 6.0
-    return Motion(p_n, azimuth, after, gamma + fall * (climb - gamma), motion.airspeed)
+    return PointMass(p_n, azimuth, after, gamma + fall * (climb - gamma), motion.airspeed)
 
 
 @compiled

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.airspace.hazards import Hazards
-from vfguide.airspace.keep_out import Outlines
+from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.estimation.estimation import NavState
 from vfguide.field.obstacle import Rows, obstacle_distance, put_out_of_sight, read_obstacle
 from vfguide.geometry.compiled import compiled
@@ -23,7 +23,7 @@ class Airspace(NamedTuple):
 
     hazards: Hazards
     """Before detection all of the plan, after it those that are known."""
-    zones: Outlines
+    zones: KeepOutZones
     """The fence as the search for ways takes it."""
     time: float
     """On the clock of the obstacles [s]."""

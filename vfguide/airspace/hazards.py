@@ -9,7 +9,13 @@ import numpy as np
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.airspace.fence import Fences, fence_distance
 from vfguide.airspace.footprint import SIDE_WIDTH, Band
-from vfguide.airspace.keep_out import KEEP_OUT, OUTLINE_WIDTH, Outline, Outlines, write_outline
+from vfguide.airspace.keep_out import (
+    KEEP_OUT,
+    ZONE_ROW_WIDTH,
+    KeepOutZone,
+    KeepOutZones,
+    write_zone_row,
+)
 from vfguide.field.obstacle import Rows, read_obstacle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, table_of, width
@@ -18,7 +24,7 @@ from vfguide.geometry.vector import Vec3
 
 AHEAD = 5.0
 """The search for ways takes traffic as large as it is known so much later [s]."""
-MOVER_GROWTH = 0.1
+MOVER_UNCERTAINTY = 0.1
 """Growth of the doubt where a moving obstacle is, as a part of its speed."""
 
 
@@ -34,8 +40,8 @@ class Intruder(NamedTuple):
     radius: float
     half_height: float
     """Of the volume to keep out of [m]."""
-    growth: float
-    growth_up: float
+    uncertainty_rate: float
+    uncertainty_rate_up: float
     """Of radius and half height with the report's age [m/s]."""
 
 
@@ -94,35 +100,41 @@ def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
     y = p_n[1] - there_n[1] - age * v_n[1]
     z = p_n[2] - there_n[2] - age * v_n[2]
     age = max(age, 0.0)
-    radius = intruder.radius + age * intruder.growth
-    return upright_distance(x, y, z, radius, intruder.half_height + age * intruder.growth_up)
+    radius = intruder.radius + age * intruder.uncertainty_rate
+    return upright_distance(
+        x, y, z, radius, intruder.half_height + age * intruder.uncertainty_rate_up
+    )
 
 
 @compiled
-def traffic_outlines(traffic: Rows, band: Band, margin: float, t: float) -> Outlines:
+def traffic_zones(traffic: Rows, band: Band, margin: float, t: float) -> KeepOutZones:
     """What traffic covers of a band of heights that is wider by `margin` [m] on both sides.
 
     Moving circles for the search of ways, as large as the volumes `AHEAD` seconds after `t`.
     """
-    table, used = np.zeros((len(traffic), OUTLINE_WIDTH)), 0
+    table, used = np.zeros((len(traffic), ZONE_ROW_WIDTH)), 0
     for row in traffic:
         outline = traffic_outline(read_intruder(row), band, margin, t)
         if outline.since <= outline.until:
-            write_outline(outline, table[used])
+            write_zone_row(outline, table[used])
             used += 1
-    return Outlines(table[:used], np.zeros((0, SIDE_WIDTH)))
+    return KeepOutZones(table[:used], np.zeros((0, SIDE_WIDTH)))
 
 
 @compiled
-def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> Outline:
+def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> KeepOutZone:
     """The same of one intruder; where it never comes into the band, until before since."""
     (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
     grown = max(t - time, 0.0) + AHEAD
-    reach = intruder.half_height + grown * intruder.growth_up + margin
+    reach = intruder.half_height + grown * intruder.uncertainty_rate_up + margin
     since, until = stay_in(band.top - reach - down, band.bottom + reach - down, sinking)
-    x, y, radius = north - time * vx, east - time * vy, intruder.radius + grown * intruder.growth
+    x, y, radius = (
+        north - time * vx,
+        east - time * vy,
+        intruder.radius + grown * intruder.uncertainty_rate,
+    )
     place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
-    return Outline(*place, radius, 0, 0, time + since, time + until, True)
+    return KeepOutZone(*place, radius, 0, 0, time + since, time + until, True)
 
 
 @compiled
@@ -148,16 +160,16 @@ def hazard_speed(hazards: Hazards, i: int) -> float:
 def intruder_speed(intruder: Intruder) -> float:
     """How fast its volume can come nearer to a point that stands still [m/s]."""
     north, east, down = intruder.v_n
-    growth = math.hypot(intruder.growth, intruder.growth_up)
-    return math.sqrt(north**2 + east**2 + down**2) + growth
+    uncertainty_rate = math.hypot(intruder.uncertainty_rate, intruder.uncertainty_rate_up)
+    return math.sqrt(north**2 + east**2 + down**2) + uncertainty_rate
 
 
 @compiled
-def hazard_growth(hazards: Hazards, i: int) -> float:
+def hazard_uncertainty_rate(hazards: Hazards, i: int) -> float:
     """Growth of the doubt where hazard `i` is that is not in its distance [m/s]."""
     if i >= len(hazards.obstacles):
         return 0.0
-    return MOVER_GROWTH * obstacle_speed(hazards.obstacles, i)
+    return MOVER_UNCERTAINTY * obstacle_speed(hazards.obstacles, i)
 
 
 @compiled

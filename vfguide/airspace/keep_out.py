@@ -31,7 +31,7 @@ KEEP_OUT, KEEP_IN = 1.0, -1.0
 """Sign of an outline: one may not be inside it, or not outside it."""
 
 
-class Outline(NamedTuple):
+class KeepOutZone(NamedTuple):
     """A circle or a polygon in the plane, which may move."""
 
     sign: float
@@ -57,30 +57,30 @@ class Outline(NamedTuple):
     """Whether its farthest side is its distance, as it is round a footprint but for a fiftieth."""
 
 
-OUTLINE_WIDTH = width(Outline)
+ZONE_ROW_WIDTH = width(KeepOutZone)
 """How many numbers the row of an outline has."""
-read_outline, write_outline = reader(Outline), writer(Outline)
-with_first_side = replacing(Outline, "first_side")
+read_zone_row, write_zone_row = reader(KeepOutZone), writer(KeepOutZone)
+with_first_side = replacing(KeepOutZone, "first_side")
 
 
-class Outlines(NamedTuple):
+class KeepOutZones(NamedTuple):
     """Circles and polygons, and the sides of the polygons about their places."""
 
     table: Rows
-    """An `Outline` a row."""
+    """An `KeepOutZone` a row."""
     sides: Rows
     """A `Side` a row, about the place of its outline."""
 
 
 @compiled
-def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
+def hazards_of(obstacles: Rows, band: Band, margin: float) -> KeepOutZones:
     """What obstacles cover of a band of heights that is wider by `margin` [m] on both sides.
 
     A point in the band that is farther than `margin` from all of it is farther than that from
     every obstacle; nearer ones are at least as far from the obstacles as from it.
     """
     count = len(obstacles)
-    table, sides = np.zeros((count, OUTLINE_WIDTH)), np.zeros((SIDES * count, SIDE_WIDTH))
+    table, sides = np.zeros((count, ZONE_ROW_WIDTH)), np.zeros((SIDES * count, SIDE_WIDTH))
     wide = Band(band.top - margin, band.bottom + margin)
     used = first = 0
     for i in range(count):
@@ -88,21 +88,21 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> Outlines:
         if since > until or section.a <= 0.0 or section.b <= 0.0:
             continue
         obstacle = read_obstacle(obstacles[i])
-        outline = footprint_of(obstacle, section, since, until, sides, first)
-        write_outline(outline, table[used])
+        outline = footprint_zone(obstacle, section, since, until, sides, first)
+        write_zone_row(outline, table[used])
         used, first = used + 1, first + outline.sides
-    return Outlines(table[:used], sides[:first])
+    return KeepOutZones(table[:used], sides[:first])
 
 
 @compiled
-def footprint_of(
+def footprint_zone(
     obstacle: PlacedObstacle,
     section: Section,
     since: float,
     until: float,
     sides: Rows,
     first: int,
-) -> Outline:
+) -> KeepOutZone:
     """The outline of a section of an obstacle; its sides are written from row `first` on."""
     number, radius = 0, section.a
     if not is_round(section):
@@ -111,7 +111,7 @@ def footprint_of(
         radius = bounding_radius_of(there)
     (x, y, _), (vx, vy, _) = obstacle.p_n, obstacle.v_n
     place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
-    return Outline(*place, radius, first, number, since, until, True)
+    return KeepOutZone(*place, radius, first, number, since, until, True)
 
 
 @compiled
@@ -124,13 +124,13 @@ def bounding_radius_of(sides: Rows) -> float:
     return most
 
 
-def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> Outlines:
+def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> KeepOutZones:
     """A circle of a fence at (x, y), NED [m]."""
-    outline = Outline(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
-    return Outlines(table_of(Outline, (outline,)), table_of(Side, ()))
+    outline = KeepOutZone(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
+    return KeepOutZones(table_of(KeepOutZone, (outline,)), table_of(Side, ()))
 
 
-def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> Outlines:
+def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> KeepOutZones:
     """A polygon of a fence by its corners, NED [m], either way round."""
     points: Vectors = np.array(corners, dtype=float)
     following: Vectors = np.roll(points, -1, axis=0)
@@ -139,8 +139,8 @@ def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> O
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     sides, (x, y) = sides_of(points - centre), centre
     place, radius = (sign, x, y, 0.0, 0.0, 0.0), bounding_radius_of(sides)
-    outline = Outline(*place, radius, 0, len(sides), -math.inf, math.inf, False)
-    return Outlines(table_of(Outline, (outline,)), sides)
+    outline = KeepOutZone(*place, radius, 0, len(sides), -math.inf, math.inf, False)
+    return KeepOutZones(table_of(KeepOutZone, (outline,)), sides)
 
 
 def sides_of(corners: Vectors) -> Rows:
@@ -154,14 +154,14 @@ def sides_of(corners: Vectors) -> Rows:
 
 
 @compiled
-def joined(one: Outlines, other: Outlines) -> Outlines:
+def joined(one: KeepOutZones, other: KeepOutZones) -> KeepOutZones:
     """The hazards of both."""
     table = np.concatenate((one.table, other.table))
     for i in range(len(one.table), len(table)):
-        outline = read_outline(table[i])
-        write_outline(with_first_side(outline, outline.first_side + len(one.sides)), table[i])
-    return Outlines(table, np.concatenate((one.sides, other.sides)))
+        outline = read_zone_row(table[i])
+        write_zone_row(with_first_side(outline, outline.first_side + len(one.sides)), table[i])
+    return KeepOutZones(table, np.concatenate((one.sides, other.sides)))
 
 
-NO_FENCE = Outlines(table_of(Outline, ()), table_of(Side, ()))
+NO_FENCE = KeepOutZones(table_of(KeepOutZone, ()), table_of(Side, ()))
 """Nothing to keep clear of."""

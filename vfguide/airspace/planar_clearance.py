@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.airspace.footprint import read_side
-from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, Outline, Outlines, read_outline
+from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 
@@ -54,8 +54,8 @@ def sides_distance(sides: Rows, x: float, y: float) -> float:
 
 
 @compiled
-def outline_distance(
-    outline: Outline, sides: Rows, x: float, y: float, t: float, enough: float
+def zone_row_distance(
+    outline: KeepOutZone, sides: Rows, x: float, y: float, t: float, enough: float
 ) -> float:
     """Distance of (x, y) from an outline at time `t` [m], negative where one may not be.
 
@@ -74,36 +74,36 @@ def outline_distance(
 
 
 @compiled
-def clearance_at(hazards: Outlines, x: float, y: float, t: float) -> Nearest:
+def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> Nearest:
     """Distance of (x, y), NED [m], from the nearest hazard at time `t` [s]."""
     least, nearest = math.inf, NOTHING
     for i in range(len(hazards.table)):
-        outline = read_outline(hazards.table[i])
+        outline = read_zone_row(hazards.table[i])
         if t < outline.since or t > outline.until:
             continue
-        distance = outline_distance(outline, hazards.sides, x, y, t, least)
+        distance = zone_row_distance(outline, hazards.sides, x, y, t, least)
         if distance < least:
             least, nearest = distance, i
     return Nearest(least, nearest)
 
 
 @compiled
-def clearance_at_rest(hazards: Outlines, x: float, y: float) -> float:
+def clearance_at_rest(hazards: KeepOutZones, x: float, y: float) -> float:
     """Distance from the nearest hazard that does not move [m]."""
     least = math.inf
     for i in range(len(hazards.table)):
-        outline = read_outline(hazards.table[i])
+        outline = read_zone_row(hazards.table[i])
         if outline.speed == 0.0 and outline.since == -math.inf:
-            least = min(least, outline_distance(outline, hazards.sides, x, y, 0.0, least))
+            least = min(least, zone_row_distance(outline, hazards.sides, x, y, 0.0, least))
     return least
 
 
 @compiled
-def near_hazards(hazards: Outlines, x: float, y: float, reach: float) -> int:
+def near_hazards(hazards: KeepOutZones, x: float, y: float, reach: float) -> int:
     """Those that can be nearer than `reach` [m] to (x, y), a bit each; all that may move."""
     near = 0
     for i in range(min(len(hazards.table), BITS)):
-        outline = read_outline(hazards.table[i])
+        outline = read_zone_row(hazards.table[i])
         away = math.hypot(x - outline.x, y - outline.y) - outline.bounding_radius
         if away < reach or outline.speed > 0.0 or outline.sign == KEEP_IN:
             near |= 1 << i
@@ -112,7 +112,7 @@ def near_hazards(hazards: Outlines, x: float, y: float, reach: float) -> int:
 
 @compiled
 def free_path(
-    hazards: Outlines,
+    hazards: KeepOutZones,
     near: int,
     x: float,
     y: float,
@@ -128,12 +128,12 @@ def free_path(
     """
     least, nearest = math.inf, NOTHING
     for i in range(len(hazards.table)):
-        outline = read_outline(hazards.table[i])
+        outline = read_zone_row(hazards.table[i])
         if (i < BITS and (near >> i) & 1 == 0) or t > outline.until:
             continue
         closing = 1.0 + outline.speed / speed
         enough = least * closing + wanted
-        distance = outline_distance(outline, hazards.sides, x, y, t, enough)
+        distance = zone_row_distance(outline, hazards.sides, x, y, t, enough)
         free = (distance - wanted) / closing
         if t < outline.since:
             free = max(free, speed * (outline.since - t), step)

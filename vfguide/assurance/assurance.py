@@ -7,21 +7,21 @@ how the aircraft moves are all that it looks at.
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import ZOOM, allowed_path, path_limits
-from vfguide.aircraft.point_mass import Dynamics, Motion
+from vfguide.aircraft.point_mass import Dynamics, PointMass
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.assurance.decision import (
     Assurance,
+    BackupManoeuvre,
     Decision,
     Reason,
-    Stored,
     assurance,
     assure,
-    fresh_stored,
+    no_backup,
 )
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.compiled import compiled
@@ -35,7 +35,7 @@ down to the second [m]."""
 LASTING = 0.5
 """Part of the present rise or sink of the air that is expected to last while an escape is flown."""
 
-with_flown = replacing(Wish, "gamma", "climb", "bank", "load")
+with_flown = replacing(GuidanceCommand, "gamma", "climb", "bank", "load")
 with_margin = replacing(Assurance, "margin")
 with_dynamics = replacing(Assurance, "limits")
 with_paths = replacing(Dynamics, "climb_max", "descent_max")
@@ -44,26 +44,26 @@ with_paths = replacing(Dynamics, "climb_max", "descent_max")
 class AssuranceState(NamedTuple):
     """What one step leaves for the next."""
 
-    stored: Stored
+    backup: BackupManoeuvre
     decision: Decision
 
 
 @compiled
 def fresh_assurance() -> AssuranceState:
     """Nothing was decided yet."""
-    return AssuranceState(fresh_stored(), Decision(0.0, 0.0, Reason.CLEAR.value, 0.0, 0.0, 0))
+    return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.CLEAR.value, 0.0, 0.0, 0))
 
 
 @compiled
 def update(
     nav: NavState,
-    command: Wish,
+    command: GuidanceCommand,
     airspace: Airspace | None,
     is_on: bool,
     room: float,
     s: AssuranceState,
     vehicle: Vehicle,
-) -> tuple[Wish, AssuranceState]:
+) -> tuple[GuidanceCommand, AssuranceState]:
     """The command, or what is flown instead.
 
     Args:
@@ -83,8 +83,8 @@ def update(
     hazards = airspace.hazards
     air = norm(sub(state.v_n, state.wind_n))
     sinking = state.wind_n[2] / max(air, 1.0)
-    decision, stored = assure(
-        motion_of(state),
+    decision, backup = assure(
+        point_mass_of(state),
         (command.bank, raised(command.gamma, -sinking)),
         (state.wind_n[0], state.wind_n[1], 0.0),
         airspace.gust,
@@ -92,12 +92,12 @@ def update(
         airspace.time,
         0.0 if nav.is_first else max(nav.elapsed, 0.0),
         in_air(in_room(assurance(aircraft, gains), room), sinking),
-        s.stored,
+        s.backup,
     )
     limits = path_limits(air, gains.airspeed, -state.p_n[2] - hazards.floor, aircraft)
     path = allowed_path(raised(decision.gamma, sinking), limits)
     bank_max = usable_bank(aircraft, gains, max(air, state.airspeed))
-    return as_decided(command, decision, path, bank_max), AssuranceState(stored, decision)
+    return as_decided(command, decision, path, bank_max), AssuranceState(backup, decision)
 
 
 @compiled
@@ -130,18 +130,18 @@ def raised(gamma: float, sine: float) -> float:
 
 
 @compiled
-def motion_of(state: FlightState) -> Motion:
-    """The motion from which tracks are predicted: its path angle is that over the ground."""
+def point_mass_of(state: FlightState) -> PointMass:
+    """The motion from which trajectories are predicted: its path angle is that over the ground."""
     air, R = sub(state.v_n, state.wind_n), state.R_nb
     speed = max(state.airspeed, 1.0)
     bank = math.atan2(R[2][1], R[2][2])
-    return Motion(state.p_n, azimuth_of(air), bank, path_of(state.v_n, speed), speed)
+    return PointMass(state.p_n, azimuth_of(air), bank, path_of(state.v_n, speed), speed)
 
 
 @compiled
 def as_decided(
-    command: Wish, decision: Decision, path: tuple[float, float], bank_max: float
-) -> Wish:
+    command: GuidanceCommand, decision: Decision, path: tuple[float, float], bank_max: float
+) -> GuidanceCommand:
     """The command, or what is flown instead: the lift carries the weight in the bank decided on.
 
     `path` has the path angle through the air that makes good the decision's, and the one that

@@ -1,9 +1,9 @@
-"""Escape manoeuvres, their timing for an aircraft, and the tracks that they fly."""
+"""Escape manoeuvres, their timing for an aircraft, and the trajectories that they fly."""
 
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, Vectors
@@ -13,7 +13,7 @@ TURN_TIME = 13.44
 TURNS = (1.2, 2.2, 3.4, 5.0, 1e9)
 """How long a hard turn goes on before the aircraft flies straight [s]."""
 HORIZON, STEP = 15.2, 0.2
-"""Length and step of a track [s]."""
+"""Length and step of a trajectory [s]."""
 KINDS = 33
 """Straight, and the turns to either side; each level, climbing and descending."""
 STEADY = 5e-3
@@ -67,55 +67,73 @@ def remainder(flown: Manoeuvre, dt: float) -> Manoeuvre:
 
 
 @compiled
-def fly_for(motion: Motion, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float) -> Motion:
+def fly_for(
+    point_mass: PointMass, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float
+) -> PointMass:
     """The motion `dt` later [s], the end of the turn to the instant."""
     climb = climb_of(flown, limits)
     if 0.0 < flown.turning < dt:
-        motion = advance(motion, bank_of(flown, limits), climb, wind_n, limits, flown.turning)
-        return advance(motion, 0.0, climb, wind_n, limits, dt - flown.turning)
-    return advance(motion, bank_of(flown, limits), climb, wind_n, limits, dt)
+        point_mass = advance(
+            point_mass, bank_of(flown, limits), climb, wind_n, limits, flown.turning
+        )
+        return advance(point_mass, 0.0, climb, wind_n, limits, dt - flown.turning)
+    return advance(point_mass, bank_of(flown, limits), climb, wind_n, limits, dt)
 
 
 @compiled
 def fly_out(
-    motion: Motion, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float, track: Vectors
+    point_mass: PointMass,
+    flown: Manoeuvre,
+    wind_n: Vec3,
+    limits: Dynamics,
+    dt: float,
+    trajectory: Vectors,
 ) -> None:
-    """Write the positions (N, 3) of the manoeuvre, `dt` apart [s], into `track`, NED [m]."""
-    k, last = 0, len(track) - 1
+    """Write the positions (N, 3) of the manoeuvre, `dt` apart [s], into `trajectory`, NED [m]."""
+    k, last = 0, len(trajectory) - 1
     while True:
-        track[k, 0], track[k, 1], track[k, 2] = motion.p_n
+        trajectory[k, 0], trajectory[k, 1], trajectory[k, 2] = point_mass.p_n
         if k == last:
             return
         bank = bank_of(flown, limits)
-        settled = abs(motion.bank - bank) + abs(motion.gamma - climb_of(flown, limits)) < STEADY
+        settled = (
+            abs(point_mass.bank - bank) + abs(point_mass.gamma - climb_of(flown, limits)) < STEADY
+        )
         if settled:
             steps = last - k
             if flown.turning > 0.0:
                 steps = int(min(float(steps), flown.turning / dt))
-            there = Motion(
-                motion.p_n, motion.azimuth, bank, climb_of(flown, limits), motion.airspeed
+            there = PointMass(
+                point_mass.p_n,
+                point_mass.azimuth,
+                bank,
+                climb_of(flown, limits),
+                point_mass.airspeed,
             )
-            motion = fly_steadily(there, wind_n, dt, track[k : k + steps + 1])
+            point_mass = fly_steadily(there, wind_n, dt, trajectory[k : k + steps + 1])
             flown, k = remainder(flown, steps * dt), k + steps
             if steps > 0:
                 continue
-        motion = fly_for(motion, flown, wind_n, limits, dt)
+        point_mass = fly_for(point_mass, flown, wind_n, limits, dt)
         flown, k = remainder(flown, dt), k + 1
 
 
 @compiled
-def fly_steadily(motion: Motion, wind_n: Vec3, dt: float, track: Vectors) -> Motion:
+def fly_steadily(point_mass: PointMass, wind_n: Vec3, dt: float, trajectory: Vectors) -> PointMass:
     """The same while neither bank nor path angle changes: every chord turned by one angle."""
-    turn = dt * G0 * math.tan(motion.bank) / motion.airspeed
+    turn = dt * G0 * math.tan(point_mass.bank) / point_mass.airspeed
     c, s = math.cos(turn), math.sin(turn)
-    along, flat = motion.azimuth + 0.5 * turn, dt * motion.airspeed * math.cos(motion.gamma)
+    along, flat = (
+        point_mass.azimuth + 0.5 * turn,
+        dt * point_mass.airspeed * math.cos(point_mass.gamma),
+    )
     u, v = flat * math.cos(along), flat * math.sin(along)
-    down = dt * (wind_n[2] - motion.airspeed * math.sin(motion.gamma))
-    x, y, z = motion.p_n
-    steps = len(track) - 1
+    down = dt * (wind_n[2] - point_mass.airspeed * math.sin(point_mass.gamma))
+    x, y, z = point_mass.p_n
+    steps = len(trajectory) - 1
     for k in range(1, steps + 1):
         x, y, z = x + u + dt * wind_n[0], y + v + dt * wind_n[1], z + down
         u, v = c * u - s * v, s * u + c * v
-        track[k, 0], track[k, 1], track[k, 2] = x, y, z
-    azimuth = motion.azimuth + steps * turn
-    return Motion((x, y, z), azimuth, motion.bank, motion.gamma, motion.airspeed)
+        trajectory[k, 0], trajectory[k, 1], trajectory[k, 2] = x, y, z
+    azimuth = point_mass.azimuth + steps * turn
+    return PointMass((x, y, z), azimuth, point_mass.bank, point_mass.gamma, point_mass.airspeed)

@@ -1,9 +1,9 @@
 """Run-time assurance: what the guidance wishes is flown only if a way out remains afterwards.
 
-The wish is held for one period in the model of the motion. If one of the escape manoeuvres, or
-what is left of the one stored before, stays clear from there, the wish is sent and that manoeuvre
-is stored. Else a manoeuvre that stays clear from now on is flown, the nearest to the wish; if
-there is none, the one that goes least deep.
+The command is held for one period in the model of the motion. If one of the escape manoeuvres, or
+what is left of the one stored before, stays clear from there, the command is sent and that
+manoeuvre is stored. Else a manoeuvre that stays clear from now on is flown, the nearest to the
+command; if there is none, the one that goes least deep.
 """
 
 import math
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.aircraft.performance import Gains, Performance
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance, dynamics
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance, dynamics
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.backup_manoeuvre import Manoeuvre, bank_of, climb_of, remainder, time_scale
 from vfguide.assurance.escape_search import (
@@ -21,26 +21,26 @@ from vfguide.assurance.escape_search import (
     Found,
     World,
     best_from,
+    find_escape,
     follow,
     time_to_conflict,
-    way_out,
 )
 from vfguide.assurance.trajectory_clearance import Clearance
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
 MARGIN = 12.0
-"""Distance that a clear track keeps, at 25 m/s and 50 degrees of bank [m] ..."""
+"""Distance that a clear trajectory keeps, at 25 m/s and 50 degrees of bank [m] ..."""
 LEAST_MARGIN = 6.0
 """... less for smaller aircraft, but not less than this [m]."""
 RETURN = 3.0
-"""More than the margin that must be kept for the wish to be followed again [m]."""
+"""More than the margin that must be kept for the command to be followed again [m]."""
 LEEWAY = 1.0 / 6.0
 """Part of the margin that a manoeuvre may lose while it is flown, to gusts and errors of the
 model, before another is looked for."""
 HOLD = 0.1
-"""The wish is held for at least this part of the scaled time [s]."""
-GUST_GROWTH = 0.3
+"""The command is held for at least this part of the scaled time [s]."""
+GUST_UNCERTAINTY = 0.3
 """Growth of the doubt about the own position over the gusts' speed."""
 
 
@@ -48,10 +48,10 @@ class Reason(IntEnum):
     """Who decided."""
 
     CLEAR = 0
-    """The wish is flown."""
+    """The command is flown."""
     ESCAPE = 1
-    """The wish would leave no way out: one is flown now."""
-    LEAST_BAD = 2
+    """The command would leave no way out: one is flown now."""
+    BEST_EFFORT = 2
     """Nothing stays clear."""
 
 
@@ -65,7 +65,7 @@ class Assurance(NamedTuple):
     """[m]"""
 
 
-class Stored(NamedTuple):
+class BackupManoeuvre(NamedTuple):
     """What one decision leaves for the next: the way out, and whether it is being flown."""
 
     side: float
@@ -73,7 +73,7 @@ class Stored(NamedTuple):
     climb: float
     """Fields of a `Manoeuvre`."""
     acting: float
-    """1 while the wish is not followed, else 0."""
+    """1 while the command is not followed, else 0."""
 
 
 class Decision(NamedTuple):
@@ -87,7 +87,8 @@ class Decision(NamedTuple):
     margin: float
     """Least clearance along the way out, not above what was asked for [m]."""
     conflict: float
-    """While acting: time until the wish, held on, would come within 1 m [s]; infinite if never."""
+    """While acting: time until the command, held on, would come within 1 m [s]; infinite if
+    never."""
     hazard: int
     """While acting: the hazard that it would come to; -1 for none."""
 
@@ -102,74 +103,76 @@ def assurance(aircraft: Performance, gains: Gains) -> Assurance:
 
 
 @compiled
-def fresh_stored() -> Stored:
+def no_backup() -> BackupManoeuvre:
     """Before the first decision: straight on."""
-    return Stored(0.0, 0.0, 0.0, 0.0)
+    return BackupManoeuvre(0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
 def assure(
-    motion: Motion,
-    wish: tuple[float, float],
+    point_mass: PointMass,
+    command: tuple[float, float],
     wind_n: Vec3,
     gust: float,
     hazards: Hazards,
     t: float,
     dt: float,
     aircraft: Assurance,
-    stored: Stored,
-) -> tuple[Decision, Stored]:
+    backup: BackupManoeuvre,
+) -> tuple[Decision, BackupManoeuvre]:
     """Decide what to fly until the next decision.
 
     Args:
-        motion: the aircraft now, NED.
-        wish: bank and path angle that the guidance asks for [rad].
+        point_mass: the aircraft now, NED.
+        command: bank and path angle that the guidance asks for [rad].
         wind_n: NED, blowing toward [m/s]; without a number it counts as none.
         gust: speed of the gusts, one standard deviation [m/s].
         hazards: all that are known.
         t: now, on the clock of the obstacles [s].
         dt: since the last decision [s].
         aircraft: of `assurance`.
-        stored: what the last decision left.
+        backup: what the last decision left.
     """
-    limits, wish = aircraft.limits, flyable(wish, aircraft.limits)
-    if not is_finite(motion):
-        return Decision(wish[0], wish[1], Reason.LEAST_BAD.value, 0.0, 0.0, -1), stored
+    limits, command = aircraft.limits, flyable(command, aircraft.limits)
+    if not is_finite(point_mass):
+        return Decision(command[0], command[1], Reason.BEST_EFFORT.value, 0.0, 0.0, -1), backup
     wind_n = (finite(wind_n[0]), finite(wind_n[1]), finite(wind_n[2]))
-    growth, track = GUST_GROWTH * max(finite(gust), 0.0), np.empty((LENGTH, 3))
-    world = World(hazards, wind_n, growth, limits, aircraft.scale, track)
-    plan = Manoeuvre(stored.side, stored.turning, stored.climb)
-    if stored.acting > 0.0:
+    uncertainty_rate, trajectory = GUST_UNCERTAINTY * max(finite(gust), 0.0), np.empty((LENGTH, 3))
+    world = World(hazards, wind_n, uncertainty_rate, limits, aircraft.scale, trajectory)
+    plan = Manoeuvre(backup.side, backup.turning, backup.climb)
+    if backup.acting > 0.0:
         plan = remainder(plan, dt)
     margin = aircraft.margin
 
-    acting = stored.acting > 0.0
+    acting = backup.acting > 0.0
     seen = Clearance(0.0, 0.0, 0)
     if acting:
         kept = margin * (1.0 - LEEWAY)
-        seen = follow(world, motion, plan, t, (kept, kept), 0)
+        seen = follow(world, point_mass, plan, t, (kept, kept), 0)
     if not acting or seen.hazard < 0:
         hold = max(dt, HOLD * aircraft.scale)
-        after = advance(motion, wish[0], wish[1], wind_n, limits, hold)
-        need = margin + RETURN * stored.acting
-        out = way_out(world, after, t + hold, wish, plan, need, acting)
+        after = advance(point_mass, command[0], command[1], wind_n, limits, hold)
+        need = margin + RETURN * backup.acting
+        out = find_escape(world, after, t + hold, command, plan, need, acting)
         if out.seen.hazard < 0:
-            decision = Decision(wish[0], wish[1], Reason.CLEAR.value, out.seen.least, math.inf, -1)
-            return decision, Stored(out.plan.side, out.plan.turning, out.plan.climb, 0.0)
+            decision = Decision(
+                command[0], command[1], Reason.CLEAR.value, out.seen.least, math.inf, -1
+            )
+            return decision, BackupManoeuvre(out.plan.side, out.plan.turning, out.plan.climb, 0.0)
     out = Found(plan, seen)
     if seen.hazard >= 0:
-        out = best_from(world, motion, t, wish, plan, margin)
-    reason = Reason.ESCAPE.value if out.seen.hazard < 0 else Reason.LEAST_BAD.value
-    conflict = time_to_conflict(world, motion, t, wish)
+        out = best_from(world, point_mass, t, command, plan, margin)
+    reason = Reason.ESCAPE.value if out.seen.hazard < 0 else Reason.BEST_EFFORT.value
+    conflict = time_to_conflict(world, point_mass, t, command)
     bank, gamma = bank_of(out.plan, limits), climb_of(out.plan, limits)
     decision = Decision(bank, gamma, reason, out.seen.least, conflict.lost, conflict.hazard)
-    return decision, Stored(out.plan.side, out.plan.turning, out.plan.climb, 1.0)
+    return decision, BackupManoeuvre(out.plan.side, out.plan.turning, out.plan.climb, 1.0)
 
 
 @compiled
-def flyable(wish: tuple[float, float], limits: Dynamics) -> tuple[float, float]:
-    """The wish within the limits; what is not a number becomes level flight."""
-    bank, gamma = finite(wish[0]), finite(wish[1])
+def flyable(command: tuple[float, float], limits: Dynamics) -> tuple[float, float]:
+    """The command within the limits; what is not a number becomes level flight."""
+    bank, gamma = finite(command[0]), finite(command[1])
     return (
         max(-limits.bank_max, min(limits.bank_max, bank)),
         max(-limits.descent_max, min(limits.climb_max, gamma)),
@@ -183,8 +186,8 @@ def finite(value: float) -> float:
 
 
 @compiled
-def is_finite(motion: Motion) -> bool:
+def is_finite(point_mass: PointMass) -> bool:
     """Whether the motion can be predicted."""
-    x, y, z = motion.p_n
-    angles = motion.azimuth + motion.bank + motion.gamma
-    return math.isfinite(x + y + z + angles) and 0.0 < motion.airspeed < math.inf
+    x, y, z = point_mass.p_n
+    angles = point_mass.azimuth + point_mass.bank + point_mass.gamma
+    return math.isfinite(x + y + z + angles) and 0.0 < point_mass.airspeed < math.inf

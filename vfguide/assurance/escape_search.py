@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.aircraft.point_mass import Dynamics, Motion, advance
+from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.backup_manoeuvre import (
     HORIZON,
@@ -22,7 +22,7 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series, Vec3, Vectors, norm
 
 LENGTH = round(HORIZON / STEP) + 1
-"""Points of a track."""
+"""Points of a trajectory."""
 CONTACT = 1.0
 """Nearer than this a hazard is hit [m]."""
 KEPT, NO_CONTACT = 1.0, 1e6
@@ -44,13 +44,13 @@ class World(NamedTuple):
     hazards: Hazards
     wind_n: Vec3
     """NED, blowing toward [m/s]."""
-    growth: float
+    uncertainty_rate: float
     """Of the doubt about the own position [m/s]."""
     limits: Dynamics
     scale: float
     """Of all times of manoeuvres."""
-    track: Vectors
-    """Room for one track (LENGTH, 3)."""
+    trajectory: Vectors
+    """Room for one trajectory (LENGTH, 3)."""
 
 
 class Found(NamedTuple):
@@ -63,88 +63,93 @@ class Found(NamedTuple):
 @compiled
 def follow(
     world: World,
-    motion: Motion,
+    point_mass: PointMass,
     plan: Manoeuvre,
     t: float,
     least: tuple[float, float],
     suspect: int,
 ) -> Clearance:
-    """Clearance along the manoeuvre from `motion` at time `t`: `least` is (enough, too little)."""
+    """Clearance along the manoeuvre from here at time `t`: `least` is (enough, too little)."""
     dt = STEP * world.scale
-    fly_out(motion, plan, world.wind_n, world.limits, dt, world.track)
-    return clear(world, motion, t, 0, least, suspect)
+    fly_out(point_mass, plan, world.wind_n, world.limits, dt, world.trajectory)
+    return clear(world, point_mass, t, 0, least, suspect)
 
 
 @compiled
 def clear(
-    world: World, motion: Motion, t: float, first: int, least: Limits, suspect: int
+    world: World, point_mass: PointMass, t: float, first: int, least: Limits, suspect: int
 ) -> Clearance:
-    """Clearance along the track as it was flown last, from point `first` on."""
-    dt, speed = STEP * world.scale, motion.airspeed + norm(world.wind_n)
-    track, t = world.track[first:], t + first * dt
+    """Clearance along the trajectory as it was flown last, from point `first` on."""
+    dt, speed = STEP * world.scale, point_mass.airspeed + norm(world.wind_n)
+    trajectory, t = world.trajectory[first:], t + first * dt
     return clearance_along(
-        world.hazards, track, t, dt, speed, world.growth, least[0], least[1], suspect
+        world.hazards, trajectory, t, dt, speed, world.uncertainty_rate, least[0], least[1], suspect
     )
 
 
 @compiled
-def way_out(
+def find_escape(
     world: World,
-    motion: Motion,
+    point_mass: PointMass,
     t: float,
-    wish: Command,
-    stored: Manoeuvre,
+    command: Command,
+    backup: Manoeuvre,
     margin: float,
     level: bool,
 ) -> Found:
-    """A manoeuvre that stays clear from `motion` on, the stored one or the nearest to the wish.
+    """A manoeuvre that stays clear from `point_mass` on, the backup or the nearest to the command.
 
-    What is found has `seen.hazard` -1; if nothing is, it is the stored one. With `level` climbs
+    What is found has `seen.hazard` -1; if nothing is, it is the backup. With `level` climbs
     and descents are not tried.
     """
-    seen = follow(world, motion, stored, t, (margin, margin), 0)
+    seen = follow(world, point_mass, backup, t, (margin, margin), 0)
     if seen.hazard < 0 or seen.lost == 0.0:
-        return Found(stored, seen)
+        return Found(backup, seen)
     suspect = seen.hazard
-    for kind in np.argsort(distances_from_wish(world, wish)):
+    for kind in np.argsort(distances_from_command(world, command)):
         plan = manoeuvre(kind, world.scale)
         if level and plan.climb != 0.0:
             continue
-        other = follow(world, motion, plan, t, (margin, margin), suspect)
+        other = follow(world, point_mass, plan, t, (margin, margin), suspect)
         if other.hazard < 0:
             return Found(plan, other)
         suspect = other.hazard
-    return Found(stored, seen)
+    return Found(backup, seen)
 
 
 @compiled
-def distances_from_wish(world: World, wish: Command) -> Series:
-    """How far each manoeuvre's first command is from the wish, shorter turns first: (KINDS,)."""
+def distances_from_command(world: World, command: Command) -> Series:
+    """How far each manoeuvre's first command is from the command, shorter turns first: (KINDS,)."""
     far = np.empty(KINDS)
     limits = world.limits
     climbs = max(limits.climb_max + limits.descent_max, 1e-3)  # the air may leave none
     for kind in range(KINDS):
         plan = manoeuvre(kind, 1.0)
-        bank = abs(bank_of(plan, limits) - wish[0]) / limits.bank_max
-        climb = abs(climb_of(plan, limits) - wish[1]) / climbs
+        bank = abs(bank_of(plan, limits) - command[0]) / limits.bank_max
+        climb = abs(climb_of(plan, limits) - command[1]) / climbs
         far[kind] = bank + climb + 0.01 * min(plan.turning, 10.0)
     return far
 
 
 @compiled
 def best_from(
-    world: World, motion: Motion, t: float, wish: Command, stored: Manoeuvre, margin: float
+    world: World,
+    point_mass: PointMass,
+    t: float,
+    command: Command,
+    backup: Manoeuvre,
+    margin: float,
 ) -> Found:
-    """The clear manoeuvre nearest to the wish, or the least bad one.
+    """The clear manoeuvre nearest to the command, or the least bad one.
 
     That goes least deep; of several without contact it is the one that gets away. The stored one
     is kept unless another is better by a metre.
     """
-    seen, merit = judged(world, motion, t, stored, margin, -math.inf, 0)
-    best, merit = Found(stored, seen), merit + KEPT
-    for kind in np.argsort(distances_from_wish(world, wish)):
+    seen, merit = judged(world, point_mass, t, backup, margin, -math.inf, 0)
+    best, merit = Found(backup, seen), merit + KEPT
+    for kind in np.argsort(distances_from_command(world, command)):
         plan = manoeuvre(kind, world.scale)
-        seen, other = judged(world, motion, t, plan, margin, merit, max(best.seen.hazard, 0))
+        seen, other = judged(world, point_mass, t, plan, margin, merit, max(best.seen.hazard, 0))
         if seen.hazard < 0:
             return Found(plan, seen)
         if other > merit:
@@ -155,7 +160,7 @@ def best_from(
 @compiled
 def judged(
     world: World,
-    motion: Motion,
+    point_mass: PointMass,
     t: float,
     plan: Manoeuvre,
     margin: float,
@@ -167,27 +172,27 @@ def judged(
     The merit of one that is found not to reach `beat` is minus infinity.
     """
     if beat == math.inf:
-        seen = follow(world, motion, plan, t, (margin, margin), suspect)
+        seen = follow(world, point_mass, plan, t, (margin, margin), suspect)
         return seen, -math.inf
-    seen = follow(world, motion, plan, t, (CONTACT, CONTACT), suspect)
+    seen = follow(world, point_mass, plan, t, (CONTACT, CONTACT), suspect)
     if seen.hazard >= 0:
         if beat >= CONTACT + KEPT:
             return seen, -math.inf
-        deepest = clear(world, motion, t, 0, (CONTACT, beat), seen.hazard)
+        deepest = clear(world, point_mass, t, 0, (CONTACT, beat), seen.hazard)
         merit = deepest.least if deepest.lost == math.inf else -math.inf
         return Clearance(deepest.least, seen.lost, deepest.hazard), merit
-    seen = clear(world, motion, t, 0, (margin, CONTACT), suspect)
+    seen = clear(world, point_mass, t, 0, (margin, CONTACT), suspect)
     if seen.hazard < 0:
         return seen, math.inf
-    away = clear(world, motion, t, AFTER, (margin, CONTACT), seen.hazard)
+    away = clear(world, point_mass, t, AFTER, (margin, CONTACT), seen.hazard)
     return seen, NO_CONTACT + seen.least + away.least
 
 
 @compiled
-def time_to_conflict(world: World, motion: Motion, t: float, wish: Command) -> Clearance:
-    """Clearance if the wish were held: when contact is made, and with what."""
+def time_to_conflict(world: World, point_mass: PointMass, t: float, command: Command) -> Clearance:
+    """Clearance if the command were held: when contact is made, and with what."""
     dt = STEP * world.scale
     for k in range(LENGTH):
-        world.track[k, 0], world.track[k, 1], world.track[k, 2] = motion.p_n
-        motion = advance(motion, wish[0], wish[1], world.wind_n, world.limits, dt)
-    return clear(world, motion, t, 0, (2.0 * CONTACT, CONTACT), 0)
+        world.trajectory[k, 0], world.trajectory[k, 1], world.trajectory[k, 2] = point_mass.p_n
+        point_mass = advance(point_mass, command[0], command[1], world.wind_n, world.limits, dt)
+    return clear(world, point_mass, t, 0, (2.0 * CONTACT, CONTACT), 0)

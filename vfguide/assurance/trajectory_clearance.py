@@ -1,6 +1,6 @@
-"""How clear a track stays of all hazards, looked at only where it can matter.
+"""How clear a trajectory stays of all hazards, looked at only where it can matter.
 
-Between two points of the track the distance from a hazard shrinks no faster than both move, so
+Between two points of the trajectory the distance from a hazard shrinks no faster than both move, so
 the points in between are left out: conservative advancement.
 """
 
@@ -11,23 +11,23 @@ from vfguide.airspace.hazards import (
     Hazards,
     hazard_count,
     hazard_distance,
-    hazard_growth,
     hazard_speed,
+    hazard_uncertainty_rate,
 )
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vectors
 
-MOST_GROWTH = 12.0
+MAX_UNCERTAINTY = 12.0
 """The doubt about a position grows no further than this [m]."""
 
 
 class Clearance(NamedTuple):
-    """What was found along a track."""
+    """What was found along a trajectory."""
 
     least: float
     """Least clearance, not looked for above what was called enough [m]."""
     lost: float
-    """Time from the start of the track until too little is left [s]; infinite if never."""
+    """Time from the start of the trajectory until too little is left [s]; infinite if never."""
     hazard: int
     """The one that is nearest, or lost to; -1 if all leave enough."""
 
@@ -35,39 +35,41 @@ class Clearance(NamedTuple):
 @compiled
 def clearance_along(
     hazards: Hazards,
-    track: Vectors,
+    trajectory: Vectors,
     t: float,
     dt: float,
     speed: float,
-    growth: float,
+    uncertainty_rate: float,
     enough: float,
     too_little: float,
     suspect: int,
 ) -> Clearance:
-    """Least clearance along a track, and when it falls below a limit.
+    """Least clearance along a trajectory, and when it falls below a limit.
 
     Args:
         hazards: what to keep clear of.
-        track: positions (N, 3), NED [m].
+        trajectory: positions (N, 3), NED [m].
         t: time of the first one, on the clock of the obstacles [s].
         dt: time between two [s].
-        speed: largest over ground along the track [m/s].
-        growth: of the doubt about the own position [m/s].
+        speed: largest over ground along the trajectory [m/s].
+        uncertainty_rate: of the doubt about the own position [m/s].
         enough: a clearance above this is as good as any [m].
-        too_little: the track is lost below this [m]; if it is `enough`, the first loss that is
+        too_little: the trajectory is lost below this [m]; if it is `enough`, the first loss that is
             found ends the search, and may not be the earliest.
         suspect: the hazard to look at first.
     """
-    count, end = hazard_count(hazards), len(track)
+    count, end = hazard_count(hazards), len(trajectory)
     least, hazard = enough, -1
     for n in range(count):
         i = (suspect + n) % count
-        grow = (growth + hazard_growth(hazards, i)) * dt
+        grow = (uncertainty_rate + hazard_uncertainty_rate(hazards, i)) * dt
         closing = (speed + hazard_speed(hazards, i)) * dt + grow
         k = 0
         while k < end:
-            p_n = (track[k, 0], track[k, 1], track[k, 2])
-            clearance = hazard_distance(hazards, i, p_n, t + k * dt) - min(k * grow, MOST_GROWTH)
+            p_n = (trajectory[k, 0], trajectory[k, 1], trajectory[k, 2])
+            clearance = hazard_distance(hazards, i, p_n, t + k * dt) - min(
+                k * grow, MAX_UNCERTAINTY
+            )
             if not clearance >= too_little:
                 end, hazard, least = k, i, min(least, clearance)
                 if enough <= too_little:
@@ -79,4 +81,4 @@ def clearance_along(
             if ahead >= end - k:
                 break
             k += max(1, int(ahead))
-    return Clearance(least, end * dt if end < len(track) else math.inf, hazard)
+    return Clearance(least, end * dt if end < len(trajectory) else math.inf, hazard)

@@ -28,9 +28,9 @@ def field(
     from vfguide.scenario.plans import vehicle_of
 
     loaded = load_scenario(scenario)
-    its = vehicle_of(loaded.scenario, vehicle)
-    fields = fields_at(loaded, its, read_points(points), law or loaded.scenario.law)
-    typer.echo(json.dumps([its._asdict() for its in fields], indent=1, allow_nan=False))
+    each = vehicle_of(loaded.scenario, vehicle)
+    fields = fields_at(loaded, each, read_points(points), law or loaded.scenario.law)
+    typer.echo(json.dumps([each._asdict() for each in fields], indent=1, allow_nan=False))
 
 
 def add_to(app: typer.Typer) -> None:

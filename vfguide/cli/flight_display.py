@@ -93,7 +93,7 @@ def least_distances(result: Result) -> list[str]:
     if nearest := closest(result):
         where = f"vehicle {nearest.vehicle}, {nearest.obstacle}"
         distances.append(f"clearance {nearest.clearance:.2f} m ({where})")
-    fences = [(its.fence_clearance_m, its.id) for its in result.vehicles]
+    fences = [(each.fence_clearance_m, each.id) for each in result.vehicles]
     if known := [(least, sysid) for least, sysid in fences if least is not None]:
         least, sysid = min(known)
         distances.append(f"distance inside the fence {least:.2f} m (vehicle {sysid})")
@@ -106,13 +106,13 @@ def assurance_lines(result: Result) -> list[str]:
     """Where the assurance acted: how often, for how long, and whether nothing was clear."""
     lines: list[str] = []
     for vehicle in result.vehicles:
-        its = vehicle.assurance
-        if its is None or not its.episodes:
+        each = vehicle.assurance
+        if each is None or not each.episodes:
             continue
-        times = len(its.episodes)
-        share = f"{100.0 * (its.acting_share or 0.0):.1f} % of its setpoints"
+        times = len(each.episodes)
+        share = f"{100.0 * (each.acting_share or 0.0):.1f} % of its setpoints"
         line = f"assurance: vehicle {vehicle.id} escaped {times} time{'s'[: times > 1]}, {share}"
-        if its.least_bad:
-            line += f"; NOTHING WAS CLEAR for {its.least_bad} of them"
+        if each.least_bad:
+            line += f"; NOTHING WAS CLEAR for {each.least_bad} of them"
         lines.append(line)
     return lines

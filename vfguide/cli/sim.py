@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from vfguide.scenario.load import LoadedScenario
     from vfguide.scenario.resolved import Scenario, Vehicle
-    from vfguide.sim.real_time_pacing import Pace
+    from vfguide.sim.real_time_pacing import RealTimePacing
     from vfguide.sim.realtime import Station
     from vfguide.sim.vehicle import Vehicle as SimVehicle
 
@@ -52,8 +52,8 @@ def sim(
         sockets = open_sockets(loaded.scenario, stack)
         observe = truth_writer(log, stack)
         stations = [
-            station_of(loaded, vehicle, *its)
-            for vehicle, its in zip(loaded.scenario.vehicles, sockets, strict=True)
+            station_of(loaded, vehicle, *each)
+            for vehicle, each in zip(loaded.scenario.vehicles, sockets, strict=True)
         ]
         warm_up(simulate(loaded, loaded.scenario.vehicles[0]))
         for station in stations:
@@ -119,7 +119,7 @@ def describe(station: "Station") -> str:
     )
 
 
-def lateness(pace: "Pace") -> str:
+def lateness(pace: "RealTimePacing") -> str:
     """How well the machine kept up."""
     lost = f", {pace.lost:.1f} s given up" if pace.lost else ""
     return f"at most {pace.worst * 1e3:.0f} ms late{lost}"

@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.companion.knowledge import elapsed
-from vfguide.companion.traffic import Own, Report, placed_at
+from vfguide.companion.traffic import Ownship, Report, placed_at
 from vfguide.geometry.vector import Vec3, sub
 
 HORIZON = 30.0
@@ -72,12 +72,15 @@ def _level(z: float, v_z: float, half_height: float) -> tuple[float, float]:
     return (min(one, other), max(one, other))
 
 
-def look(alert: Alert, report: Report, own: Own) -> tuple[Alert, str]:
+def look(alert: Alert, report: Report, ownship: Ownship) -> tuple[Alert, str]:
     """The alert after another look, and what the operator should read; empty: nothing new."""
-    its = report.intruder
-    age = max(0.0, elapsed(report.time_ms, own.time_ms))
-    radius, half_height = its.radius + age * its.growth, its.half_height + age * its.growth_up
-    x_n, v_n = sub(placed_at(report, own.time_ms), own.p_n), sub(its.v_n, own.v_n)
+    each = report.intruder
+    age = max(0.0, elapsed(report.time_ms, ownship.time_ms))
+    radius, half_height = (
+        each.radius + age * each.uncertainty_rate,
+        each.half_height + age * each.uncertainty_rate_up,
+    )
+    x_n, v_n = sub(placed_at(report, ownship.time_ms), ownship.p_n), sub(each.v_n, ownship.v_n)
     met = encounter(x_n, v_n, radius, half_height)
     wide = encounter(x_n, v_n, WIDER * radius, WIDER * half_height)
     conflicts = (*alert.conflicts, met.violates)[-LOOKS:]

@@ -90,8 +90,8 @@ UNSEEN = "not seen well enough, flown as it was known before: {names}"
 
 def identified_notes(found: Identified) -> list[str]:
     """What a test flight has shown."""
-    seen = [str(its) for its in found.findings if its.used]
-    unseen = [its.key for its in found.findings if not its.used]
+    seen = [str(each) for each in found.estimates if each.used]
+    unseen = [each.key for each in found.estimates if not each.used]
     lists = ((MEASURED, seen), (UNSEEN, unseen))
     return [note.format(names=", ".join(names)) for note, names in lists if names]
 

@@ -7,20 +7,20 @@ from vfguide.assurance.decision import Reason
 from vfguide.companion.loop_report import decision_of_row, goal_of_row, route_of_row
 from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
-from vfguide.paths.dubins import Word, length_of
-from vfguide.paths.edge import hop_in
+from vfguide.paths.dubins import DubinsPath, length_of
+from vfguide.paths.edge import edge_in
 from vfguide.planning.replanning import LOOK, SEEK
-from vfguide.planning.route_following import RouteState
+from vfguide.planning.route_following import RouteFollowing
 
 QUIET = 1.0
 """Two notes of a kind are at least so far apart, and an escape is over after so long [s]."""
 BACK = "back on the way"
-NO_WAY = "no way to goal {goal} found among what is known: only the assurance keeps it clear"
-WAY_AGAIN = "the way to goal {goal} is clear again"
+NO_ROUTE = "no way to goal {goal} found among what is known: only the assurance keeps it clear"
+ROUTE_AGAIN = "the way to goal {goal} is clear again"
 NOTHING_CLEAR = "NOTHING IS CLEAR: {what}, the least bad is flown, take over if you can"
 
 
-class Lookout:
+class HazardAnnunciator:
     """Tells what a companion does among hazards; it remembers what was told."""
 
     def __init__(self, plan: Plan) -> None:
@@ -51,7 +51,7 @@ class Lookout:
             return [BACK]
         new, self._acted = self._acted is None, now
         what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
-        if decision.reason == Reason.LEAST_BAD:
+        if decision.reason == Reason.BEST_EFFORT:
             return self._tell("nothing", NOTHING_CLEAR.format(what=what), now)
         return self._tell("escape", f"escape: {what}", now) if new else []
 
@@ -64,13 +64,13 @@ class Lookout:
             self._sought = sought
             if route.clearance > 0.0:
                 self._lost = None
-                return self._tell("way", way_note(route), now)
+                return self._tell("way", route_summary(route), now)
             if self._lost is None:
                 self._lost = goal
-                return self._tell("no way", NO_WAY.format(goal=goal + 1), now)
+                return self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
         elif self._lost is not None and route.looked - sought > SEEK + LOOK:
             self._lost = None  # it was looked along without need to search
-            return [WAY_AGAIN.format(goal=goal + 1)]
+            return [ROUTE_AGAIN.format(goal=goal + 1)]
         return []
 
     def _tell(self, kind: str, note: str, now: float) -> list[str]:
@@ -88,19 +88,19 @@ def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
 
 
-def way_note(route: RouteState) -> str:
+def route_summary(route: RouteFollowing) -> str:
     """How the way round winds, and how long it is; or how high it is over what is in it."""
     if math.isfinite(route.level) and route.length == 0:
         return f"over what is in the way, at {-route.level:.0f} m"
-    hops = route.length or route.present + 1  # the last one flies as the leg's own
-    words = [hop_in(route.hops, i).word for i in range(hops)]
-    sides = [side for word in words for side in sides_of(word)]
+    route_edges = route.length or route.present + 1  # the last one flies as the leg's own
+    paths = [edge_in(route.route_edges, i).path for i in range(route_edges)]
+    sides = [side for path in paths for side in sides_of(path)]
     turns = sum(one != other for one, other in pairwise((0.0, *sides)) if other != 0.0)
-    length = route.radius * sum(length_of(word) for word in words)
+    length = route.radius * sum(length_of(path) for path in paths)
     return f"a way round: {turns} turn{'s' if turns != 1 else ''}, {length:.0f} m"
 
 
-def sides_of(word: Word) -> list[float]:
+def sides_of(path: DubinsPath) -> list[float]:
     """To which side each part of a word that is longer than a degree turns, 0 for a straight."""
-    parts = ((word.first, word.arc), (word.middle, word.reach), (word.last, word.end))
+    parts = ((path.first, path.arc), (path.middle, path.reach), (path.last, path.end))
     return [side for side, length in parts if length > 0.0175]

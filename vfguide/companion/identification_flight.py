@@ -19,7 +19,7 @@ from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.detection import in_sight
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.companion.plan import Plan
-from vfguide.estimation.local_frame import Measurement, place_told
+from vfguide.estimation.local_frame import Measurement, place_measured
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
@@ -67,7 +67,7 @@ class Manoeuvre(NamedTuple):
     """On its way, no farther than SPACING apart, NED [m]."""
 
 
-class Trial:
+class IdentificationFlight:
     """The test flight of one vehicle."""
 
     def __init__(self, plan: Plan) -> None:
@@ -92,7 +92,7 @@ class Trial:
         The turns go to the side with more room among what is known of the `hazards` at the time
         `t` [s]; None: there is too little on both.
         """
-        state, wide = place_told(heard, self._then.origin), with_wide_turns(self._then)
+        state, wide = place_measured(heard, self._then.origin), with_wide_turns(self._then)
         layouts = [circuit(state, wide, side) for side in (1.0, -1.0)]
         rooms = [least_room(legs, hazards, t) for legs in layouts]
         if max(rooms) < NEEDED + 0.5 * SPACING:
@@ -114,7 +114,7 @@ class Trial:
 
         The airspeed counts only if the companion `trusts` its sensor.
         """
-        told = place_told(heard, self._then.origin)
+        told = place_measured(heard, self._then.origin)
         airspeed = told.airspeed if trusts else math.nan
         (roll_rate, _, _), (roll_rate_asked, _, _) = heard.omega_b, setpoint.omega_b
         asked = (roll_rate_asked, setpoint.thrust, delay)
@@ -145,7 +145,7 @@ class Trial:
         """What is flown after it; `found` None: it has shown nothing."""
         if found is None:
             return self._then
-        seen = any(finding.key == "roll_s" and finding.used for finding in found.findings)
+        seen = any(finding.key == "roll_s" and finding.used for finding in found.estimates)
         roll_time = found.roll_time if seen else self._then.roll_time
         return replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
 

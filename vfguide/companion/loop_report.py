@@ -11,7 +11,7 @@ goal_of_row = getter(LoopState, "mission.goal")
 """Index of the goal that is flown to."""
 decision_of_row = getter(LoopState, "assurance.decision")
 """What the assurance decided last."""
-route_of_row = getter(LoopState, "planning.detour")
+route_of_row = getter(LoopState, "planning.following")
 """The route round hazards."""
 number_of_resets = getter(LoopState, "estimation.resets.number")
 """How often the position has jumped."""

@@ -8,7 +8,7 @@ from vfguide.aircraft.gain_scheduling import FAST, suited
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
-from vfguide.airspace.keep_out import NO_FENCE, Outlines
+from vfguide.airspace.keep_out import NO_FENCE, KeepOutZones
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
@@ -41,7 +41,7 @@ class Plan:
     """What to keep clear of; None: nothing."""
     hazard_names: tuple[str, ...] = ()
     """What the operator calls them, by their numbers."""
-    fence: Outlines = NO_FENCE
+    fence: KeepOutZones = NO_FENCE
     """Its fence as the search for ways takes it."""
     epoch: int = 0
     """When the obstacles are at their places [us since 1970]."""

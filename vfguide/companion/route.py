@@ -20,8 +20,8 @@ from vfguide.companion.annunciations import (
     progress_notes,
     route_note,
 )
-from vfguide.companion.hazard_annunciations import Lookout
-from vfguide.companion.identification_flight import Trial
+from vfguide.companion.hazard_annunciations import HazardAnnunciator
+from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
 from vfguide.companion.loop_report import (
     Noted,
@@ -35,7 +35,7 @@ from vfguide.companion.loop_report import (
 )
 from vfguide.companion.plan import Plan
 from vfguide.companion.surveillance import Surveillance
-from vfguide.companion.traffic import Own, Picture
+from vfguide.companion.traffic import Ownship, Picture
 from vfguide.estimation.air_state import AirReport
 from vfguide.estimation.local_frame import Measurement, Quaternion, measurement_numbers, place_state
 from vfguide.geometry.rows import Row
@@ -74,12 +74,12 @@ class Route:
         self.identified: Identified | None = None
         """The aircraft as a test flight has shown it."""
         self._step = step
-        self._trial = Trial(plan) if plan.identify else None
+        self._identification = IdentificationFlight(plan) if plan.identify else None
         obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
         self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
-        self._lookout = Lookout(plan)
+        self._lookout = HazardAnnunciator(plan)
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._stepped: int | None = None
         self._began = 0
@@ -89,7 +89,7 @@ class Route:
     @property
     def is_testing(self) -> bool:
         """Whether a test flight goes before the first goal now."""
-        return self._trial is not None
+        return self._identification is not None
 
     @property
     def air(self) -> AirReport:
@@ -117,8 +117,8 @@ class Route:
         t = obstacle_time(known, self.plan.epoch, self._began)
         now_ms = known.attitude.time_boot_ms
         if self._surveillance.is_due(now_ms):
-            own = place_state(state, self.plan.origin)
-            self.notes += self._surveillance.look(Own(now_ms, own.p_n, own.v_n))
+            ownship = place_state(state, self.plan.origin)
+            self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
         hazards = self.plan.hazards
         if hazards is not None:
             hazards = self._surveillance.among(hazards, now_ms, t)
@@ -134,8 +134,8 @@ class Route:
             None if hazards is None else Airspace(hazards, plan.fence, t, GUST),
             plan.law,
             plan.vehicle_row
-            if self._trial is None
-            else self._trial.vehicle_row(goal_of_row(before)),
+            if self._identification is None
+            else self._identification.vehicle_row(goal_of_row(before)),
         )
         if follows:
             self._state = after
@@ -144,9 +144,9 @@ class Route:
                 self._jumped |= number_of_resets(after) != number_of_resets(before)
             self.notes += self._lookout.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
-        if follows and self._trial is not None:
-            self._trial.take(state, setpoint, delay, trusts_sensor_of_row(after))
-            self._test(self._trial)
+        if follows and self._identification is not None:
+            self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
+            self._test(self._identification)
         elif follows:
             self.notes += progress_notes(before, after)
             if math.isfinite(miss):
@@ -170,7 +170,7 @@ class Route:
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
         before = state_of_row(self._state)
-        if self._trial is None:
+        if self._identification is None:
             self._state = row_of_state(take_over(before))
             self.notes.append(route_note(before.mission.goal, self.plan))
             return
@@ -178,30 +178,30 @@ class Route:
         if hazards is not None:
             p_n = place_state(state, self.plan.origin).p_n
             hazards = in_sight(hazards, before.detection.known.copy(), p_n, t)
-        if name := self._trial.begin(state, hazards, t):
+        if name := self._identification.begin(state, hazards, t):
             self.notes.append(TESTING.format(what=name))
-            self.plan = self._trial.plan
+            self.plan = self._identification.plan
         else:
-            self._end_test(self._trial, NO_ROOM)
+            self._end_test(self._identification, NO_ROOM)
 
-    def _test(self, trial: Trial) -> None:
+    def _test(self, identification: IdentificationFlight) -> None:
         """Go on with the test flight; after it the goals are flown to with what it has shown."""
         if decision_of_row(self._state).reason != Reason.CLEAR:
-            self._end_test(trial, BROKEN_OFF)
+            self._end_test(identification, BROKEN_OFF)
             return
-        if trial.is_stuck(goal_of_row(self._state)):
+        if identification.is_stuck(goal_of_row(self._state)):
             self._state = row_of_state(leave_goal(state_of_row(self._state)))
         leg = goal_of_row(self._state)
-        if name := trial.enters(leg):
+        if name := identification.enters(leg):
             self.notes.append(TESTING.format(what=name))
-        if trial.is_over(leg):
-            self.identified = trial.identify()
-            self._end_test(trial, *identified_notes(self.identified))
+        if identification.is_over(leg):
+            self.identified = identification.identify()
+            self._end_test(identification, *identified_notes(self.identified))
 
-    def _end_test(self, trial: Trial, *notes: str) -> None:
+    def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
         """Fly to the goals, with what the test flight has shown if it has."""
-        before, after = self.plan.aircraft, trial.plan_after(self.identified)
-        self._trial, self.plan, self._lookout = None, after, Lookout(after)
+        before, after = self.plan.aircraft, identification.plan_after(self.identified)
+        self._identification, self.plan, self._lookout = None, after, HazardAnnunciator(after)
         s = forget_learned(state_of_row(self._state), before, after.aircraft)
         self._state = row_of_state(begin_leg(s, 0, no_attempts()))
         self.notes += (*notes, route_note(0, after))

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.companion.alerts import Alert, look
 from vfguide.companion.knowledge import elapsed
-from vfguide.companion.traffic import Own, Picture, Report, placed_at
+from vfguide.companion.traffic import Ownship, Picture, Report, placed_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.vector import norm, sub
 from vfguide.link.messages import AdsbVehicle
@@ -38,16 +38,16 @@ class Surveillance:
             return False
         return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK
 
-    def look(self, own: Own) -> list[str]:
+    def look(self, ownship: Ownship) -> list[str]:
         """Look round; returns what the operator should read."""
-        self._looked = own.time_ms
-        self._picture.forget(own.time_ms)
-        others = [its for its in self._picture.others(own) if within_reach(its, own)]
-        self._near = tuple(its.icao for its in others)[:NEAREST]
+        self._looked = ownship.time_ms
+        self._picture.forget(ownship.time_ms)
+        others = [each for each in self._picture.others(ownship) if within_reach(each, ownship)]
+        self._near = tuple(each.icao for each in others)[:NEAREST]
         before, self._alerts = self._alerts, {}
         notes: list[str] = []
-        for its in others:
-            self._alerts[its.icao], note = look(before.get(its.icao, Alert()), its, own)
+        for each in others:
+            self._alerts[each.icao], note = look(before.get(each.icao, Alert()), each, ownship)
             notes += [note] if note else []
         return notes
 
@@ -58,18 +58,18 @@ class Surveillance:
     def rows(self, now_ms: int, t: float) -> Rows:
         """The others in reach for the step at the autopilot's time `now_ms`, `t` [s]."""
         reports = (self._picture.newest(icao) for icao in self._near)
-        return rows_of([its for its in reports if its is not None], now_ms, t)
+        return rows_of([each for each in reports if each is not None], now_ms, t)
 
 
 def rows_of(reports: Sequence[Report], now_ms: int, t: float) -> Rows:
     """The rows of reports on the clock of the obstacles, which is at `t` [s] at `now_ms`."""
     return traffic_rows(
-        [its.intruder._replace(time=t - elapsed(its.time_ms, now_ms)) for its in reports]
+        [each.intruder._replace(time=t - elapsed(each.time_ms, now_ms)) for each in reports]
     )
 
 
-def within_reach(its: Report, own: Own) -> bool:
+def within_reach(each: Report, ownship: Ownship) -> bool:
     """Whether the two can meet soon."""
-    apart = norm(sub(placed_at(its, own.time_ms), own.p_n)) - its.intruder.radius
-    closing = norm(its.intruder.v_n) + its.intruder.growth + norm(own.v_n)
+    apart = norm(sub(placed_at(each, ownship.time_ms), ownship.p_n)) - each.intruder.radius
+    closing = norm(each.intruder.v_n) + each.intruder.uncertainty_rate + norm(ownship.v_n)
     return apart <= REACH * closing

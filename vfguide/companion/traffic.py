@@ -46,8 +46,8 @@ class Volume(NamedTuple):
     radius: float = 50.0
     half_height: float = 30.0
     """[m]."""
-    growth: float = 3.0
-    growth_up: float = 1.5
+    uncertainty_rate: float = 3.0
+    uncertainty_rate_up: float = 1.5
     """Of both with the age of a report [m/s]."""
 
 
@@ -73,7 +73,7 @@ class Heard(NamedTuple):
     """A later one that did not fit; None: none since."""
 
 
-class Own(NamedTuple):
+class Ownship(NamedTuple):
     """Where the own vehicle is at a time, in the frame of the plan."""
 
     time_ms: int
@@ -106,24 +106,24 @@ def velocity_of(said: AdsbVehicle) -> Vec3:
 
 def volume_of(said: AdsbVehicle, volume: Volume) -> Volume:
     """What to keep out of, larger or growing faster where something is not told."""
-    radius, half_height, growth, growth_up = volume
+    radius, half_height, uncertainty_rate, uncertainty_rate_up = volume
     if not said.flags & AdsbFlags.VALID_ALTITUDE:
         half_height = ANY_HEIGHT
     elif said.altitude_type == AdsbAltitudeType.PRESSURE_QNH:
         half_height += BARO_DOUBT
     if not said.flags & AdsbFlags.VALID_VELOCITY:
-        growth += FASTEST
+        uncertainty_rate += FASTEST
     elif not said.flags & AdsbFlags.VALID_HEADING:
-        growth += said.hor_velocity * CM_S
+        uncertainty_rate += said.hor_velocity * CM_S
     if not said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID:
-        growth_up += STEEPEST
-    return Volume(radius, half_height, growth, growth_up)
+        uncertainty_rate_up += STEEPEST
+    return Volume(radius, half_height, uncertainty_rate, uncertainty_rate_up)
 
 
 def placed_at(report: Report, time_ms: int) -> Vec3:
     """Where it is at a time if it flies straight on, NED [m]."""
-    its = report.intruder
-    return add(its.p_n, scale(elapsed(report.time_ms, time_ms), its.v_n))
+    each = report.intruder
+    return add(each.p_n, scale(elapsed(report.time_ms, time_ms), each.v_n))
 
 
 def fits(before: Report, after: Report) -> bool:
@@ -132,10 +132,10 @@ def fits(before: Report, after: Report) -> bool:
     return apart <= JUMP + SWIFT * abs(elapsed(before.time_ms, after.time_ms))
 
 
-def is_echo(report: Report, own: Own) -> bool:
+def is_ownship_echo(report: Report, ownship: Ownship) -> bool:
     """Whether it is where the own vehicle is and flies as it does."""
-    near = norm(sub(placed_at(report, own.time_ms), own.p_n)) < ECHO
-    return near and norm(sub(report.intruder.v_n, own.v_n)) < ECHO_SPEED
+    near = norm(sub(placed_at(report, ownship.time_ms), ownship.p_n)) < ECHO
+    return near and norm(sub(report.intruder.v_n, ownship.v_n)) < ECHO_SPEED
 
 
 class Picture:
@@ -185,15 +185,21 @@ class Picture:
     def forget(self, now_ms: int) -> None:
         """Drop those not heard of for too long; an autopilot that began anew counts as that."""
         self._heard = {
-            icao: its
-            for icao, its in self._heard.items()
-            if abs(elapsed(its.report.time_ms, now_ms)) < FORGOTTEN
+            icao: each
+            for icao, each in self._heard.items()
+            if abs(elapsed(each.report.time_ms, now_ms)) < FORGOTTEN
         }
 
-    def others(self, own: Own) -> list[Report]:
+    def others(self, ownship: Ownship) -> list[Report]:
         """All but the own echo, the nearest first."""
-        there = (its.report for its in self._heard.values() if not is_echo(its.report, own))
-        return sorted(there, key=lambda its: norm(sub(placed_at(its, own.time_ms), own.p_n)))
+        there = (
+            each.report
+            for each in self._heard.values()
+            if not is_ownship_echo(each.report, ownship)
+        )
+        return sorted(
+            there, key=lambda each: norm(sub(placed_at(each, ownship.time_ms), ownship.p_n))
+        )
 
     def newest(self, icao: int) -> Report | None:
         """The newest report of one; None: it is forgotten."""

@@ -6,7 +6,7 @@ of the paper leads the attitude to it, and the rates keep bank and load factor i
 
 from typing import NamedTuple
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import RateSetpoint
@@ -46,7 +46,7 @@ def fresh_control() -> ControlState:
 
 @compiled
 def update(
-    nav: NavState, command: Wish, s: ControlState, vehicle: Vehicle
+    nav: NavState, command: GuidanceCommand, s: ControlState, vehicle: Vehicle
 ) -> tuple[RateSetpoint, ControlState]:
     """Body rates and thrust for a command, not limited yet."""
     if vehicle.is_point:
@@ -75,7 +75,7 @@ def update(
 
 @compiled
 def point_nose(
-    nav: NavState, command: Wish, s: ControlState, vehicle: Vehicle
+    nav: NavState, command: GuidanceCommand, s: ControlState, vehicle: Vehicle
 ) -> tuple[RateSetpoint, ControlState]:
     """The same for a body without weight: its x axis leads, R_na = Rz(azimuth) Ry(gamma) Rx(bank).
 

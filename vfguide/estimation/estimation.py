@@ -10,7 +10,13 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.air_data import sense_air
 from vfguide.estimation.air_state import AIRSPEED, AirState, fresh_air, sigma
-from vfguide.estimation.position_resets import Jumps, follow_jumps, no_jumps, settled, smoothed
+from vfguide.estimation.position_resets import (
+    PositionResets,
+    follow_resets,
+    no_resets,
+    settled,
+    smoothed,
+)
 from vfguide.estimation.vertical_wind import feel_rise
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
@@ -43,7 +49,7 @@ class EstimationState(NamedTuple):
     p_n: Vec3
     v_n: Vec3
     """Position [m] and velocity over ground [m/s] at the step before, NED."""
-    resets: Jumps
+    resets: PositionResets
     air: AirState
 
 
@@ -74,7 +80,7 @@ class NavState(NamedTuple):
 def fresh_estimation() -> EstimationState:
     """Nothing is known yet."""
     zero = (0.0, 0.0, 0.0)
-    return EstimationState(-1.0, False, zero, zero, no_jumps(), fresh_air())
+    return EstimationState(-1.0, False, zero, zero, no_resets(), fresh_air())
 
 
 @compiled
@@ -101,7 +107,7 @@ def update(
     if not inputs.is_exact:
         told, air = sense(inputs, thrust, air, vehicle)
     elapsed = told.time - s.time
-    resets = follow_jumps(s.resets, (s.p_n, s.v_n), told, elapsed if s.is_continuous else 0.0)
+    resets = follow_resets(s.resets, (s.p_n, s.v_n), told, elapsed if s.is_continuous else 0.0)
     state = smoothed(told, resets)
     nav = NavState(
         state,

@@ -69,7 +69,7 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
 
 
 @compiled
-def place_told(m: Measurement, origin: Vec3) -> FlightState:
+def place_measured(m: Measurement, origin: Vec3) -> FlightState:
     """The same at the time of the attitude: nothing is predicted."""
     return place_state(_at_attitude(m, 0.0), origin)
 

@@ -25,7 +25,7 @@ SMALL = 1.0
 """Above this difference no goal counts as passed [m]."""
 
 
-class Jumps(NamedTuple):
+class PositionResets(NamedTuple):
     """Memory of the jumps."""
 
     offset_n: Vec3
@@ -39,13 +39,15 @@ class Jumps(NamedTuple):
 
 
 @compiled
-def no_jumps() -> Jumps:
+def no_resets() -> PositionResets:
     """Nothing has jumped yet."""
-    return Jumps((0.0, 0.0, 0.0), 0, 0.0, 0.0)
+    return PositionResets((0.0, 0.0, 0.0), 0, 0.0, 0.0)
 
 
 @compiled
-def follow_jumps(jumps: Jumps, before: tuple[Vec3, Vec3], told: FlightState, dt: float) -> Jumps:
+def follow_resets(
+    jumps: PositionResets, before: tuple[Vec3, Vec3], told: FlightState, dt: float
+) -> PositionResets:
     """The jumps after a step of `dt` [s].
 
     Args:
@@ -56,25 +58,25 @@ def follow_jumps(jumps: Jumps, before: tuple[Vec3, Vec3], told: FlightState, dt:
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST:
-        return Jumps((0.0, 0.0, 0.0), jumps.number, jumps.size, 0.0)
+        return PositionResets((0.0, 0.0, 0.0), jumps.number, jumps.size, 0.0)
     moved = scale(0.5 * dt, add(v_n, told.v_n))
     off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
     age = jumps.age + dt
     left = scale(math.exp(-dt / DECAY), jumps.offset_n) if age > PATIENCE else jumps.offset_n
     size = norm(off)
     if not size > LEAST + BOUND * dt * dt:
-        return Jumps(left, jumps.number, jumps.size, age)
-    return Jumps(add(jumps.offset_n, off), jumps.number + 1, size, 0.0)
+        return PositionResets(left, jumps.number, jumps.size, age)
+    return PositionResets(add(jumps.offset_n, off), jumps.number + 1, size, 0.0)
 
 
 @compiled
-def smoothed(told: FlightState, jumps: Jumps) -> FlightState:
+def smoothed(told: FlightState, jumps: PositionResets) -> FlightState:
     """The state to fly on: the told one less what has not been let in yet."""
     p_n = sub(told.p_n, jumps.offset_n)
     return FlightState(told.time, p_n, told.v_n, told.R_nb, told.airspeed, told.wind_n)
 
 
 @compiled
-def settled(jumps: Jumps) -> bool:
+def settled(jumps: PositionResets) -> bool:
     """Whether the place that is flown on is the one that is told."""
     return norm(jumps.offset_n) < SMALL

@@ -83,7 +83,9 @@ def leaves(kind: Any, name: str = "", expression: str = "r") -> Iterator[Leaf]:
     if kind in (float, int, bool):
         yield Leaf(kind, name, expression)
     elif get_origin(kind) is Annotated:
-        yield Leaf(next(its for its in get_args(kind) if isinstance(its, Shape)), name, expression)
+        yield Leaf(
+            next(each for each in get_args(kind) if isinstance(each, Shape)), name, expression
+        )
     elif get_origin(kind) is tuple:
         for index, part in enumerate(get_args(kind)):
             yield from leaves(part, joined(name, str(index)), f"{expression}[{index}]")

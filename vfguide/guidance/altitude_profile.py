@@ -7,13 +7,13 @@ from vfguide.aircraft.performance import Performance, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.distance_for_altitude import LINE_UP, SLOPE_RATE, profile_height
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 STANDOFF = 0.35
 """The distance to the goal is not taken below this in the profile, in turn lengths."""
 LOITER_HORIZON = 2.35
 """Distance over which a loitering vehicle takes away an error of height, in turn lengths."""
-SOON = 0.45
+SMALL_ERROR_DISTANCE = 0.45
 """A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
 GENTLE = 0.06
 """... a larger one with this slope."""
@@ -25,12 +25,12 @@ lengths and half of LINE_UP: it is what air that sinks can take."""
 @compiled
 def plan_slope(
     state: FlightState,
-    target: Target,
+    target: GuidanceTarget,
     aircraft: Performance,
     airspeed: float,
     remaining: float,
     groundspeed: float,
-    wider: float,
+    radius_factor: float,
     before: float,
     dt: float,
 ) -> float:
@@ -43,7 +43,7 @@ def plan_slope(
         airspeed: true airspeed to fly [m/s]; distances and rates scale with it.
         remaining: path over ground to the target [m].
         groundspeed: along the course [m/s].
-        wider: by which turns are wider than in level flight, see `steepest_descent`.
+        radius_factor: by which turns are wider than in level flight, see `steepest_descent`.
         before: the slope of the step before.
         dt: time since then [s].
     """
@@ -53,18 +53,20 @@ def plan_slope(
     else:
         wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
     up = airspeed_over_ground(state.airspeed, groundspeed)
-    steepest = steepest_path(wanted, wider, target.slope, aircraft)
+    steepest = steepest_path(wanted, radius_factor, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     change = SLOPE_RATE / airspeed * dt
     return max(before - change, min(before + change, wanted))
 
 
 @compiled
-def steepest_path(slope: float, wider: float, goal_slope: float, aircraft: Performance) -> float:
+def steepest_path(
+    slope: float, radius_factor: float, goal_slope: float, aircraft: Performance
+) -> float:
     """Largest sine of the path angle up or down, as the sign of `slope` says."""
     if slope > 0.0:
         return math.sin(aircraft.climb_max)
-    return math.sin(steepest_descent(aircraft, wider, goal_slope))
+    return math.sin(steepest_descent(aircraft, radius_factor, goal_slope))
 
 
 @compiled
@@ -88,5 +90,5 @@ def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) 
     over = 0.5 * remaining if remaining < line_up else remaining - 0.5 * line_up
     if 0.0 < error < GENTLE * over:
         error = max(0.0, error - GENTLE * max(0.0, over - WAIT * unit))
-    soon = max(SOON * unit, abs(error) / GENTLE)
-    return own - error / max(min(over, soon), 0.5 * STANDOFF * unit)
+    predicted_state = max(SMALL_ERROR_DISTANCE * unit, abs(error) / GENTLE)
+    return own - error / max(min(over, predicted_state), 0.5 * STANDOFF * unit)

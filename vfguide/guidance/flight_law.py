@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, blended, floor_share, path_angle, path_limits
 from vfguide.aircraft.performance import turn_length
@@ -18,8 +18,8 @@ from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.lateral import plan_turn, target_course
 from vfguide.guidance.wind_triangle import Heading, heading_for_course
 from vfguide.paths.course_laws import Course
-from vfguide.paths.leg import AWAY
-from vfguide.planning.leg_planning import soon, wider_by
+from vfguide.paths.leg import OUTBOUND
+from vfguide.planning.leg_planning import predicted_state, radius_factor_of
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import aim_at
 from vfguide.planning.route import Route
@@ -37,7 +37,7 @@ def update(
     airspace: Airspace | None,
     s: GuidanceState,
     vehicle: Vehicle,
-) -> tuple[Wish, GuidanceState]:
+) -> tuple[GuidanceCommand, GuidanceState]:
     """Bank, load factor and path angle that fly the route."""
     state, (aircraft, gains, _) = goal.state, vehicle
     air = sub(state.v_n, state.wind_n)
@@ -61,7 +61,7 @@ def update(
     lift, turning = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, s.turning
     )
-    wish = Wish(
+    command = GuidanceCommand(
         goal.target.course + course.chi,
         heading.psi,
         gamma,
@@ -72,7 +72,7 @@ def update(
         route.leg.phase,
         route.leg.radius,
     )
-    return wish, GuidanceState(slope, turning)
+    return command, GuidanceState(slope, turning)
 
 
 @compiled
@@ -83,11 +83,11 @@ def height_above_floor(state: FlightState, airspace: Airspace | None) -> float:
 
 @compiled
 def wanted_course(goal: Objective, route: Route, vehicle: Vehicle) -> Course:
-    """The course over ground relative to the target's; a circle is flown before any detour."""
+    """The course over ground relative to the target's; a circle is flown before any following."""
     target, (aircraft, gains, _) = goal.target, vehicle
-    ahead = soon(goal.state, gains)
-    if is_on_route(route.detour) and target.circle == 0.0:
-        return route_course(route.detour, ahead, route.leg, target.course)
+    ahead = predicted_state(goal.state, gains)
+    if is_on_route(route.following) and target.circle == 0.0:
+        return route_course(route.following, ahead, route.leg, target.course)
     return target_course(ahead, target, aircraft, gains, route.leg)
 
 
@@ -102,16 +102,16 @@ def wanted_slope(
     vehicle: Vehicle,
 ) -> float:
     """Slope dh/ds over ground of the altitude profile, its rate limited."""
-    state, leg, detour, (aircraft, gains, _) = goal.state, route.leg, route.detour, vehicle
-    remaining = math.inf if leg.phase == AWAY else course.remaining
+    state, leg, following, (aircraft, gains, _) = goal.state, route.leg, route.following, vehicle
+    remaining = math.inf if leg.phase == OUTBOUND else course.remaining
     return plan_slope(
         state,
-        aim_at(detour.level, detour.fall, goal.target, remaining),
+        aim_at(following.level, following.fall, goal.target, remaining),
         aircraft,
         gains.airspeed,
         course.remaining,
         heading.groundspeed,
-        wider_by(leg, state, aircraft, gains),
+        radius_factor_of(leg, state, aircraft, gains),
         s.slope,
         step_time(nav),
     )

@@ -13,7 +13,7 @@ from vfguide.paths.course_laws import Course, Planar, loiter_course
 from vfguide.paths.leg import Leg
 from vfguide.paths.leg_phases import leg_course
 from vfguide.planning.leg_planning import in_goal_plane
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
@@ -23,7 +23,7 @@ OPPOSITE = 2.5
 
 @compiled
 def target_course(
-    state: FlightState, target: Target, aircraft: Performance, gains: Gains, leg: Leg
+    state: FlightState, target: GuidanceTarget, aircraft: Performance, gains: Gains, leg: Leg
 ) -> Course:
     """The course over ground of a leg, or round a circle, relative to the target's."""
     at = in_goal_plane(state, target)
@@ -34,7 +34,7 @@ def target_course(
 
 
 @compiled
-def loiter(at: Planar, target: Target, leg: Leg) -> Course:
+def loiter(at: Planar, target: GuidanceTarget, leg: Leg) -> Course:
     """Course round the target's circle, which touches the target's pose."""
     radius = max(target.radius, leg.radius)
     about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)

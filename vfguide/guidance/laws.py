@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from numba.extending import overload
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState
@@ -41,7 +41,7 @@ FLIGHT, PAPER = FlightLaw(), PaperLaw()
 LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "paper": PAPER}
 """The laws as a scenario names them."""
 
-LAWS: dict[type, Callable[..., tuple[Wish, GuidanceState]]] = {
+LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
     FlightLaw: flight_law.update,
     PaperLaw: paper_law.update,
 }
@@ -56,7 +56,7 @@ def update(
     airspace: Airspace | None,
     s: GuidanceState,
     vehicle: Vehicle,
-) -> tuple[Wish, GuidanceState]:
+) -> tuple[GuidanceCommand, GuidanceState]:
     """What the law commands: bank, load factor and path angle.
 
     Args:

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
 from vfguide.aircraft.state import FlightState
@@ -29,7 +29,7 @@ from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.lateral import plan_turn
 from vfguide.guidance.wind_triangle import heading_for_course
-from vfguide.planning.objective import Objective, Target
+from vfguide.planning.objective import GuidanceTarget, Objective
 from vfguide.planning.route import Route
 
 SIGHT = 300.0
@@ -48,7 +48,7 @@ def update(
     airspace: Airspace | None,
     s: GuidanceState,
     vehicle: Vehicle,
-) -> tuple[Wish, GuidanceState]:
+) -> tuple[GuidanceCommand, GuidanceState]:
     """Bank, load factor and path angle that fly the field."""
     if goal.target.circle != 0.0:
         return flight_law.update(nav, goal, route, airspace, s, vehicle)
@@ -67,7 +67,7 @@ def update(
     limits = path_limits(norm(air), gains.airspeed, math.inf, aircraft)
     asked = path_angle(slope, heading.groundspeed, state.wind_n[2], speed)
     gamma, thrust_climb = allowed_path(asked, limits)
-    wish = Wish(
+    command = GuidanceCommand(
         course,
         heading.psi,
         gamma,
@@ -78,12 +78,12 @@ def update(
         route.leg.phase,
         route.leg.radius,
     )
-    return wish, GuidanceState(slope, side)
+    return command, GuidanceState(slope, side)
 
 
 @compiled
 def field_direction(
-    state: FlightState, target: Target, airspace: Airspace | None
+    state: FlightState, target: GuidanceTarget, airspace: Airspace | None
 ) -> tuple[float, float, float]:
     """Course of the composite field, how fast it turns [rad/s], and its climb [rad]."""
     F = composite_field(state, target, airspace)
@@ -97,7 +97,7 @@ def field_direction(
 
 
 @compiled
-def composite_field(state: FlightState, target: Target, airspace: Airspace | None) -> Dual3:
+def composite_field(state: FlightState, target: GuidanceTarget, airspace: Airspace | None) -> Dual3:
     """F_OA or F_CA (Theorem 3, Algorithm 1) and its rate, NED."""
     goal = goal_frame(target.p_n, target.course, math.atan(target.slope))
     p = Dual3(state.p_n, state.v_n)
@@ -117,5 +117,5 @@ def composite_field(state: FlightState, target: Target, airspace: Airspace | Non
 @compiled
 def robot_at(intruder: Intruder, t: float) -> Robot:
     """An intruder at time `t` [s] as the paper's field takes a robot."""
-    way = scale(t - intruder.time, intruder.v_n)
-    return Robot(add(intruder.p_n, way), intruder.v_n)
+    progress = scale(t - intruder.time, intruder.v_n)
+    return Robot(add(intruder.p_n, progress), intruder.v_n)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table, reader, table_of
 from vfguide.geometry.vector import Vec3
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 
 class Goal(NamedTuple):
@@ -35,7 +35,7 @@ class MissionLeg(NamedTuple):
     slope: float
     circle: float
     radius: float
-    """As of a `Target`."""
+    """As of a `GuidanceTarget`."""
 
 
 Legs = Table
@@ -57,7 +57,7 @@ def goal_of(legs: Legs, index: int) -> Goal:
 
 
 @compiled
-def target_of(legs: Legs, index: int) -> Target:
+def target_of(legs: Legs, index: int) -> GuidanceTarget:
     """What to fly to on a leg."""
     leg = read_leg(legs[index])
-    return Target(leg.goal.p_n, leg.goal.course, leg.slope, leg.circle, leg.radius)
+    return GuidanceTarget(leg.goal.p_n, leg.goal.course, leg.slope, leg.circle, leg.radius)

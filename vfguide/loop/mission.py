@@ -12,7 +12,13 @@ from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
 from vfguide.loop.attempts import NEAR, Attempts, at_next, gives_up, no_attempts, once_more
 from vfguide.loop.legs import Goal, Legs, goal_of, target_of
 from vfguide.paths.leg import FIELD
-from vfguide.planning.excess_wind import Stand, in_air_frame, into_wind, new_stand, stand_against
+from vfguide.planning.excess_wind import (
+    WindHold,
+    fresh_wind_hold,
+    in_air_frame,
+    into_wind,
+    update_wind_hold,
+)
 from vfguide.planning.objective import Objective
 
 
@@ -34,7 +40,7 @@ class MissionState(NamedTuple):
     goal: int
     """Index of the goal that is flown to; the number of goals: all are behind it."""
     attempts: Attempts
-    wind_hold: Stand
+    wind_hold: WindHold
 
 
 with_wind_hold = replacing(MissionState, "wind_hold")
@@ -43,7 +49,7 @@ with_wind_hold = replacing(MissionState, "wind_hold")
 @compiled
 def fresh_mission() -> MissionState:
     """At the first goal."""
-    return MissionState(0, no_attempts(), new_stand())
+    return MissionState(0, no_attempts(), fresh_wind_hold())
 
 
 @compiled
@@ -60,7 +66,7 @@ def update(
         vehicle: the airspeed to fly.
     """
     since = nav.elapsed if nav.is_continuous else 0.0
-    hold = stand_against(s.wind_hold, nav.state, vehicle.gains.airspeed, since)
+    hold = update_wind_hold(s.wind_hold, nav.state, vehicle.gains.airspeed, since)
     passage = passage_since(nav, s.goal, phase, legs)
     if hold.holds or not nav.is_settled:
         passage = NO_PASSAGE

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import TURN
 from vfguide.geometry.compiled import compiled
-from vfguide.paths.leg import AWAY, Leg
+from vfguide.paths.leg import OUTBOUND, Leg
 from vfguide.planning.objective import Objective
 
 MARGIN = 5.0
@@ -61,10 +61,10 @@ def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> 
         leg: that is flown.
         flown: distance over ground in the step [m].
     """
-    if leg.phase != AWAY and remaining < progress.least - MARGIN:
+    if leg.phase != OUTBOUND and remaining < progress.least - MARGIN:
         return Progress(remaining, remaining, 0.0, progress.alarmed)
     longest = progress.longest
-    if leg.phase != AWAY:
+    if leg.phase != OUTBOUND:
         longest = max(longest, remaining)
     flown += progress.flown
     enough = TURN * leg.radius + longest - progress.least

@@ -6,7 +6,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.local_frame import Quaternion, place_state, place_told, read_measurement
+from vfguide.estimation.local_frame import Quaternion, place_measured, place_state, read_measurement
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
@@ -44,7 +44,7 @@ def step_measured(
         that was passed [m].
     """
     told = read_measurement(measured)
-    inputs = Inputs(place_state(told, origin), place_told(told, origin), False)
+    inputs = Inputs(place_state(told, origin), place_measured(told, origin), False)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     setpoint, left, outcome = step(inputs, state, legs, airspace, law, aircraft)
     after = np.empty(len(before))

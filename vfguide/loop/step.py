@@ -5,7 +5,7 @@ No clock, no socket, no log: what a step needs are its arguments, and what it le
 
 from typing import NamedTuple
 
-from vfguide.aircraft.command import Wish
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace import detection
@@ -28,7 +28,7 @@ from vfguide.planning import planning
 class Outcome(NamedTuple):
     """What a step tells besides its setpoint, for displays, logs and notes."""
 
-    command: Wish
+    command: GuidanceCommand
     """What is flown: the law's command, or an escape."""
     passage: Passage
     """How the goal that was flown to before this step was passed since."""
@@ -64,7 +64,7 @@ def step(
     route = planning.update(nav, goal, known, law.plans, s.planning, slope, vehicle)
     wanted, guidance_state = laws.update(law, nav, goal, route, known, s.guidance, vehicle)
     command, assurance_state = assurance.update(
-        nav, wanted, known, law.is_assured, route.detour.clearance, s.assurance, vehicle
+        nav, wanted, known, law.is_assured, route.following.clearance, s.assurance, vehicle
     )
     asked, control_state = control.update(nav, command, s.control, vehicle)
     setpoint = limits.apply(asked, vehicle)

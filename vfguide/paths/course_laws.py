@@ -1,10 +1,10 @@
-"""The plane of the approach: which way to fly over ground, and how far it still is.
+"""The plane of the approach: which path to fly over ground, and how far it still is.
 
 Everything here is in the horizontal plane of the goal frame: x along the goal's course,
 y to its right, courses measured from the goal's. The paper's field leads through the goal
 along circles that are tangent to the x axis there; within the two circles of the smallest
 flyable radius it turns too tightly, and beyond the goal it leads far away. There the
-vehicle flies along a way of turns and straights instead (`way`).
+vehicle flies along a path of turns and straights instead (`progress`).
 """
 
 import math

@@ -23,7 +23,7 @@ def profile_height(remaining: float, goal_slope: float, unit: float) -> float:
 
 
 @compiled
-def path_needed(
+def distance_for_altitude(
     height: float,
     remaining: float,
     goal_slope: float,
@@ -38,12 +38,12 @@ def path_needed(
     """
     error = height - profile_height(remaining, goal_slope, unit)
     ramp = RAMP * SLOPE_RATE / (G0 * unit)  # change of slope for each metre
-    begun = max(-slope_max, min(slope_max, -before if error > 0.0 else before))
-    too_steep = 0.5 * begun * abs(begun) / ramp - abs(error)
+    start = max(-slope_max, min(slope_max, -before if error > 0.0 else before))
+    too_steep = 0.5 * start * abs(start) / ramp - abs(error)
     if too_steep > 0.0:
-        return begun / ramp + 2.0 * math.sqrt(too_steep / ramp)
-    peak = math.sqrt(ramp * abs(error) + 0.5 * begun * begun)
+        return start / ramp + 2.0 * math.sqrt(too_steep / ramp)
+    peak = math.sqrt(ramp * abs(error) + 0.5 * start * start)
     if peak <= slope_max:
-        return (2.0 * peak - begun) / ramp
-    ramps = (slope_max - begun) ** 2 + slope_max * slope_max
+        return (2.0 * peak - start) / ramp
+    ramps = (slope_max - start) ** 2 + slope_max * slope_max
     return abs(error) / slope_max + ramps / (2.0 * ramp * slope_max)

@@ -1,4 +1,4 @@
-"""The shortest path of bounded curvature to a pose: Dubins' six words.
+"""The shortest path of bounded curvature to a pose: Dubins' six Dubins paths.
 
 Each has three pieces: two turns, and a straight or a third turn between them (L. E. Dubins, On
 curves of minimal length with a constraint on average curvature, 1957; in the normalised form of
@@ -21,7 +21,7 @@ NEAR = 1.0
 """A straight of less than this is short [turn radii]."""
 
 
-class Word(NamedTuple):
+class DubinsPath(NamedTuple):
     """A turn, a straight or a turn, and a turn."""
 
     first: float
@@ -31,20 +31,20 @@ class Word(NamedTuple):
     middle: float
     """Side of the turn in the middle, 0 where it is straight."""
     reach: float
-    """Of the middle piece [turn radii, or rad]."""
+    """Of the middle segment [turn radii, or rad]."""
     last: float
     """Side of the last turn."""
     end: float
     """Arc of the last turn [rad]."""
 
 
-read_word, write_word = reader(Word), writer(Word)
+read_dubins_path, write_dubins_path = reader(DubinsPath), writer(DubinsPath)
 
 
 @compiled
-def length_of(word: Word) -> float:
+def length_of(path: DubinsPath) -> float:
     """[turn radii]."""
-    return word.arc + word.reach + word.end
+    return path.arc + path.reach + path.end
 
 
 @compiled
@@ -55,7 +55,7 @@ def turn_of(angle: float) -> float:
 
 
 @compiled
-def same_turns(d: float, alpha: float, beta: float, side: float) -> Word:
+def same_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
     """Both turns to the same side; there always is one.
 
     Args:
@@ -68,11 +68,11 @@ def same_turns(d: float, alpha: float, beta: float, side: float) -> Word:
     square = 2.0 + d * d - 2.0 * math.cos(alpha - beta) + 2.0 * d * lever
     line = math.atan2(side * (math.cos(beta) - math.cos(alpha)), d + lever)
     arc, end = turn_of(side * (line - alpha)), turn_of(side * (beta - line))
-    return Word(side, arc, 0.0, math.sqrt(max(square, 0.0)), side, end)
+    return DubinsPath(side, arc, 0.0, math.sqrt(max(square, 0.0)), side, end)
 
 
 @compiled
-def opposite_turns(d: float, alpha: float, beta: float, side: float) -> Word:
+def opposite_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
     """The second turn to the other side; infinitely long where the circles overlap.
 
     Arguments of `same_turns`.
@@ -80,16 +80,16 @@ def opposite_turns(d: float, alpha: float, beta: float, side: float) -> Word:
     lever = side * (math.sin(alpha) + math.sin(beta))
     square = d * d - 2.0 + 2.0 * math.cos(alpha - beta) + 2.0 * d * lever
     if square < 0.0:
-        return Word(side, 0.0, 0.0, math.inf, -side, 0.0)
+        return DubinsPath(side, 0.0, 0.0, math.inf, -side, 0.0)
     straight = math.sqrt(square)
     line = math.atan2(-side * (math.cos(alpha) + math.cos(beta)), d + lever)
     line -= math.atan2(-2.0 * side, straight)
     arc, end = turn_of(side * (line - alpha)), turn_of(side * (line - beta))
-    return Word(side, arc, 0.0, straight, -side, end)
+    return DubinsPath(side, arc, 0.0, straight, -side, end)
 
 
 @compiled
-def three_turns(d: float, alpha: float, beta: float, side: float) -> Word:
+def three_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
     """To one side, to the other by more than half a circle, and back; only close to the goal.
 
     Arguments of `same_turns`.
@@ -97,36 +97,36 @@ def three_turns(d: float, alpha: float, beta: float, side: float) -> Word:
     lever = side * (math.sin(alpha) - math.sin(beta))
     cosine = (6.0 - d * d + 2.0 * math.cos(alpha - beta) - 2.0 * d * lever) / 8.0
     if abs(cosine) > 1.0:
-        return Word(side, 0.0, -side, math.inf, side, 0.0)
+        return DubinsPath(side, 0.0, -side, math.inf, side, 0.0)
     middle = FULL - math.acos(cosine)
     turned = math.atan2(-side * (math.cos(alpha) - math.cos(beta)), d + lever)
     arc = turn_of(0.5 * middle - side * (alpha - turned))
     end = turn_of(side * (beta - alpha) - arc + middle)
-    return Word(side, arc, -side, middle, side, end)
+    return DubinsPath(side, arc, -side, middle, side, end)
 
 
 @compiled
-def is_hasty(word: Word) -> bool:
+def is_hasty(path: DubinsPath) -> bool:
     """Whether a short last turn follows at once on one to the other side: no time to settle."""
-    swings = word.middle == -word.last
-    crosses = word.middle == 0.0 and word.first == -word.last and word.reach < NEAR
-    return word.end < BRIEF and (swings or crosses)
+    swings = path.middle == -path.last
+    crosses = path.middle == 0.0 and path.first == -path.last and path.reach < NEAR
+    return path.end < BRIEF and (swings or crosses)
 
 
 @compiled
-def shorter(word: Word, other: Word) -> Word:
-    """The shorter of two words."""
-    return other if length_of(other) < length_of(word) else word
+def shorter(path: DubinsPath, other: DubinsPath) -> DubinsPath:
+    """The shorter of two Dubins paths."""
+    return other if length_of(other) < length_of(path) else path
 
 
 @compiled
-def shortest_word(x: float, y: float, course: float, radius: float) -> Word:
-    """The shortest word from (x, y) [m] and a course [rad] to the origin along x."""
+def shortest_path(x: float, y: float, course: float, radius: float) -> DubinsPath:
+    """The shortest Dubins path from (x, y) [m] and a course [rad] to the origin along x."""
     d, bearing = math.hypot(x, y) / radius, math.atan2(-y, -x)
     alpha, beta = course - bearing, -bearing
-    word = same_turns(d, alpha, beta, 1.0)
-    word = shorter(word, same_turns(d, alpha, beta, -1.0))
+    path = same_turns(d, alpha, beta, 1.0)
+    path = shorter(path, same_turns(d, alpha, beta, -1.0))
     for side in (1.0, -1.0):
-        word = shorter(word, opposite_turns(d, alpha, beta, side))
-        word = shorter(word, three_turns(d, alpha, beta, side))
-    return word
+        path = shorter(path, opposite_turns(d, alpha, beta, side))
+        path = shorter(path, three_turns(d, alpha, beta, side))
+    return path

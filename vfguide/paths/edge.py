@@ -1,4 +1,4 @@
-"""Hops: words that join poses of the horizontal plane, and places along them."""
+"""Hops: Dubins paths that join poses of the horizontal plane, and places along them."""
 
 import math
 from typing import NamedTuple
@@ -8,7 +8,7 @@ import numpy as np
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, Table, reader, width, writer
-from vfguide.paths.dubins import Word, length_of, opposite_turns, same_turns, three_turns
+from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_turns, three_turns
 from vfguide.paths.path_progress import Pose, after_turn
 
 KINDS = 6
@@ -16,25 +16,25 @@ KINDS = 6
 FARTHEST_THREE = 4.0
 """Apart at most for three turns [radii]."""
 JOINS = 1e-10
-"""A word ends where it should when it is off by no more than this [radii, or rad]."""
+"""A Dubins path ends where it should when it is off by no more than this [radii, or rad]."""
 
-Hops = Table
-"""A `Hop` a row."""
+RouteEdges = Table
+"""A `Edge` a row."""
 
 
-class Hop(NamedTuple):
-    """A word from a pose."""
+class Edge(NamedTuple):
+    """A Dubins path from a pose."""
 
     begin: Pose
-    word: Word
+    path: DubinsPath
 
 
-HOP_COLUMNS = width(Hop)
-"""How many numbers the row of a hop has."""
-read_hop, write_hop = reader(Hop), writer(Hop)
+EDGE_WIDTH = width(Edge)
+"""How many numbers the row of an edge has."""
+read_edge, write_edge = reader(Edge), writer(Edge)
 
 
-class Piece(NamedTuple):
+class Segment(NamedTuple):
     """A turn, or a straight."""
 
     begin: Pose
@@ -45,39 +45,39 @@ class Piece(NamedTuple):
 
 
 @compiled
-def pieces_of(hop: Hop, radius: float) -> tuple[Piece, Piece, Piece]:
-    """The three pieces of a hop."""
-    word, begin = hop.word, hop.begin
-    first = Piece(begin, word.first, radius * word.arc)
-    second = Piece(piece_end(first, radius), word.middle, radius * word.reach)
-    return first, second, Piece(piece_end(second, radius), word.last, radius * word.end)
+def segments_of(edge: Edge, radius: float) -> tuple[Segment, Segment, Segment]:
+    """The three segments of an edge."""
+    path, begin = edge.path, edge.begin
+    first = Segment(begin, path.first, radius * path.arc)
+    second = Segment(segment_end(first, radius), path.middle, radius * path.reach)
+    return first, second, Segment(segment_end(second, radius), path.last, radius * path.end)
 
 
 @compiled
-def pose_along(piece: Piece, gone: float, radius: float) -> Pose:
-    """Where one is `gone` [m] after the beginning of a piece."""
-    begin = piece.begin
-    if piece.side != 0.0:
-        return after_turn(begin, piece.side, gone / radius, radius)
+def pose_along(segment: Segment, travelled: float, radius: float) -> Pose:
+    """Where one is `travelled` [m] after the beginning of a segment."""
+    begin = segment.begin
+    if segment.side != 0.0:
+        return after_turn(begin, segment.side, travelled / radius, radius)
     dx, dy = math.cos(begin.course), math.sin(begin.course)
-    return Pose(begin.x + gone * dx, begin.y + gone * dy, begin.course)
+    return Pose(begin.x + travelled * dx, begin.y + travelled * dy, begin.course)
 
 
 @compiled
-def piece_end(piece: Piece, radius: float) -> Pose:
-    """Where a piece ends."""
-    return pose_along(piece, piece.length, radius)
+def segment_end(segment: Segment, radius: float) -> Pose:
+    """Where a segment ends."""
+    return pose_along(segment, segment.length, radius)
 
 
 @compiled
-def hop_end(hop: Hop, radius: float) -> Pose:
-    """Where a hop ends."""
-    return piece_end(pieces_of(hop, radius)[2], radius)
+def edge_end(edge: Edge, radius: float) -> Pose:
+    """Where an edge ends."""
+    return segment_end(segments_of(edge, radius)[2], radius)
 
 
 @compiled
-def word_of(kind: int, d: float, alpha: float, beta: float) -> Word:
-    """One of the KINDS of words; arguments of `same_turns`."""
+def dubins_path_of(kind: int, d: float, alpha: float, beta: float) -> DubinsPath:
+    """One of the KINDS of Dubins paths; arguments of `same_turns`."""
     side = 1.0 if kind % 2 == 0 else -1.0
     if kind < 2:
         return same_turns(d, alpha, beta, side)
@@ -87,19 +87,19 @@ def word_of(kind: int, d: float, alpha: float, beta: float) -> Word:
 
 
 @compiled
-def is_joined(hop: Hop, end: Pose, radius: float) -> bool:
-    """Whether the hop ends at `end`.
+def is_joined(edge: Edge, end: Pose, radius: float) -> bool:
+    """Whether the edge ends at `end`.
 
     It does not where a turn was taken as none because it nearly was a full circle.
     """
-    there = hop_end(hop, radius)
+    there = edge_end(edge, radius)
     off = math.hypot(there.x - end.x, there.y - end.y) / radius
     return off <= JOINS and abs(wrap(there.course - end.course)) <= JOINS
 
 
 @compiled
-def next_word(begin: Pose, end: Pose, radius: float, above: float) -> Word:
-    """The shortest word from one pose to the other that is longer than `above` [radii].
+def next_path(begin: Pose, end: Pose, radius: float, above: float) -> DubinsPath:
+    """The shortest Dubins path from one pose to the other that is longer than `above` [radii].
 
     Infinitely long where there is none.
     """
@@ -107,42 +107,42 @@ def next_word(begin: Pose, end: Pose, radius: float, above: float) -> Word:
     d, bearing = math.hypot(x, y) / radius, math.atan2(y, x)
     alpha, beta = begin.course - bearing, end.course - bearing
     while True:
-        word = least_word(d, alpha, beta, above)
-        above = length_of(word)
-        if above == math.inf or is_joined(Hop(begin, word), end, radius):
-            return word
+        path = least_path(d, alpha, beta, above)
+        above = length_of(path)
+        if above == math.inf or is_joined(Edge(begin, path), end, radius):
+            return path
 
 
 @compiled
-def least_word(d: float, alpha: float, beta: float, above: float) -> Word:
-    """The shortest word longer than `above` [radii]; other arguments of `same_turns`."""
-    least, best = math.inf, Word(1.0, 0.0, 0.0, math.inf, 1.0, 0.0)
+def least_path(d: float, alpha: float, beta: float, above: float) -> DubinsPath:
+    """The shortest Dubins path longer than `above` [radii]; other arguments of `same_turns`."""
+    least, best = math.inf, DubinsPath(1.0, 0.0, 0.0, math.inf, 1.0, 0.0)
     for kind in range(KINDS if d <= FARTHEST_THREE else KINDS - 2):
-        word = word_of(kind, d, alpha, beta)
-        length = length_of(word)
+        path = dubins_path_of(kind, d, alpha, beta)
+        length = length_of(path)
         if above < length < least:
-            least, best = length, word
+            least, best = length, path
     return best
 
 
 @compiled
-def hop_row(hop: Hop) -> Row:
-    """The row of a hop."""
-    row = np.empty(HOP_COLUMNS)
-    write_hop(hop, row)
+def edge_row(edge: Edge) -> Row:
+    """The row of an edge."""
+    row = np.empty(EDGE_WIDTH)
+    write_edge(edge, row)
     return row
 
 
 @compiled
-def hop_in(rows: Hops, i: int) -> Hop:
-    """The hop in row `i`."""
-    return read_hop(rows[i])
+def edge_in(rows: RouteEdges, i: int) -> Edge:
+    """The edge in row `i`."""
+    return read_edge(rows[i])
 
 
 @compiled
-def way_length(hops: Hops, radius: float) -> float:
-    """Length of all hops [m]."""
+def route_length(route_edges: RouteEdges, radius: float) -> float:
+    """Length of all edges [m]."""
     length = 0.0
-    for i in range(len(hops)):
-        length += radius * length_of(hop_in(hops, i).word)
+    for i in range(len(route_edges)):
+        length += radius * length_of(edge_in(route_edges, i).path)
     return length

@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import Word
-from vfguide.paths.path_progress import LAST_TURN, Way
+from vfguide.paths.dubins import DubinsPath
+from vfguide.paths.path_progress import LAST_TURN, PathProgress
 
-NEW, FIELD, WAY, AWAY = 0, 1, 2, 3
-"""Phases: nothing flown yet; along the paper's field; along a way; away from the goal."""
+NEW, FIELD, ON_PATH, OUTBOUND = 0, 1, 2, 3
+"""Phases: nothing flown yet; along the paper's field; along a path; away from the goal."""
 
 
 class Leg(NamedTuple):
@@ -16,22 +16,22 @@ class Leg(NamedTuple):
 
     phase: int
     radius: float
-    """Of the turns [m]: kept, so that the way does not move during the approach."""
-    final: float
+    """Of the turns [m]: kept, so that the path does not move during the approach."""
+    final_approach: float
     """Length of the straight end [m]."""
-    away: float
+    outbound: float
     """Course in phase AWAY, from the goal's [rad]."""
     circles: float
-    """Full circles that the way will have when it is flown after that."""
-    way: Way
+    """Full circles that the path will have when it is flown after that."""
+    progress: PathProgress
     """That is flown in phase WAY."""
 
 
 @compiled
 def new_leg() -> Leg:
     """A leg of which nothing has been flown."""
-    word = Word(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-    return Leg(NEW, 0.0, 0.0, 0.0, 0.0, Way(0.0, 0.0, 0.0, word, 1.0, LAST_TURN, 0.0))
+    path = DubinsPath(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    return Leg(NEW, 0.0, 0.0, 0.0, 0.0, PathProgress(0.0, 0.0, 0.0, path, 1.0, LAST_TURN, 0.0))
 
 
 @compiled
@@ -44,32 +44,32 @@ def keep_radius(leg: Leg, radius: float) -> Leg:
     change = 1.2 if leg.phase == NEW else 1.4
     if leg.radius < change * radius and radius <= change * leg.radius:
         return leg
-    phase = NEW if leg.phase == WAY else leg.phase
-    return with_radius(in_phase(leg, phase, leg.way), radius)
+    phase = NEW if leg.phase == ON_PATH else leg.phase
+    return with_radius(in_phase(leg, phase, leg.progress), radius)
 
 
 @compiled
-def in_phase(leg: Leg, phase: int, way: Way) -> Leg:
+def in_phase(leg: Leg, phase: int, progress: PathProgress) -> Leg:
     """The leg in another phase."""
-    return Leg(phase, leg.radius, leg.final, leg.away, leg.circles, way)
+    return Leg(phase, leg.radius, leg.final_approach, leg.outbound, leg.circles, progress)
 
 
 @compiled
 def with_radius(leg: Leg, radius: float) -> Leg:
     """The leg with turns of another radius [m]."""
-    return Leg(leg.phase, radius, leg.final, leg.away, leg.circles, leg.way)
+    return Leg(leg.phase, radius, leg.final_approach, leg.outbound, leg.circles, leg.progress)
 
 
 @compiled
-def with_final(leg: Leg, final: float) -> Leg:
+def with_final_approach(leg: Leg, final_approach: float) -> Leg:
     """The leg with another length of its straight end [m]."""
-    return Leg(leg.phase, leg.radius, final, leg.away, leg.circles, leg.way)
+    return Leg(leg.phase, leg.radius, final_approach, leg.outbound, leg.circles, leg.progress)
 
 
 @compiled
 def before_end(leg: Leg, at: Planar) -> Planar:
     """The vehicle in the plane whose origin is the beginning of the straight end."""
-    return moved(at, leg.final)
+    return moved(at, leg.final_approach)
 
 
 @compiled

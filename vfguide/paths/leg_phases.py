@@ -2,7 +2,7 @@
 
     NEW -> (AWAY ->) WAY -> FIELD
 
-A leg begins as `begin` says; from the last turn of its way the paper's field is taken up. What
+A leg begins as `begin` says; from the last turn of its path the paper's field is taken up. What
 does not lead on any more is planned anew.
 """
 
@@ -10,14 +10,14 @@ from vfguide.aircraft.performance import Gains
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.course_laws import Course, Planar, field_course
 from vfguide.paths.field_capture import off_field, rolls_out, stays_in_field, takes_up_field
-from vfguide.paths.leg import AWAY, FIELD, NEW, WAY, Leg, before_end, in_phase
-from vfguide.paths.leg_start import Paths, begin_here, begin_leg
-from vfguide.paths.path_progress import along, beside, leads_straight_on, way_course, way_left
+from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, before_end, in_phase
+from vfguide.paths.leg_start import Paths, begin_leg, start_here
+from vfguide.paths.path_progress import along, beside, leads_straight_on, path_course, path_left
 
-OFF_WAY = 0.5
-"""A way is planned anew where the vehicle is farther beside it than this, in radii."""
+OFF_PATH = 0.5
+"""A path is planned anew where the vehicle is farther beside it than this, in radii."""
 BREAK_OFF = 0.9
-"""A way is planned anew when it is shorter than this part of what the height needs."""
+"""A path is planned anew when it is shorter than this part of what the height needs."""
 
 
 @compiled
@@ -34,13 +34,13 @@ def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
     after = go_on(leg, entry)
     if after.phase == NEW:
         return begin_leg(after, at, paths, gains)
-    if after.phase == AWAY:
-        return begin_here(after, at, paths.needed, gains).leg
-    to_go = entry_course(after, entry, leg.radius).remaining
+    if after.phase == OUTBOUND:
+        return start_here(after, at, paths.needed, gains).leg
+    left_to_fly = entry_course(after, entry, leg.radius).remaining
     if after.phase == FIELD:
-        to_go += leg.radius * off_field(entry)
-    if BREAK_OFF * (paths.needed - leg.final) > to_go > 2.0 * leg.radius:
-        return begin_leg(in_phase(leg, NEW, leg.way), at, paths, gains)
+        left_to_fly += leg.radius * off_field(entry)
+    if BREAK_OFF * (paths.needed - leg.final_approach) > left_to_fly > 2.0 * leg.radius:
+        return begin_leg(in_phase(leg, NEW, leg.progress), at, paths, gains)
     return after
 
 
@@ -51,7 +51,7 @@ def leg_course(leg: Leg, at: Planar, core: float) -> Course:
     `core` is where the field becomes that of a line [m], see `field_course`.
     """
     toward = entry_course(leg, before_end(leg, at), core)
-    return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final)
+    return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final_approach)
 
 
 @compiled
@@ -61,10 +61,10 @@ def entry_course(leg: Leg, at: Planar, core: float) -> Course:
     Away from the goal the path counts as no longer than the radius, so that it is as steep as it
     may be.
     """
-    if leg.phase == WAY:
-        return way_course(leg.way, at)
-    if leg.phase == AWAY:
-        return Course(leg.away, 0.0, leg.radius)
+    if leg.phase == ON_PATH:
+        return path_course(leg.progress, at)
+    if leg.phase == OUTBOUND:
+        return Course(leg.outbound, 0.0, leg.radius)
     return field_course(at, core)
 
 
@@ -72,15 +72,17 @@ def entry_course(leg: Leg, at: Planar, core: float) -> Course:
 def go_on(leg: Leg, entry: Planar) -> Leg:
     """The leg as far as it leads on, else a new one."""
     if leg.phase == FIELD:
-        leads_on = stays_in_field(leg, entry) and entry.x < leg.final
-        return in_phase(leg, FIELD if leads_on else NEW, leg.way)
-    if leg.phase == WAY:
-        way = along(leg.way, entry)
-        if leads_straight_on(way) and takes_up_field(leg, entry):
-            return in_phase(leg, FIELD, way)
-        if rolls_out(leg, entry, way_left(way)):
-            return in_phase(leg, FIELD, way)
-        if way_left(way) <= 0.0:
-            return in_phase(leg, NEW, way)
-        return in_phase(leg, WAY if beside(way, entry) < OFF_WAY * leg.radius else NEW, way)
+        leads_on = stays_in_field(leg, entry) and entry.x < leg.final_approach
+        return in_phase(leg, FIELD if leads_on else NEW, leg.progress)
+    if leg.phase == ON_PATH:
+        progress = along(leg.progress, entry)
+        if leads_straight_on(progress) and takes_up_field(leg, entry):
+            return in_phase(leg, FIELD, progress)
+        if rolls_out(leg, entry, path_left(progress)):
+            return in_phase(leg, FIELD, progress)
+        if path_left(progress) <= 0.0:
+            return in_phase(leg, NEW, progress)
+        return in_phase(
+            leg, ON_PATH if beside(progress, entry) < OFF_PATH * leg.radius else NEW, progress
+        )
     return leg

@@ -1,6 +1,6 @@
-"""A way: three pieces, turns and straights, onto the straight end of the approach.
+"""A way: three segments, turns and straights, onto the straight end of the approach.
 
-Everything is in the horizontal plane of the goal frame, moved so that the way ends at the origin
+Everything is in the horizontal plane of the goal frame, moved so that the path ends at the origin
 along x.
 """
 
@@ -10,29 +10,29 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, writer
 from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
-from vfguide.paths.dubins import BRIEF, FULL, Word
+from vfguide.paths.dubins import BRIEF, FULL, DubinsPath
 
 TURN_IN = 0.37
 """The roll into a turn, or out of it, sets in this much earlier [s], from one turn into the other
 twice as much: the lag of the bank."""
 FIRST_TURN, MIDDLE, LAST_TURN = 0, 1, 2
-"""Pieces of a way."""
+"""Segments of a path."""
 
 
-class Way(NamedTuple):
-    """Where the pieces lie, and how far along them the vehicle is."""
+class PathProgress(NamedTuple):
+    """Where the segments lie, and how far along them the vehicle is."""
 
     x: float
     y: float
-    """Where the way begins [m]."""
+    """Where the path begins [m]."""
     course: float
     """There [rad]."""
-    word: Word
+    path: DubinsPath
     radius: float
     """Of both turns [m]."""
-    piece: int
+    segment: int
     left: float
-    """Of the piece that is flown: of a turn [rad], of a straight [radii]."""
+    """Of the segment that is flown: of a turn [rad], of a straight [radii]."""
 
 
 class Pose(NamedTuple):
@@ -47,9 +47,9 @@ read_pose, write_pose = reader(Pose), writer(Pose)
 
 
 @compiled
-def new_way(at: Planar, word: Word, radius: float) -> Way:
-    """The way along `word` from here."""
-    return Way(at.x, at.y, math.atan2(at.vy, at.vx), word, radius, FIRST_TURN, word.arc)
+def begin_path(at: Planar, path: DubinsPath, radius: float) -> PathProgress:
+    """The path along `path` from here."""
+    return PathProgress(at.x, at.y, math.atan2(at.vy, at.vx), path, radius, FIRST_TURN, path.arc)
 
 
 @compiled
@@ -69,27 +69,27 @@ def after_turn(at: Pose, side: float, arc: float, radius: float) -> Pose:
 
 
 @compiled
-def begin_of(way: Way) -> Pose:
-    """Where the way begins."""
-    return Pose(way.x, way.y, way.course)
+def begin_of(progress: PathProgress) -> Pose:
+    """Where the path begins."""
+    return Pose(progress.x, progress.y, progress.course)
 
 
 @compiled
-def middle_begin(way: Way) -> Pose:
-    """Where the middle piece begins."""
-    return after_turn(begin_of(way), way.word.first, way.word.arc, way.radius)
+def middle_begin(progress: PathProgress) -> Pose:
+    """Where the middle segment begins."""
+    return after_turn(begin_of(progress), progress.path.first, progress.path.arc, progress.radius)
 
 
 @compiled
-def is_straight(way: Way) -> bool:
-    """Whether the piece that is flown is straight."""
-    return way.piece == MIDDLE and way.word.middle == 0.0
+def is_straight(progress: PathProgress) -> bool:
+    """Whether the segment that is flown is straight."""
+    return progress.segment == MIDDLE and progress.path.middle == 0.0
 
 
 @compiled
-def leads_straight_on(way: Way) -> bool:
+def leads_straight_on(progress: PathProgress) -> bool:
     """Whether only the last turn is left to fly, or the straight before it."""
-    return way.piece == LAST_TURN or is_straight(way)
+    return progress.segment == LAST_TURN or is_straight(progress)
 
 
 class Turn(NamedTuple):
@@ -104,16 +104,16 @@ class Turn(NamedTuple):
 
 
 @compiled
-def present_turn(way: Way) -> Turn:
+def present_turn(progress: PathProgress) -> Turn:
     """The turn that is flown."""
-    word, middle = way.word, middle_begin(way)
-    if way.piece == FIRST_TURN:
-        x, y = centre_beside(begin_of(way), word.first, way.radius)
-        return Turn(x, y, word.first, middle.course)
-    if way.piece == MIDDLE:
-        x, y = centre_beside(middle, word.middle, way.radius)
-        return Turn(x, y, word.middle, middle.course + word.middle * word.reach)
-    return Turn(0.0, word.last * way.radius, word.last, 0.0)
+    path, middle = progress.path, middle_begin(progress)
+    if progress.segment == FIRST_TURN:
+        x, y = centre_beside(begin_of(progress), path.first, progress.radius)
+        return Turn(x, y, path.first, middle.course)
+    if progress.segment == MIDDLE:
+        x, y = centre_beside(middle, path.middle, progress.radius)
+        return Turn(x, y, path.middle, middle.course + path.middle * path.reach)
+    return Turn(0.0, path.last * progress.radius, path.last, 0.0)
 
 
 @compiled
@@ -123,74 +123,76 @@ def about(turn: Turn, at: Planar) -> Planar:
 
 
 @compiled
-def piece_left(way: Way, at: Planar) -> float:
-    """What the piece lacks to its end: of a turn [rad], of a straight [radii].
+def segment_left(progress: PathProgress, at: Planar) -> float:
+    """What the segment lacks to its end: of a turn [rad], of a straight [radii].
 
     Whole circles are those that there were at the step before.
     """
-    if is_straight(way):
-        begin = middle_begin(way)
+    if is_straight(progress):
+        begin = middle_begin(progress)
         dx, dy = at.x - begin.x, at.y - begin.y
-        gone = math.cos(begin.course) * dx + math.sin(begin.course) * dy
-        return way.word.reach - gone / way.radius
-    turn = present_turn(way)
+        travelled = math.cos(begin.course) * dx + math.sin(begin.course) * dy
+        return progress.path.reach - travelled / progress.radius
+    turn = present_turn(progress)
     here = about(turn, at)
     course = math.atan2(here.y, here.x) + turn.side * 0.5 * math.pi
     left = turn.side * (turn.end - course)
-    return left + FULL * round((way.left - left) / FULL)
+    return left + FULL * round((progress.left - left) / FULL)
 
 
 @compiled
-def in_piece(way: Way, piece: int, left: float) -> Way:
-    """The way, so far along it."""
-    return Way(way.x, way.y, way.course, way.word, way.radius, piece, left)
+def at_segment(progress: PathProgress, segment: int, left: float) -> PathProgress:
+    """The path, so far along it."""
+    return PathProgress(
+        progress.x, progress.y, progress.course, progress.path, progress.radius, segment, left
+    )
 
 
 @compiled
-def along(way: Way, at: Planar) -> Way:
-    """The way, as far along it as the vehicle is."""
-    word, lead = way.word, TURN_IN * math.hypot(at.vx, at.vy) / way.radius
-    last = word.last * min(1.0, word.end / BRIEF)
-    middle = last if word.middle == 0.0 and word.reach < lead else word.middle
-    way = in_piece(way, way.piece, piece_left(way, at))
-    if way.piece == FIRST_TURN and way.left < lead * abs(middle - word.first):
-        way = in_piece(way, MIDDLE, way.word.reach)
-        way = in_piece(way, MIDDLE, piece_left(way, at))
-    if way.piece == MIDDLE and way.left < lead * abs(last - word.middle):
-        way = in_piece(way, LAST_TURN, way.word.end)
-        way = in_piece(way, LAST_TURN, piece_left(way, at))
-    return way
+def along(progress: PathProgress, at: Planar) -> PathProgress:
+    """The path, as far along it as the vehicle is."""
+    path, lead = progress.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
+    last = path.last * min(1.0, path.end / BRIEF)
+    middle = last if path.middle == 0.0 and path.reach < lead else path.middle
+    progress = at_segment(progress, progress.segment, segment_left(progress, at))
+    if progress.segment == FIRST_TURN and progress.left < lead * abs(middle - path.first):
+        progress = at_segment(progress, MIDDLE, progress.path.reach)
+        progress = at_segment(progress, MIDDLE, segment_left(progress, at))
+    if progress.segment == MIDDLE and progress.left < lead * abs(last - path.middle):
+        progress = at_segment(progress, LAST_TURN, progress.path.end)
+        progress = at_segment(progress, LAST_TURN, segment_left(progress, at))
+    return progress
 
 
 @compiled
-def way_left(way: Way) -> float:
-    """Length of the rest of the way [m]."""
-    rest = way.left
-    if way.piece == FIRST_TURN:
-        rest += way.word.reach
-    if way.piece != LAST_TURN:
-        rest += way.word.end
-    return way.radius * rest
+def path_left(progress: PathProgress) -> float:
+    """Length of the rest of the path [m]."""
+    rest = progress.left
+    if progress.segment == FIRST_TURN:
+        rest += progress.path.reach
+    if progress.segment != LAST_TURN:
+        rest += progress.path.end
+    return progress.radius * rest
 
 
 @compiled
-def way_course(way: Way, at: Planar) -> Course:
-    """Course along the piece that is flown, back onto it where the vehicle is beside it."""
-    if is_straight(way):
-        begin = middle_begin(way)
-        onto = line_course(at, (begin.x, begin.y), begin.course, way.radius)
+def path_course(progress: PathProgress, at: Planar) -> Course:
+    """Course along the segment that is flown, back onto it where the vehicle is beside it."""
+    if is_straight(progress):
+        begin = middle_begin(progress)
+        onto = line_course(at, (begin.x, begin.y), begin.course, progress.radius)
     else:
-        turn = present_turn(way)
-        onto = loiter_course(about(turn, at), turn.side, way.radius)
-    return Course(onto.chi, onto.chi_rate, way_left(way))
+        turn = present_turn(progress)
+        onto = loiter_course(about(turn, at), turn.side, progress.radius)
+    return Course(onto.chi, onto.chi_rate, path_left(progress))
 
 
 @compiled
-def beside(way: Way, at: Planar) -> float:
-    """Distance from the piece that is flown [m]."""
-    if is_straight(way):
-        begin = middle_begin(way)
+def beside(progress: PathProgress, at: Planar) -> float:
+    """Distance from the segment that is flown [m]."""
+    if is_straight(progress):
+        begin = middle_begin(progress)
         dx, dy = at.x - begin.x, at.y - begin.y
         return abs(math.cos(begin.course) * dy - math.sin(begin.course) * dx)
-    here = about(present_turn(way), at)
-    return abs(math.hypot(here.x, here.y) - way.radius)
+    here = about(present_turn(progress), at)
+    return abs(math.hypot(here.x, here.y) - progress.radius)

@@ -1,12 +1,12 @@
-"""Whether hops stay clear of the hazards, which may move while one flies."""
+"""Whether edges stay clear of the hazards, which may move while one flies."""
 
 import math
 from typing import NamedTuple
 
-from vfguide.airspace.keep_out import Outlines
+from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.airspace.planar_clearance import NOTHING, clearance_at, free_path, near_hazards
 from vfguide.geometry.compiled import compiled
-from vfguide.paths.edge import Hop, Hops, Piece, hop_in, pieces_of, pose_along
+from vfguide.paths.edge import Edge, RouteEdges, Segment, edge_in, pose_along, segments_of
 from vfguide.paths.path_progress import Pose
 
 SHORTEST_STEP = 0.3
@@ -52,7 +52,7 @@ class Demand(NamedTuple):
 
 
 class Check(NamedTuple):
-    """What is found along a hop."""
+    """What is found along an edge."""
 
     blocker: int
     """Row of the hazard that is too near, else `NOTHING`."""
@@ -81,54 +81,54 @@ def wanted_at(task: Task, demand: Demand, x: float, y: float) -> float:
 
 
 @compiled
-def check_piece(
-    hazards: Outlines, task: Task, demand: Demand, piece: Piece, begin: float, t: float
+def check_segment(
+    hazards: KeepOutZones, task: Task, demand: Demand, segment: Segment, begin: float, t: float
 ) -> Check:
-    """Whether a piece is clear from `begin` [m] after its beginning, where one is at `t`."""
-    gone, radius = begin, task.radius
-    near = hazards_beside(hazards, demand, piece, begin, radius)
-    speed = ground_speed(task.air, piece.begin.course)
+    """Whether a segment is clear from `begin` [m] after its beginning, where one is at `t`."""
+    travelled, radius = begin, task.radius
+    near = hazards_beside(hazards, demand, segment, begin, radius)
+    speed = ground_speed(task.air, segment.begin.course)
     while True:
-        at = pose_along(piece, gone, radius)
-        if piece.side != 0.0:
-            halfway = at.course + 0.5 * piece.side * LONGEST_TURN
+        at = pose_along(segment, travelled, radius)
+        if segment.side != 0.0:
+            halfway = at.course + 0.5 * segment.side * LONGEST_TURN
             speed = ground_speed(task.air, halfway)
         wanted = wanted_at(task, demand, at.x, at.y)
         free, nearest = free_path(hazards, near, at.x, at.y, t, wanted, speed, demand.step)
         if free < 0.5 * demand.step:  # what is lost until the next look, or since the last one
             return Check(nearest, t)
-        if gone >= piece.length:
+        if travelled >= segment.length:
             return Check(NOTHING, t)
-        longest = LONGEST_TURN * radius if piece.side != 0.0 else math.inf
-        step = min(max(free, demand.step), piece.length - gone, longest)
-        gone += step
+        longest = LONGEST_TURN * radius if segment.side != 0.0 else math.inf
+        step = min(max(free, demand.step), segment.length - travelled, longest)
+        travelled += step
         t += step / speed
 
 
 @compiled
 def hazards_beside(
-    hazards: Outlines, demand: Demand, piece: Piece, begin: float, radius: float
+    hazards: KeepOutZones, demand: Demand, segment: Segment, begin: float, radius: float
 ) -> int:
-    """The hazards that matter for the rest of a piece, see `near_hazards`."""
-    half = 0.5 * (piece.length - begin)
-    middle = pose_along(piece, begin + half, radius)
+    """The hazards that matter for the rest of a segment, see `near_hazards`."""
+    half = 0.5 * (segment.length - begin)
+    middle = pose_along(segment, begin + half, radius)
     return near_hazards(hazards, middle.x, middle.y, half + demand.wanted + demand.step)
 
 
 @compiled
-def check_hop(hazards: Outlines, task: Task, demand: Demand, hop: Hop, t: float) -> Check:
-    """Whether a hop that begins at `t` is clear."""
-    one, two, three = pieces_of(hop, task.radius)
-    found = check_piece(hazards, task, demand, one, 0.0, t)
+def check_edge(hazards: KeepOutZones, task: Task, demand: Demand, edge: Edge, t: float) -> Check:
+    """Whether an edge that begins at `t` is clear."""
+    one, two, three = segments_of(edge, task.radius)
+    found = check_segment(hazards, task, demand, one, 0.0, t)
     if found.blocker == NOTHING and two.length > 0.0:
-        found = check_piece(hazards, task, demand, two, 0.0, found.t)
+        found = check_segment(hazards, task, demand, two, 0.0, found.t)
     if found.blocker == NOTHING and three.length > 0.0:
-        found = check_piece(hazards, task, demand, three, 0.0, found.t)
+        found = check_segment(hazards, task, demand, three, 0.0, found.t)
     return found
 
 
 @compiled
-def demand_of(hazards: Outlines, task: Task, wanted: float) -> Demand:
+def demand_of(hazards: KeepOutZones, task: Task, wanted: float) -> Demand:
     """The clearance that is wanted, and what there is at the ends."""
     slack = SHORTEST_STEP * wanted  # what begins along a hazard is not blocked
     start, goal = task.start, task.goal
@@ -139,34 +139,34 @@ def demand_of(hazards: Outlines, task: Task, wanted: float) -> Demand:
 
 
 @compiled
-def way_is_clear(
-    hazards: Outlines,
+def route_is_clear(
+    hazards: KeepOutZones,
     task: Task,
     wanted: float,
-    hops: Hops,
+    route_edges: RouteEdges,
     first: int,
-    piece: int,
-    gone: float,
+    segment: int,
+    travelled: float,
 ) -> bool:
-    """Whether the rest of a chain of hops is clear.
+    """Whether the rest of a chain of edges is clear.
 
     Args:
         hazards: as they are believed to be now.
         task: `task.start` is the present place, `task.t` the present time.
         wanted: clearance [m].
-        hops: a `Hop` a row.
-        first: row of the hop that is flown.
-        piece: its piece that is flown, 0 to 2.
-        gone: length of it that lies behind [m].
+        route_edges: a `Edge` a row.
+        first: row of the edge that is flown.
+        segment: its segment that is flown, 0 to 2.
+        travelled: length of it that lies behind [m].
     """
     demand, t = demand_of(hazards, task, wanted), task.t
-    for i in range(first, len(hops)):
-        pieces = pieces_of(hop_in(hops, i), task.radius)
+    for i in range(first, len(route_edges)):
+        segments = segments_of(edge_in(route_edges, i), task.radius)
         for k in range(3):
-            if i == first and k < piece:
+            if i == first and k < segment:
                 continue
-            begin = gone if i == first and k == piece else 0.0
-            found = check_piece(hazards, task, demand, pieces[k], begin, t)
+            begin = travelled if i == first and k == segment else 0.0
+            found = check_segment(hazards, task, demand, segments[k], begin, t)
             if found.blocker != NOTHING:
                 return False
             t = found.t

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import sub
-from vfguide.planning.objective import Target
+from vfguide.planning.objective import GuidanceTarget
 
 TOO_STRONG = 0.95
 """A goal is given up while the wind is above this part of the airspeed, ..."""
@@ -22,7 +22,7 @@ STRAIGHT = 1e5
 """Radius of the circle that is flown as a straight line [m]."""
 
 
-class Stand(NamedTuple):
+class WindHold(NamedTuple):
     """Memory of the hold against the wind."""
 
     ratio: float
@@ -33,21 +33,25 @@ class Stand(NamedTuple):
 
 
 @compiled
-def new_stand() -> Stand:
+def fresh_wind_hold() -> WindHold:
     """Nothing is known of the wind yet."""
-    return Stand(-1.0, False, 0.0)
+    return WindHold(-1.0, False, 0.0)
 
 
 @compiled
-def stand_against(stand: Stand, state: FlightState, airspeed: float, dt: float) -> Stand:
+def update_wind_hold(
+    wind_hold: WindHold, state: FlightState, airspeed: float, dt: float
+) -> WindHold:
     """Whether to hold now; `airspeed` is what is flown to [m/s], `dt` the time step [s]."""
     now = math.hypot(state.wind_n[0], state.wind_n[1]) / airspeed
     ratio = (
-        now if stand.ratio < 0.0 else stand.ratio + min(dt / SETTLING, 1.0) * (now - stand.ratio)
+        now
+        if wind_hold.ratio < 0.0
+        else wind_hold.ratio + min(dt / SETTLING, 1.0) * (now - wind_hold.ratio)
     )
-    if stand.holds:
-        return Stand(ratio, ratio > WEAK_AGAIN, stand.down)
-    return Stand(ratio, ratio > TOO_STRONG, state.p_n[2])
+    if wind_hold.holds:
+        return WindHold(ratio, ratio > WEAK_AGAIN, wind_hold.down)
+    return WindHold(ratio, ratio > TOO_STRONG, state.p_n[2])
 
 
 @compiled
@@ -58,8 +62,8 @@ def in_air_frame(state: FlightState) -> FlightState:
 
 
 @compiled
-def into_wind(stand: Stand, state: FlightState) -> Target:
+def into_wind(wind_hold: WindHold, state: FlightState) -> GuidanceTarget:
     """The line from here against the wind, at the height that is held."""
     course = math.atan2(-state.wind_n[1], -state.wind_n[0])
-    here = (state.p_n[0], state.p_n[1], stand.down)
-    return Target(here, course, 0.0, 1.0, STRAIGHT)
+    here = (state.p_n[0], state.p_n[1], wind_hold.down)
+    return GuidanceTarget(here, course, 0.0, 1.0, STRAIGHT)

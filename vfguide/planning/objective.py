@@ -7,7 +7,7 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
 
-class Target(NamedTuple):
+class GuidanceTarget(NamedTuple):
     """What to fly to: a pose to pass, or a circle to fly round."""
 
     p_n: Vec3
@@ -25,7 +25,7 @@ class Target(NamedTuple):
 class Objective(NamedTuple):
     """What the mission asks for at one step."""
 
-    target: Target
+    target: GuidanceTarget
     state: FlightState
     """The vehicle in the frame in which the target stands still: over the ground, or in the air
     while it holds against a wind that is too strong."""
@@ -36,6 +36,6 @@ class Objective(NamedTuple):
 
 
 @compiled
-def objective_at(target: Target, state: FlightState) -> Objective:
+def objective_at(target: GuidanceTarget, state: FlightState) -> Objective:
     """A target that stands still over the ground, its leg begun before."""
     return Objective(target, state, False, target.circle == 0.0)

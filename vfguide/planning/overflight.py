@@ -1,7 +1,7 @@
-"""Over what is in the way, instead of round it.
+"""Over what is in the route, instead of round it.
 
-The way stays as it is. The vehicle climbs before what is passed, keeps that level, and flies to the
-goal's height after it. What moves is not passed so.
+The route stays as it is. The vehicle climbs before what is passed, keeps that level, and flies to
+the goal's height after it. What moves is not passed so.
 """
 
 import math
@@ -18,8 +18,8 @@ from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series, Vec3
-from vfguide.paths.distance_for_altitude import path_needed
-from vfguide.planning.objective import Target
+from vfguide.paths.distance_for_altitude import distance_for_altitude
+from vfguide.planning.objective import GuidanceTarget
 
 PLANNED, FLOWN = 0.7, 0.9
 """Part of the steepest path that a change of height is planned with, and found to be enough on the
@@ -38,7 +38,7 @@ UNDER = 15.0
 is [m]."""
 
 
-class Heights(NamedTuple):
+class AltitudePlan(NamedTuple):
     """Heights along a way: from here to a level, and from there to the goal."""
 
     here: Vec3
@@ -52,28 +52,28 @@ class Heights(NamedTuple):
 
 
 @compiled
-def heights_by(
-    level: float, state: FlightState, target: Target, aircraft: Performance, gains: Gains
-) -> Heights:
-    """The heights of a way by a level, as it is planned."""
+def altitude_plan_by(
+    level: float, state: FlightState, target: GuidanceTarget, aircraft: Performance, gains: Gains
+) -> AltitudePlan:
+    """The heights of a route by a level, as it is planned."""
     here, goal = state.p_n, target.p_n
     rise = change_length(here[2] - level, PLANNED, state.wind_n, aircraft, gains)
     fall = change_length(level - goal[2], PLANNED, state.wind_n, aircraft, gains)
-    return Heights(here, goal, level, rise, fall + SETTLING * turn_length(gains.airspeed))
+    return AltitudePlan(here, goal, level, rise, fall + SETTLING * turn_length(gains.airspeed))
 
 
 @compiled
-def heights_left(
+def altitude_plan_left(
     level: float,
     fall: float,
     state: FlightState,
-    target: Target,
+    target: GuidanceTarget,
     aircraft: Performance,
     gains: Gains,
-) -> Heights:
-    """The heights of the rest of a way by a level that was planned with a fall [m]."""
+) -> AltitudePlan:
+    """The heights of the rest of a route by a level that was planned with a fall [m]."""
     rise = change_length(state.p_n[2] - level, FLOWN, state.wind_n, aircraft, gains)
-    return Heights(state.p_n, target.p_n, level, rise, fall)
+    return AltitudePlan(state.p_n, target.p_n, level, rise, fall)
 
 
 @compiled
@@ -87,14 +87,14 @@ def change_length(
     steepest = math.tan(aircraft.climb_max if up > 0.0 else descent_at_airspeed(aircraft, 0.0))
     faster = 1.0 + math.hypot(wind_n[0], wind_n[1]) / max(gains.airspeed, 1e-3)
     most, unit = max(part * steepest / faster, 1e-6), turn_length(gains.airspeed)
-    return path_needed(-up, math.inf, 0.0, most, unit, 0.0)
+    return distance_for_altitude(-up, math.inf, 0.0, most, unit, 0.0)
 
 
 @compiled
-def band_of(heights: Heights) -> Band:
-    """All heights of the way."""
-    here, goal = heights.here[2], heights.goal[2]
-    level = goal if math.isinf(heights.level) else heights.level
+def band_of(altitudes: AltitudePlan) -> Band:
+    """All heights of the route."""
+    here, goal = altitudes.here[2], altitudes.goal[2]
+    level = goal if math.isinf(altitudes.level) else altitudes.level
     return Band(min(here, goal, level), max(here, goal, level))
 
 
@@ -111,13 +111,13 @@ def level_over(obstacle: PlacedObstacle, margin: float) -> float:
 
 
 @compiled
-def is_passed(obstacles: Rows, i: int, heights: Heights, margin: float) -> bool:
-    """Whether row `i` is below the way wherever on it the vehicle may meet it."""
+def is_passed(obstacles: Rows, i: int, altitudes: AltitudePlan, margin: float) -> bool:
+    """Whether row `i` is below the route wherever on it the vehicle may meet it."""
     obstacle = read_obstacle(obstacles[i])
-    if not is_above(obstacle, heights.level, margin) or not stands_still(obstacle):
+    if not is_above(obstacle, altitudes.level, margin) or not stands_still(obstacle):
         return False
-    here = min(margin, UNDER) if heights.level <= heights.here[2] else margin
-    ends = ((heights.here, heights.rise, here), (heights.goal, heights.fall, margin))
+    here = min(margin, UNDER) if altitudes.level <= altitudes.here[2] else margin
+    ends = ((altitudes.here, altitudes.rise, here), (altitudes.goal, altitudes.fall, margin))
     for end, length, over in ends:
         above = is_above(obstacle, end[2], over)
         if not above and distance_beside(obstacles, i, end) < length + margin:
@@ -140,13 +140,13 @@ def distance_beside(obstacles: Rows, i: int, p_n: Vec3) -> float:
 
 
 @compiled
-def left_in_way(obstacles: Rows, heights: Heights, margin: float) -> Rows:
+def left_in_path(obstacles: Rows, altitudes: AltitudePlan, margin: float) -> Rows:
     """The obstacles that are not passed over by the margin [m]."""
-    if math.isinf(heights.level):
+    if math.isinf(altitudes.level):
         return obstacles
     left = np.ones(len(obstacles), dtype=np.bool_)
     for i in range(len(obstacles)):
-        left[i] = not is_passed(obstacles, i, heights, margin)
+        left[i] = not is_passed(obstacles, i, altitudes, margin)
     return obstacles[left]
 
 
@@ -192,12 +192,12 @@ def distinct(values: Series) -> Series:
 
 @compiled
 def cost_of(level: float, here: float, goal: float) -> float:
-    """Of the height that a level costs more than the way without it, as a length [m]."""
+    """Of the height that a level costs more than the route without it, as a length [m]."""
     return COST * (abs(level - here) + abs(level - goal) - abs(here - goal))
 
 
 @compiled
-def aim_at(level: float, fall: float, target: Target, remaining: float) -> Target:
+def aim_at(level: float, fall: float, target: GuidanceTarget, remaining: float) -> GuidanceTarget:
     """The target whose height is flown to: the level until `remaining` is the fall [m].
 
     A level is kept as on a circle.
@@ -205,4 +205,4 @@ def aim_at(level: float, fall: float, target: Target, remaining: float) -> Targe
     if math.isinf(level) or target.circle != 0.0 or remaining <= fall:
         return target
     at = (target.p_n[0], target.p_n[1], level)
-    return Target(at, target.course, 0.0, 1.0, target.radius)
+    return GuidanceTarget(at, target.course, 0.0, 1.0, target.radius)

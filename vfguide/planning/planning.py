@@ -4,7 +4,7 @@ import math
 
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
-from vfguide.airspace.hazards import traffic_outlines
+from vfguide.airspace.hazards import traffic_zones
 from vfguide.airspace.keep_out import joined
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.compiled import compiled
@@ -13,7 +13,7 @@ from vfguide.planning.leg_planning import (
 )
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import band_of
-from vfguide.planning.replanning import Journey, Scene, heights_of, seek_way
+from vfguide.planning.replanning import PlanningContext, Scene, altitude_plan_of, seek_route
 from vfguide.planning.route import Route, fresh_route
 from vfguide.planning.route_following import with_shift
 from vfguide.planning.route_search import CLEARANCES
@@ -34,7 +34,7 @@ def update(
     Args:
         nav: the vehicle.
         goal: what is flown to.
-        airspace: what is known to be in the way; None compiles to a stage without search.
+        airspace: what is known to be in the route; None compiles to a stage without search.
         plans: whether the law wants a route; else only circles have a leg.
         s: the route of the step before.
         slope: of the path that was wanted at the step before, dh/ds.
@@ -45,34 +45,34 @@ def update(
         return route
     route = clear_route(nav, goal, airspace, route, vehicle)
     leg = advance_leg(goal, route, slope, vehicle)
-    was, detour = route.leg, route.detour
-    if leg.phase != was.phase or leg.way.x != was.way.x:
-        detour = with_shift(detour, True)
-    return Route(leg, detour)
+    was, following = route.leg, route.following
+    if leg.phase != was.phase or leg.progress.x != was.progress.x:
+        following = with_shift(following, True)
+    return Route(leg, following)
 
 
 @compiled
 def clear_route(
     nav: NavState, goal: Objective, airspace: Airspace | None, route: Route, vehicle: Vehicle
 ) -> Route:
-    """The route round or over what is in its way; a circle is flown as it is."""
+    """The route round or over what is in its route; a circle is flown as it is."""
     if airspace is None:
         return route
     if goal.target.circle != 0.0:
         return route
-    journey = Journey(nav.state, goal.target, vehicle.aircraft, vehicle.gains)
-    scene = scene_of(airspace, journey, route)
-    leg, detour = seek_way(journey, route.leg, scene, route.detour)
-    return Route(leg, detour)
+    context = PlanningContext(nav.state, goal.target, vehicle.aircraft, vehicle.gains)
+    scene = scene_of(airspace, context, route)
+    leg, following = seek_route(context, route.leg, scene, route.following)
+    return Route(leg, following)
 
 
 @compiled
-def scene_of(airspace: Airspace, journey: Journey, route: Route) -> Scene:
+def scene_of(airspace: Airspace, context: PlanningContext, route: Route) -> Scene:
     """What the search keeps clear of: traffic is never passed above."""
     hazards, t = airspace.hazards, airspace.time
     shut, highest = airspace.zones, CLEARANCES[0] - hazards.ceiling
     if len(hazards.traffic) > 0:
-        band = band_of(heights_of(journey, route.detour))
-        moving = traffic_outlines(hazards.traffic, band, CLEARANCES[0], t)
+        band = band_of(altitude_plan_of(context, route.following))
+        moving = traffic_zones(hazards.traffic, band, CLEARANCES[0], t)
         shut, highest = joined(shut, moving), math.inf
     return Scene(hazards.obstacles, shut, highest, t)

@@ -1,6 +1,6 @@
-"""When to look for a way round hazards, or over them, and what becomes of the leg then.
+"""When to look for a route round hazards, or over them, and what becomes of the leg then.
 
-The way that is flown is looked along several times a second; where something that is known comes
+The route that is flown is looked along several times a second; where something that is known comes
 too near to it, or where the flight law has changed it by itself, the coarse search finds another.
 """
 
@@ -9,33 +9,33 @@ from typing import NamedTuple
 
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
-from vfguide.airspace.keep_out import Outlines, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
 from vfguide.airspace.planar_clearance import NOTHING, clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.course_laws import arc_to_goal
-from vfguide.paths.dubins import Word, length_of
-from vfguide.paths.edge import HOP_COLUMNS, Hop, Piece, hop_row, next_word
-from vfguide.paths.leg import AWAY, FIELD, NEW, WAY, Leg, with_final
+from vfguide.paths.dubins import DubinsPath, length_of
+from vfguide.paths.edge import EDGE_WIDTH, Edge, Segment, edge_row, next_path
+from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, with_final_approach
 from vfguide.paths.path_progress import TURN_IN, Pose
-from vfguide.planning.collision_check import Air, Task, check_piece, demand_of, way_is_clear
-from vfguide.planning.objective import Target
+from vfguide.planning.collision_check import Air, Task, check_segment, demand_of, route_is_clear
+from vfguide.planning.objective import GuidanceTarget
 from vfguide.planning.overflight import (
     NO_LEVEL,
-    Heights,
+    AltitudePlan,
+    altitude_plan_by,
+    altitude_plan_left,
     band_of,
     cost_of,
-    heights_by,
-    heights_left,
-    left_in_way,
+    left_in_path,
     levels_for,
 )
 from vfguide.planning.route_following import (
-    RouteState,
+    RouteFollowing,
     begin_route,
+    edge_at,
+    edges_of,
     follow_route,
-    hop_at,
-    hops_of,
     is_on_route,
     vehicle_from,
     with_level,
@@ -43,31 +43,31 @@ from vfguide.planning.route_following import (
     with_overflight,
     with_search,
 )
-from vfguide.planning.route_search import CLEARANCES, find_detour
+from vfguide.planning.route_search import CLEARANCES, find_route
 
 LOOK = 0.2
-"""Between two looks along the way [s]."""
+"""Between two looks along the route [s]."""
 SEEK = 1.0
 """Between two searches that found nothing [s]."""
 TOLERATED = 0.6
-"""Part of the clearance that was found of which so much is left when a way is given up."""
+"""Part of the clearance that was found of which so much is left when a route is given up."""
 
 
-class Journey(NamedTuple):
+class PlanningContext(NamedTuple):
     """Who flies where."""
 
     state: FlightState
-    target: Target
+    target: GuidanceTarget
     aircraft: Performance
     gains: Gains
 
 
 class Scene(NamedTuple):
-    """What may be in the way."""
+    """What may be in the route."""
 
     obstacles: Rows
     """That are known."""
-    fence: Outlines
+    fence: KeepOutZones
     """To stay in or out of."""
     highest: float
     """Nothing is passed over above this, down from the origin [m]."""
@@ -76,48 +76,52 @@ class Scene(NamedTuple):
 
 
 @compiled
-def seek_way(journey: Journey, leg: Leg, scene: Scene, route: RouteState) -> tuple[Leg, RouteState]:
-    """The leg with a way that keeps clear of the hazards, if it needs another."""
+def seek_route(
+    context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
+) -> tuple[Leg, RouteFollowing]:
+    """The leg with a route that keeps clear of the hazards, if it needs another."""
     t = scene.t
     if is_on_route(route):
-        route, leg = follow_route(route, journey.state, leg)
+        route, leg = follow_route(route, context.state, leg)
     is_unplanned = leg.phase == NEW and not is_on_route(route)
     if is_unplanned or (not route.shifted and t - route.looked < LOOK):
         return leg, route
-    route = drop_level(journey, leg, scene, with_look(route, t, False))
-    heights = heights_of(journey, route)
-    if is_clear(journey, leg, scene, route, heights, tolerated(route)):
+    route = drop_level(context, leg, scene, with_look(route, t, False))
+    altitudes = altitude_plan_of(context, route)
+    if is_clear(context, leg, scene, route, altitudes, tolerated(route)):
         return leg, route
     if route.clearance < 0.0 and t - route.sought < SEEK:
         return leg, route
-    return with_new_way(journey, leg, scene, route)
+    return with_new_route(context, leg, scene, route)
 
 
 @compiled
-def heights_of(journey: Journey, route: RouteState) -> Heights:
+def altitude_plan_of(context: PlanningContext, route: RouteFollowing) -> AltitudePlan:
     """Heights from here to the goal."""
-    j = journey
-    return heights_left(route.level, route.fall, j.state, j.target, j.aircraft, j.gains)
+    j = context
+    return altitude_plan_left(route.level, route.fall, j.state, j.target, j.aircraft, j.gains)
 
 
 @compiled
-def tolerated(route: RouteState) -> float:
-    """Clearance with which a way is not given up yet [m]."""
+def tolerated(route: RouteFollowing) -> float:
+    """Clearance with which a route is not given up yet [m]."""
     return TOLERATED * (route.clearance if route.clearance > 0.0 else CLEARANCES[0])
 
 
 @compiled
-def task_from(journey: Journey, start: Pose, goal: Pose, radius: float, t: float) -> Task:
+def task_from(context: PlanningContext, start: Pose, goal: Pose, radius: float, t: float) -> Task:
     """What is to be flown from a pose in this wind."""
-    wind_n = journey.state.wind_n
-    return Task(start, goal, radius, Air(journey.gains.airspeed, wind_n[0], wind_n[1]), t)
+    wind_n = context.state.wind_n
+    return Task(start, goal, radius, Air(context.gains.airspeed, wind_n[0], wind_n[1]), t)
 
 
 @compiled
-def entry_of(target: Target, final: float) -> Pose:
+def entry_of(target: GuidanceTarget, final_approach: float) -> Pose:
     """Where the straight end of the approach begins."""
     c, s = math.cos(target.course), math.sin(target.course)
-    return Pose(target.p_n[0] - final * c, target.p_n[1] - final * s, target.course)
+    return Pose(
+        target.p_n[0] - final_approach * c, target.p_n[1] - final_approach * s, target.course
+    )
 
 
 @compiled
@@ -130,28 +134,32 @@ def pose_of(state: FlightState, ahead: float) -> Pose:
 
 @compiled
 def is_clear(
-    journey: Journey,
+    context: PlanningContext,
     leg: Leg,
     scene: Scene,
-    route: RouteState,
-    heights: Heights,
+    route: RouteFollowing,
+    altitudes: AltitudePlan,
     wanted: float,
 ) -> bool:
-    """Whether the rest of the way is clear by what is wanted [m]."""
-    state, target = journey.state, journey.target
-    obstacles = left_in_way(scene.obstacles, heights, wanted)
-    hazards = joined(hazards_of(obstacles, band_of(heights), wanted), scene.fence)
-    here, entry = pose_of(state, 0.0), entry_of(target, leg.final)
-    task = task_from(journey, here, entry_of(target, 0.0), leg.radius, scene.t)
+    """Whether the rest of the route is clear by what is wanted [m]."""
+    state, target = context.state, context.target
+    obstacles = left_in_path(scene.obstacles, altitudes, wanted)
+    hazards = joined(hazards_of(obstacles, band_of(altitudes), wanted), scene.fence)
+    here, entry = pose_of(state, 0.0), entry_of(target, leg.final_approach)
+    task = task_from(context, here, entry_of(target, 0.0), leg.radius, scene.t)
     if is_on_route(route):
-        gone = gone_in(hop_at(route, route.present).word, route.piece, route.left, leg.radius)
-        return way_is_clear(hazards, task, wanted, hops_of(route), route.present, route.piece, gone)
-    if leg.phase == WAY:
-        way = leg.way
-        hop = Hop(placed(entry, Pose(way.x, way.y, way.course)), way.word)
-        rows = hop_row(hop).reshape(1, HOP_COLUMNS)
-        gone = gone_in(way.word, way.piece, way.left, way.radius)
-        return way_is_clear(hazards, task, wanted, rows, 0, way.piece, gone)
+        travelled = travelled_in(
+            edge_at(route, route.present).path, route.segment, route.left, leg.radius
+        )
+        return route_is_clear(
+            hazards, task, wanted, edges_of(route), route.present, route.segment, travelled
+        )
+    if leg.phase == ON_PATH:
+        progress = leg.progress
+        edge = Edge(placed(entry, Pose(progress.x, progress.y, progress.course)), progress.path)
+        rows = edge_row(edge).reshape(1, EDGE_WIDTH)
+        travelled = travelled_in(progress.path, progress.segment, progress.left, progress.radius)
+        return route_is_clear(hazards, task, wanted, rows, 0, progress.segment, travelled)
     if leg.phase == FIELD:
         return field_is_clear(state, leg, hazards, task, entry, wanted)
     return True
@@ -159,25 +167,25 @@ def is_clear(
 
 @compiled
 def field_is_clear(
-    state: FlightState, leg: Leg, hazards: Outlines, task: Task, entry: Pose, wanted: float
+    state: FlightState, leg: Leg, hazards: KeepOutZones, task: Task, entry: Pose, wanted: float
 ) -> bool:
     """Whether the arc of the paper's field from here to the straight end is clear."""
     at = vehicle_from(entry, state)
     radius = max((at.x * at.x + at.y * at.y) / max(2.0 * abs(at.y), 1e-3), leg.radius)
     begin = placed(entry, Pose(at.x, at.y, 2.0 * math.atan2(at.y, at.x)))
-    arc = Piece(begin, 1.0 if at.y > 0.0 else -1.0, arc_to_goal(at.x, at.y))
+    arc = Segment(begin, 1.0 if at.y > 0.0 else -1.0, arc_to_goal(at.x, at.y))
     if at.x >= 0.0:
-        arc = Piece(entry, 0.0, leg.final)
+        arc = Segment(entry, 0.0, leg.final_approach)
     demand = demand_of(hazards, task, wanted)
     task = Task(task.start, task.goal, radius, task.air, task.t)
-    return check_piece(hazards, task, demand, arc, 0.0, task.t).blocker == NOTHING
+    return check_segment(hazards, task, demand, arc, 0.0, task.t).blocker == NOTHING
 
 
 @compiled
-def gone_in(word: Word, piece: int, left: float, radius: float) -> float:
-    """Length of a piece of a word that lies behind where so much is `left` of it [m]."""
-    lengths = (word.arc, word.reach, word.end)
-    return radius * max(0.0, lengths[piece] - left)
+def travelled_in(path: DubinsPath, segment: int, left: float, radius: float) -> float:
+    """Length of a segment of a Dubins path that lies behind where so much is `left` of it [m]."""
+    lengths = (path.arc, path.reach, path.end)
+    return radius * max(0.0, lengths[segment] - left)
 
 
 @compiled
@@ -189,77 +197,81 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 
 
 @compiled
-def with_new_way(
-    journey: Journey, leg: Leg, scene: Scene, route: RouteState
-) -> tuple[Leg, RouteState]:
-    """The leg along what is found, or as it was: over what is in its way, or with nothing found.
+def with_new_route(
+    context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
+) -> tuple[Leg, RouteFollowing]:
+    """The leg along what is found, or as it was: over what is in its route, or with nothing found.
 
-    A level that is kept is kept on a new way too. Where there is no way to the beginning of the
+    A level that is kept is kept on a new route too. Where there is no route to the beginning of the
     straight end, one to the goal itself is taken.
     """
-    state, target, radius = journey.state, journey.target, leg.radius
-    heights, may_climb = heights_of(journey, route), not is_on_route(route)
-    may_climb = may_climb and math.isinf(heights.level)
-    obstacles = left_in_way(scene.obstacles, heights, TOLERATED * CLEARANCES[0])
+    state, target, radius = context.state, context.target, leg.radius
+    altitudes, may_climb = altitude_plan_of(context, route), not is_on_route(route)
+    may_climb = may_climb and math.isinf(altitudes.level)
+    obstacles = left_in_path(scene.obstacles, altitudes, TOLERATED * CLEARANCES[0])
     route = with_search(route, scene.t, scene.t, 0, -1.0)
     begin = pose_of(state, TURN_IN)
-    for end in (journey.gains.final * radius, 0.0):
+    for end in (context.gains.final_approach * radius, 0.0):
         entry = entry_of(target, end)
-        task = task_from(journey, begin, entry, radius, scene.t + TURN_IN)
-        found = find_detour(obstacles, scene.fence, band_of(heights), task)
-        if len(found.hops) > 0:
-            longer = found.length - radius * length_of(next_word(begin, entry, radius, -1.0))
+        task = task_from(context, begin, entry, radius, scene.t + TURN_IN)
+        found = find_route(obstacles, scene.fence, band_of(altitudes), task)
+        if len(found.route_edges) > 0:
+            longer = found.length - radius * length_of(next_path(begin, entry, radius, -1.0))
             if may_climb:
-                over = seek_level(journey, leg, scene, route, longer)
+                over = seek_level(context, leg, scene, route, longer)
                 if over.clearance > 0.0:
                     return leg, over
             route = begin_route(route, found, entry, radius)
-            route, leg = follow_route(route, state, with_final(leg, end))
+            route, leg = follow_route(route, state, with_final_approach(leg, end))
             return leg, route
     if may_climb:
-        route = seek_level(journey, leg, scene, route, math.inf)
+        route = seek_level(context, leg, scene, route, math.inf)
     return leg, route
 
 
 @compiled
 def seek_level(
-    journey: Journey, leg: Leg, scene: Scene, route: RouteState, most: float
-) -> RouteState:
-    """The route over what is in the way, where the leg is clear at another height.
+    context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing, most: float
+) -> RouteFollowing:
+    """The route over what is in the route, where the leg is clear at another height.
 
     That has to cost less than `most` [m]; where nothing is found the route is as it was.
     """
-    its, wanted = journey, CLEARANCES[0]
-    here, goal = its.state.p_n[2], its.target.p_n[2]
+    each, wanted = context, CLEARANCES[0]
+    here, goal = each.state.p_n[2], each.target.p_n[2]
     for level in levels_for(scene.obstacles, here, goal, scene.highest, wanted):
         if cost_of(level, here, goal) >= most:
             break
-        heights = heights_by(level, its.state, its.target, its.aircraft, its.gains)
-        if is_free(journey, leg, scene, route, heights):
-            return with_overflight(route, level, heights.fall, wanted)
+        altitudes = altitude_plan_by(level, each.state, each.target, each.aircraft, each.gains)
+        if is_free(context, leg, scene, route, altitudes):
+            return with_overflight(route, level, altitudes.fall, wanted)
     return route
 
 
 @compiled
-def drop_level(journey: Journey, leg: Leg, scene: Scene, route: RouteState) -> RouteState:
-    """The route without a level once the way is clear without it."""
+def drop_level(
+    context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
+) -> RouteFollowing:
+    """The route without a level once the route is clear without it."""
     if not math.isinf(route.level):
-        state, target = journey.state, journey.target
-        heights = Heights(state.p_n, target.p_n, NO_LEVEL, 0.0, 0.0)
-        if leg.phase != AWAY and is_free(journey, leg, scene, route, heights):
+        state, target = context.state, context.target
+        altitudes = AltitudePlan(state.p_n, target.p_n, NO_LEVEL, 0.0, 0.0)
+        if leg.phase != OUTBOUND and is_free(context, leg, scene, route, altitudes):
             return with_level(route, NO_LEVEL)
     return route
 
 
 @compiled
-def is_free(journey: Journey, leg: Leg, scene: Scene, route: RouteState, heights: Heights) -> bool:
-    """Whether the rest of the way has all the clearance, and so has the place where it begins.
+def is_free(
+    context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing, altitudes: AltitudePlan
+) -> bool:
+    """Whether the rest of the route has all the clearance, and so has the place where it begins.
 
     Near a hazard less is asked for round the beginning, and none of it above one.
     """
-    wanted, p_n = CLEARANCES[0], journey.state.p_n
-    obstacles = left_in_way(scene.obstacles, heights, wanted)
-    near = hazards_of(obstacles, band_of(heights), wanted)
+    wanted, p_n = CLEARANCES[0], context.state.p_n
+    obstacles = left_in_path(scene.obstacles, altitudes, wanted)
+    near = hazards_of(obstacles, band_of(altitudes), wanted)
     if clearance_at(near, p_n[0], p_n[1], scene.t).distance < wanted:
         return False
-    return is_clear(journey, leg, scene, route, heights, wanted)
+    return is_clear(context, leg, scene, route, altitudes, wanted)

@@ -1,4 +1,4 @@
-"""Memory of a coarse search: via poses, the hops tried between them, and which are reached."""
+"""Memory of a coarse search: tangent poses, the edges tried between them, and which are reached."""
 
 import math
 from heapq import heappush
@@ -9,82 +9,83 @@ import numpy as np
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table, width
 from vfguide.geometry.vector import Indices, Mask, Series
-from vfguide.paths.dubins import Word, length_of, read_word, write_word
-from vfguide.paths.edge import Hop, next_word
+from vfguide.paths.dubins import DubinsPath, length_of, read_dubins_path, write_dubins_path
+from vfguide.paths.edge import Edge, next_path
 from vfguide.paths.path_progress import Pose, read_pose
 
 START, GOAL = 0, 1
-"""Rows of the ends among the vias."""
-MOST_VIAS = 1024
+"""Rows of the ends among the tangent poses."""
+MAX_TANGENT_POSES = 1024
 MOST_EDGES = 30_000
 """Of one search."""
-MOST_HOPS = 8
-"""Of a way."""
-EAGER = 1.1
-"""What is left counts so much more than what is gone: fewer hops are tried, and the way is longer
-than the shortest over the same vias by no more than that."""
+MAX_ROUTE_EDGES = 8
+"""Of a route."""
+HEURISTIC_WEIGHT = 1.1
+"""What is left counts so much more than what is gone: fewer edges are tried, and the route is
+longer than the shortest over the same tangent poses by no more than that."""
 
 Queue = list[tuple[float, int]]
-"""Edges by the length of the way through them that can be hoped for [m]."""
+"""Edges by the length of the route through them that can be hoped for [m]."""
 Counter = Indices
 """One number that compiled code counts up, (1,)."""
-POSE_WIDTH, WORD_WIDTH = width(Pose), width(Word)
-"""How many numbers the row of a pose has, and that of a word."""
+POSE_WIDTH, DUBINS_PATH_WIDTH = width(Pose), width(DubinsPath)
+"""How many numbers the row of a pose has, and that of a Dubins path."""
 
 
-class Vias(NamedTuple):
-    """Poses a way may lead through, the first two its ends; arrays of one row each."""
+class TangentPoses(NamedTuple):
+    """Poses a route may lead through, the first two its ends; arrays of one row each."""
 
     used: Counter
     """How many there are."""
     poses: Table
     """A `Pose` a row."""
-    to_go: Series
+    cost_to_go: Series
     """Least length to the goal [m], negative while unknown."""
-    gone: Series
-    """Length of the way by which it was reached [m], infinite before."""
+    cost_to_come: Series
+    """Length of the route by which it was reached [m], infinite before."""
     times: Series
     """When it is reached [s]."""
-    hops: Indices
-    """Of the way by which it was reached."""
+    depth: Indices
+    """Edges of the route by which it was reached."""
     edges: Indices
-    """The last of that way."""
+    """The last of that route."""
     avoids: Mask
-    """(vias, hazards): whether hops from here to the vias of a hazard are in the queue."""
+    """(tangent poses, hazards): whether edges from here to the tangent poses of a hazard are in
+    the queue."""
     first: Indices
     after: Indices
-    """(hazards + 1,): first via of each hazard, and the one after its last; both 0 before. The last
-    of the hazards stands for poses near the ends."""
+    """(hazards + 1,): first tangent pose of each hazard, and the one after its last; both 0
+    before. The last of the hazards stands for poses near the ends."""
 
 
 class Edges(NamedTuple):
-    """Hops tried or to be tried; arrays of one row each."""
+    """Edges tried or to be tried; arrays of one row each."""
 
     used: Counter
     """How many there are."""
     begins: Indices
     ends: Indices
-    """The vias at both ends."""
+    """The tangent poses at both ends."""
     above: Series
-    """Only words longer than this are left to be tried [radii]."""
+    """Only Dubins paths longer than this are left to be tried [radii]."""
     words: Table
-    """A `Word` a row."""
+    """A `DubinsPath` a row."""
     known: Mask
-    """Whether the word has been found."""
+    """Whether the Dubins path has been found."""
 
 
 @compiled
-def new_vias(hazards: int) -> Vias:
-    """No vias yet, for so many hazards."""
-    return Vias(
+def new_tangent_poses(hazards: int) -> TangentPoses:
+    """No tangent poses yet, for so many hazards."""
+    return TangentPoses(
         np.zeros(1, np.int64),
-        np.empty((MOST_VIAS, POSE_WIDTH)),
-        np.full(MOST_VIAS, -1.0),
-        np.full(MOST_VIAS, math.inf),
-        np.zeros(MOST_VIAS),
-        np.zeros(MOST_VIAS, np.int64),
-        np.full(MOST_VIAS, -1),
-        np.zeros((MOST_VIAS, hazards), np.bool_),
+        np.empty((MAX_TANGENT_POSES, POSE_WIDTH)),
+        np.full(MAX_TANGENT_POSES, -1.0),
+        np.full(MAX_TANGENT_POSES, math.inf),
+        np.zeros(MAX_TANGENT_POSES),
+        np.zeros(MAX_TANGENT_POSES, np.int64),
+        np.full(MAX_TANGENT_POSES, -1),
+        np.zeros((MAX_TANGENT_POSES, hazards), np.bool_),
         np.zeros(hazards + 1, np.int64),
         np.zeros(hazards + 1, np.int64),
     )
@@ -98,82 +99,94 @@ def new_edges() -> Edges:
         np.empty(MOST_EDGES, np.int64),
         np.empty(MOST_EDGES, np.int64),
         np.empty(MOST_EDGES),
-        np.empty((MOST_EDGES, WORD_WIDTH)),
+        np.empty((MOST_EDGES, DUBINS_PATH_WIDTH)),
         np.zeros(MOST_EDGES, np.bool_),
     )
 
 
 @compiled
-def pose_in(vias: Vias, i: int) -> Pose:
+def pose_in(tangents: TangentPoses, i: int) -> Pose:
     """The pose in row `i`."""
-    return read_pose(vias.poses[i])
+    return read_pose(tangents.poses[i])
 
 
 @compiled
-def word_in(edges: Edges, e: int) -> Word:
-    """The word of edge `e`."""
-    return read_word(edges.words[e])
+def path_in(edges: Edges, e: int) -> DubinsPath:
+    """The Dubins path of edge `e`."""
+    return read_dubins_path(edges.words[e])
 
 
 @compiled
-def hop_of(vias: Vias, edges: Edges, e: int) -> Hop:
-    """The hop of edge `e`."""
-    return Hop(pose_in(vias, edges.begins[e]), word_in(edges, e))
+def edge_of(tangents: TangentPoses, edges: Edges, e: int) -> Edge:
+    """The edge of edge `e`."""
+    return Edge(pose_in(tangents, edges.begins[e]), path_in(edges, e))
 
 
 @compiled
-def add_edge(vias: Vias, edges: Edges, queue: Queue, begin: int, end: int) -> None:
-    """Queues a hop whose word is not known yet, with the straight line as its length."""
+def add_edge(tangents: TangentPoses, edges: Edges, queue: Queue, begin: int, end: int) -> None:
+    """Queues an edge whose Dubins path is not known yet, with the straight line as its length."""
     e = edges.used[0]
-    if e == MOST_EDGES or vias.gone[end] < math.inf:
+    if e == MOST_EDGES or tangents.cost_to_come[end] < math.inf:
         return
     edges.used[0] = e + 1
     edges.begins[e], edges.ends[e], edges.above[e] = begin, end, -1.0
-    here, there, goal = pose_in(vias, begin), pose_in(vias, end), pose_in(vias, GOAL)
-    to_go = vias.to_go[end]
-    if to_go < 0.0:
-        to_go = math.hypot(goal.x - there.x, goal.y - there.y)
-    hoped = vias.gone[begin] + math.hypot(there.x - here.x, there.y - here.y) + EAGER * to_go
+    here, there, goal = pose_in(tangents, begin), pose_in(tangents, end), pose_in(tangents, GOAL)
+    cost_to_go = tangents.cost_to_go[end]
+    if cost_to_go < 0.0:
+        cost_to_go = math.hypot(goal.x - there.x, goal.y - there.y)
+    hoped = (
+        tangents.cost_to_come[begin]
+        + math.hypot(there.x - here.x, there.y - here.y)
+        + HEURISTIC_WEIGHT * cost_to_go
+    )
     heappush(queue, (float(hoped), e))
 
 
 @compiled
-def add_edges(vias: Vias, edges: Edges, queue: Queue, begin: int, hazard: int) -> None:
-    """Queues hops to all vias of a hazard."""
-    for via in range(vias.first[hazard], vias.after[hazard]):
-        if via != begin:
-            add_edge(vias, edges, queue, begin, via)
+def add_edges(tangents: TangentPoses, edges: Edges, queue: Queue, begin: int, hazard: int) -> None:
+    """Queues edges to all tangent poses of a hazard."""
+    for tangent in range(tangents.first[hazard], tangents.after[hazard]):
+        if tangent != begin:
+            add_edge(tangents, edges, queue, begin, tangent)
 
 
 @compiled
-def find_word(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> None:
-    """Finds the word of an edge, and queues it again with its length."""
+def find_path(tangents: TangentPoses, edges: Edges, queue: Queue, e: int, radius: float) -> None:
+    """Finds the Dubins path of an edge, and queues it again with its length."""
     begin, end = edges.begins[e], edges.ends[e]
-    if vias.to_go[end] < 0.0:
-        word = next_word(pose_in(vias, end), pose_in(vias, GOAL), radius, -1.0)
-        vias.to_go[end] = radius * length_of(word)
-    word = next_word(pose_in(vias, begin), pose_in(vias, end), radius, edges.above[e])
-    length = length_of(word)
+    if tangents.cost_to_go[end] < 0.0:
+        path = next_path(pose_in(tangents, end), pose_in(tangents, GOAL), radius, -1.0)
+        tangents.cost_to_go[end] = radius * length_of(path)
+    path = next_path(pose_in(tangents, begin), pose_in(tangents, end), radius, edges.above[e])
+    length = length_of(path)
     if length < math.inf:
-        write_word(word, edges.words[e])
+        write_dubins_path(path, edges.words[e])
         edges.known[e], edges.above[e] = True, length
-        hoped = vias.gone[begin] + radius * length + EAGER * vias.to_go[end]
+        hoped = (
+            tangents.cost_to_come[begin]
+            + radius * length
+            + HEURISTIC_WEIGHT * tangents.cost_to_go[end]
+        )
         heappush(queue, (float(hoped), e))
 
 
 @compiled
-def try_longer(vias: Vias, edges: Edges, queue: Queue, e: int, radius: float) -> None:
-    """Queues an edge again whose word was blocked, for a longer one."""
+def try_longer(tangents: TangentPoses, edges: Edges, queue: Queue, e: int, radius: float) -> None:
+    """Queues an edge again whose Dubins path was blocked, for a longer one."""
     edges.known[e] = False
     begin, end = edges.begins[e], edges.ends[e]
-    hoped = vias.gone[begin] + radius * edges.above[e] + EAGER * vias.to_go[end]
+    hoped = (
+        tangents.cost_to_come[begin]
+        + radius * edges.above[e]
+        + HEURISTIC_WEIGHT * tangents.cost_to_go[end]
+    )
     heappush(queue, (float(hoped), e))
 
 
 @compiled
-def settle(vias: Vias, edges: Edges, e: int, radius: float, t: float) -> None:
+def settle(tangents: TangentPoses, edges: Edges, e: int, radius: float, t: float) -> None:
     """The end of an edge is reached along it at time `t`."""
     begin, end = edges.begins[e], edges.ends[e]
-    vias.gone[end] = vias.gone[begin] + radius * edges.above[e]
-    vias.hops[end] = vias.hops[begin] + 1
-    vias.times[end], vias.edges[end] = t, e
+    tangents.cost_to_come[end] = tangents.cost_to_come[begin] + radius * edges.above[e]
+    tangents.depth[end] = tangents.depth[begin] + 1
+    tangents.times[end], tangents.edges[end] = t, e

@@ -3,23 +3,19 @@
 from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.paths.leg import Leg, new_leg
-from vfguide.planning.route_following import RouteState, fresh_route_state
+from vfguide.planning.route_following import RouteFollowing, fresh_following
 
 
 class Route(NamedTuple):
     """How the goal is flown to; also what one step leaves for the next."""
 
     leg: Leg
-    detour: RouteState
+    following: RouteFollowing
     """Round hazards, before the leg; and what is remembered of searches for it."""
-
-
-with_detour = replacing(Route, "detour")
 
 
 @compiled
 def fresh_route() -> Route:
     """Nothing is planned yet."""
-    return Route(new_leg(), fresh_route_state())
+    return Route(new_leg(), fresh_following())

@@ -1,7 +1,7 @@
-"""A route flown: hop after hop, until the last one is a leg's own way to the goal.
+"""A route flown: edge after edge, until the last one is a leg's own path to the goal.
 
-The hops lie in the horizontal plane, NED. Each is a way that ends at its end pose, as `way` has
-them.
+The edges lie in the horizontal plane, NED. Each is a Dubins path that ends at its end pose, as
+`path_progress` has them.
 """
 
 import math
@@ -16,46 +16,46 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Shape, replacing
 from vfguide.paths.course_laws import Course, Planar
 from vfguide.paths.dubins import length_of
-from vfguide.paths.edge import HOP_COLUMNS, Hop, Hops, hop_in
-from vfguide.paths.leg import WAY, Leg, in_phase
+from vfguide.paths.edge import EDGE_WIDTH, Edge, RouteEdges, edge_in
+from vfguide.paths.leg import ON_PATH, Leg, in_phase
 from vfguide.paths.path_progress import (
     FIRST_TURN,
     LAST_TURN,
     TURN_IN,
+    PathProgress,
     Pose,
-    Way,
     along,
     beside,
-    way_course,
+    path_course,
 )
-from vfguide.paths.path_progress import way_left as rest_of
+from vfguide.paths.path_progress import path_left as rest_of
 from vfguide.planning.overflight import NO_LEVEL
-from vfguide.planning.roadmap import MOST_HOPS
-from vfguide.planning.route_search import Detour
+from vfguide.planning.roadmap import MAX_ROUTE_EDGES
+from vfguide.planning.route_search import FoundRoute
 
 LOST = 0.7
-"""A hop is given up farther beside it than this, in radii."""
+"""An edge is given up farther beside it than this, in radii."""
 
 
-class RouteState(NamedTuple):
+class RouteFollowing(NamedTuple):
     """What is remembered of the route round hazards, and of the searches for one."""
 
     length: int
-    """Number of hops of the route; zero while none is flown."""
+    """Number of edges of the route; zero while none is flown."""
     present: int
-    """Number of the hop that is flown."""
-    piece: int
+    """Number of the edge that is flown."""
+    segment: int
     left: float
-    """`Way.piece` and `Way.left` of it."""
+    """`PathProgress.segment` and `PathProgress.left` of it."""
     radius: float
     """Of the turns [m]."""
     end: Pose
-    """Where the last hop ends, NED."""
+    """Where the last edge ends, NED."""
     clearance: float
     """That the route was found with; negative: none was found [m]."""
     looked: float
     sought: float
-    """When the way was looked along last, and when one was searched for, on the clock of the
+    """When the route was looked along last, and when one was searched for, on the clock of the
     obstacles [s]."""
     shifted: bool
     """Whether the leg was changed since the last look."""
@@ -63,67 +63,71 @@ class RouteState(NamedTuple):
     """At which things are passed over, down from the origin; infinite: none is kept [m]."""
     fall: float
     """How long before the goal its height is flown to again [m]."""
-    hops: Annotated[NDArray[np.float64], Shape(MOST_HOPS, HOP_COLUMNS)]
-    """The hops of the route, then rows that mean nothing."""
+    route_edges: Annotated[NDArray[np.float64], Shape(MAX_ROUTE_EDGES, EDGE_WIDTH)]
+    """The edges of the route, then rows that mean nothing."""
 
 
-with_shift = replacing(RouteState, "shifted")
-with_level = replacing(RouteState, "level")
-with_look = replacing(RouteState, "looked", "shifted")
-with_search = replacing(RouteState, "looked", "sought", "length", "clearance")
-with_overflight = replacing(RouteState, "level", "fall", "clearance")
-_with_hops = replacing(RouteState, "length", "radius", "end", "clearance", "hops")
-_at_hop = replacing(RouteState, "present", "piece", "left")
-_without_hops = replacing(RouteState, "length")
+with_shift = replacing(RouteFollowing, "shifted")
+with_level = replacing(RouteFollowing, "level")
+with_look = replacing(RouteFollowing, "looked", "shifted")
+with_search = replacing(RouteFollowing, "looked", "sought", "length", "clearance")
+with_overflight = replacing(RouteFollowing, "level", "fall", "clearance")
+_with_edges = replacing(RouteFollowing, "length", "radius", "end", "clearance", "route_edges")
+_at_edge = replacing(RouteFollowing, "present", "segment", "left")
+_without_edges = replacing(RouteFollowing, "length")
 
 
 @compiled
-def fresh_route_state() -> RouteState:
+def fresh_following() -> RouteFollowing:
     """No route, and nothing looked at."""
-    never, hops = -math.inf, np.zeros((MOST_HOPS, HOP_COLUMNS))
+    never, route_edges = -math.inf, np.zeros((MAX_ROUTE_EDGES, EDGE_WIDTH))
     nowhere = Pose(0.0, 0.0, 0.0)
-    return RouteState(0, 0, 0, 0.0, 0.0, nowhere, 0.0, never, never, True, NO_LEVEL, 0.0, hops)
+    return RouteFollowing(
+        0, 0, 0, 0.0, 0.0, nowhere, 0.0, never, never, True, NO_LEVEL, 0.0, route_edges
+    )
 
 
 @compiled
-def is_on_route(route: RouteState) -> bool:
+def is_on_route(route: RouteFollowing) -> bool:
     """Whether a route is flown."""
     return route.length > 0
 
 
 @compiled
-def begin_route(route: RouteState, found: Detour, end: Pose, radius: float) -> RouteState:
-    """Fly the hops that were found to `end`."""
-    count, hops = len(found.hops), route.hops.copy()
+def begin_route(
+    route: RouteFollowing, found: FoundRoute, end: Pose, radius: float
+) -> RouteFollowing:
+    """Fly the edges that were found to `end`."""
+    count, route_edges = len(found.route_edges), route.route_edges.copy()
     for i in range(count):
-        hops[i] = found.hops[i]
-    return begin_hop(_with_hops(route, count, radius, end, found.clearance, hops), 0)
+        route_edges[i] = found.route_edges[i]
+    return begin_edge(_with_edges(route, count, radius, end, found.clearance, route_edges), 0)
 
 
 @compiled
-def begin_hop(route: RouteState, i: int) -> RouteState:
-    """Fly hop `i` from its beginning."""
-    return _at_hop(route, i, FIRST_TURN, hop_at(route, i).word.arc)
+def begin_edge(route: RouteFollowing, i: int) -> RouteFollowing:
+    """Fly edge `i` from its beginning."""
+    return _at_edge(route, i, FIRST_TURN, edge_at(route, i).path.arc)
 
 
 @compiled
-def hop_at(route: RouteState, i: int) -> Hop:
-    """Hop `i`."""
-    return hop_in(route.hops, i)
+def edge_at(route: RouteFollowing, i: int) -> Edge:
+    """Edge `i`."""
+    return edge_in(route.route_edges, i)
 
 
 @compiled
-def end_at(route: RouteState, i: int) -> Pose:
-    """Where hop `i` ends."""
-    return hop_at(route, i + 1).begin if i + 1 < route.length else route.end
+def end_at(route: RouteFollowing, i: int) -> Pose:
+    """Where edge `i` ends."""
+    return edge_at(route, i + 1).begin if i + 1 < route.length else route.end
 
 
 @compiled
-def way_to(route: RouteState, i: int) -> Way:
-    """Hop `i` as a way that ends at the origin along x."""
-    hop, end = hop_at(route, i), end_at(route, i)
-    x, y, course = seen_from(end, hop.begin)
-    return Way(x, y, course, hop.word, route.radius, route.piece, route.left)
+def edge_progress(route: RouteFollowing, i: int) -> PathProgress:
+    """Edge `i` as a route that ends at the origin along x."""
+    edge, end = edge_at(route, i), end_at(route, i)
+    x, y, course = seen_from(end, edge.begin)
+    return PathProgress(x, y, course, edge.path, route.radius, route.segment, route.left)
 
 
 @compiled
@@ -144,47 +148,51 @@ def vehicle_from(frame: Pose, state: FlightState) -> Planar:
 
 
 @compiled
-def follow_route(route: RouteState, state: FlightState, leg: Leg) -> tuple[RouteState, Leg]:
-    """Go along the hops; the last one becomes the way of the leg, and the route ends."""
+def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[RouteFollowing, Leg]:
+    """Go along the edges; the last one becomes the route of the leg, and the route ends."""
     last = route.length - 1
     while route.present < last:
         i = route.present
         at = vehicle_from(end_at(route, i), state)
-        way = along(way_to(route, i), at)
-        route = _at_hop(route, i, way.piece, way.left)
-        if beside(way, at) > LOST * route.radius:
+        progress = along(edge_progress(route, i), at)
+        route = _at_edge(route, i, progress.segment, progress.left)
+        if beside(progress, at) > LOST * route.radius:
             route = with_shift(route, True)
-        if rest_of(way) > lead_into(route, i, state):
+        if rest_of(progress) > lead_into(route, i, state):
             return route, leg
-        route = begin_hop(route, i + 1)
-    way = way_to(route, last)
-    leg = in_phase(Leg(WAY, route.radius, leg.final, leg.away, leg.circles, way), WAY, way)
-    return _without_hops(route, 0), leg
+        route = begin_edge(route, i + 1)
+    progress = edge_progress(route, last)
+    leg = in_phase(
+        Leg(ON_PATH, route.radius, leg.final_approach, leg.outbound, leg.circles, progress),
+        ON_PATH,
+        progress,
+    )
+    return _without_edges(route, 0), leg
 
 
 @compiled
-def lead_into(route: RouteState, i: int, state: FlightState) -> float:
-    """How far before its end hop `i` goes over into the next one, for the lag of the bank [m]."""
-    word, following = hop_at(route, i).word, hop_at(route, i + 1).word
-    now = word.last if route.piece == LAST_TURN and word.end > 0.0 else 0.0
+def lead_into(route: RouteFollowing, i: int, state: FlightState) -> float:
+    """How far before its end edge `i` goes over into the next one, for the lag of the bank [m]."""
+    path, following = edge_at(route, i).path, edge_at(route, i + 1).path
+    now = path.last if route.segment == LAST_TURN and path.end > 0.0 else 0.0
     then = following.first if following.arc > 0.0 else 0.0
     speed = math.hypot(state.v_n[0], state.v_n[1])
     return TURN_IN * speed * abs(then - now)
 
 
 @compiled
-def route_course(route: RouteState, state: FlightState, leg: Leg, course: float) -> Course:
-    """Course along the hop that is flown, relative to `course`, and the path length to the goal."""
+def route_course(route: RouteFollowing, state: FlightState, leg: Leg, course: float) -> Course:
+    """Course along the present edge, relative to `course`, and the path length to the goal."""
     i = route.present
     end = end_at(route, i)
-    onto = way_course(way_to(route, i), vehicle_from(end, state))
-    remaining = onto.remaining + leg.final
+    onto = path_course(edge_progress(route, i), vehicle_from(end, state))
+    remaining = onto.remaining + leg.final_approach
     for k in range(i + 1, route.length):
-        remaining += route.radius * length_of(hop_at(route, k).word)
+        remaining += route.radius * length_of(edge_at(route, k).path)
     return Course(wrap(end.course + onto.chi - course), onto.chi_rate, remaining)
 
 
 @compiled
-def hops_of(route: RouteState) -> Hops:
-    """All hops as rows."""
-    return route.hops[: route.length]
+def edges_of(route: RouteFollowing) -> RouteEdges:
+    """All edges as rows."""
+    return route.route_edges[: route.length]

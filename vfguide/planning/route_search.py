@@ -1,15 +1,15 @@
-"""A flyable way round hazards, with as much clearance as there is room for."""
+"""A flyable route round hazards, with as much clearance as there is room for."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import Outlines, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.dubins import length_of
-from vfguide.paths.edge import HOP_COLUMNS, Hops, next_word, way_length
+from vfguide.paths.edge import EDGE_WIDTH, RouteEdges, next_path, route_length
 from vfguide.planning.collision_check import Task, demand_of
 from vfguide.planning.graph_search import search
 from vfguide.planning.shortcutting import shortened
@@ -17,17 +17,18 @@ from vfguide.planning.shortcutting import shortened
 CLEARANCES = (25.0, 18.0, 12.0, 8.0, 5.0)
 """That are tried one after the other [m]."""
 EFFORTS = (3500, 1500, 2500, 2500, 1000)
-"""Words computed for each of them, at most; see `search`."""
+"""Dubins paths computed for each of them, at most; see `search`."""
 LONG, GATE, WORTH = 1.4, 2, 0.75
-"""A way longer than the one without hazards by the first factor is looked for with less clearance,
-that of the second number, too, and left where that makes it shorter by the third factor."""
+"""A route longer than the one without hazards by the first factor is looked for with less
+clearance, that of the second number, too, and left where that makes it shorter by the third
+factor."""
 
 
-class Detour(NamedTuple):
-    """A way from the start to the goal."""
+class FoundRoute(NamedTuple):
+    """A route from the start to the goal."""
 
-    hops: Hops
-    """Up to `roadmap.MOST_HOPS`, NED, a `Hop` a row; none where no way was found."""
+    route_edges: RouteEdges
+    """Up to `roadmap.MAX_ROUTE_EDGES`, NED, a `Edge` a row; none where no route was found."""
     length: float
     """[m]; 0 where there is none."""
     clearance: float
@@ -37,8 +38,8 @@ class Detour(NamedTuple):
 
 
 @compiled
-def find_detour(obstacles: Rows, fence: Outlines, band: Band, task: Task) -> Detour:
-    """The way round obstacles and within a fence.
+def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> FoundRoute:
+    """The route round obstacles and within a fence.
 
     Args:
         obstacles: rows of `obstacle_rows`.
@@ -48,28 +49,28 @@ def find_detour(obstacles: Rows, fence: Outlines, band: Band, task: Task) -> Det
     """
     spent = 0
     for i in range(len(CLEARANCES)):
-        detour = detour_with(obstacles, fence, band, task, CLEARANCES[i], EFFORTS[i])
-        spent += detour.effort
-        if len(detour.hops) > 0:
-            free = task.radius * length_of(next_word(task.start, task.goal, task.radius, -1.0))
-            if detour.length > LONG * free and CLEARANCES[i] > CLEARANCES[GATE]:
-                through = detour_with(obstacles, fence, band, task, CLEARANCES[GATE], EFFORTS[GATE])
+        found = route_with(obstacles, fence, band, task, CLEARANCES[i], EFFORTS[i])
+        spent += found.effort
+        if len(found.route_edges) > 0:
+            free = task.radius * length_of(next_path(task.start, task.goal, task.radius, -1.0))
+            if found.length > LONG * free and CLEARANCES[i] > CLEARANCES[GATE]:
+                through = route_with(obstacles, fence, band, task, CLEARANCES[GATE], EFFORTS[GATE])
                 spent += through.effort
-                if 0.0 < through.length < WORTH * detour.length:
-                    detour = through
-            return Detour(detour.hops, detour.length, detour.clearance, spent)
-    return Detour(np.empty((0, HOP_COLUMNS)), 0.0, 0.0, spent)
+                if 0.0 < through.length < WORTH * found.length:
+                    found = through
+            return FoundRoute(found.route_edges, found.length, found.clearance, spent)
+    return FoundRoute(np.empty((0, EDGE_WIDTH)), 0.0, 0.0, spent)
 
 
 @compiled
-def detour_with(
-    obstacles: Rows, fence: Outlines, band: Band, task: Task, wanted: float, effort: int
-) -> Detour:
-    """The way with one clearance [m]; arguments of `find_detour`."""
+def route_with(
+    obstacles: Rows, fence: KeepOutZones, band: Band, task: Task, wanted: float, effort: int
+) -> FoundRoute:
+    """The route with one clearance [m]; arguments of `find_route`."""
     hazards = joined(hazards_of(obstacles, band, wanted), fence)
     demand = demand_of(hazards, task, wanted)
-    hops, left = search(hazards, task, demand, effort)
-    if len(hops) == 0:
-        return Detour(hops, 0.0, 0.0, effort - left)
-    hops = shortened(hazards, task, demand, hops)
-    return Detour(hops, way_length(hops, task.radius), wanted, effort - left)
+    route_edges, left = search(hazards, task, demand, effort)
+    if len(route_edges) == 0:
+        return FoundRoute(route_edges, 0.0, 0.0, effort - left)
+    route_edges = shortened(hazards, task, demand, route_edges)
+    return FoundRoute(route_edges, route_length(route_edges, task.radius), wanted, effort - left)

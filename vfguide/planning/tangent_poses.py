@@ -1,9 +1,9 @@
-"""Via poses: where a way passes a hazard closely, along its border."""
+"""Via poses: where a route passes a hazard closely, along its border."""
 
 import math
 
 from vfguide.airspace.footprint import read_side
-from vfguide.airspace.keep_out import Outline, Outlines, read_outline
+from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.airspace.planar_clearance import clearance_at_rest
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
@@ -12,7 +12,7 @@ from vfguide.paths.path_progress import Pose, after_turn, write_pose
 from vfguide.planning.collision_check import SHORTEST_STEP
 
 BEARINGS = 16
-"""Directions in which a way passes a hazard."""
+"""Directions in which a route passes a hazard."""
 FANNED = 5
 """Directions in which it passes one corner of a fence."""
 FAN = 0.45
@@ -29,7 +29,7 @@ Poses = Table
 
 
 @compiled
-def support(outline: Outline, sides: Rows, nx: float, ny: float) -> tuple[float, float]:
+def support(outline: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[float, float]:
     """The point of an outline farthest along (nx, ny), about its place [m]."""
     if outline.sides == 0:
         return outline.bounding_radius * nx, outline.bounding_radius * ny
@@ -49,27 +49,35 @@ def checked(wanted: float) -> float:
 
 
 @compiled
-def add_via(
-    hazards: Outlines, vias: Poses, used: int, x: float, y: float, course: float, wanted: float
+def add_tangent_pose(
+    hazards: KeepOutZones,
+    tangents: Poses,
+    used: int,
+    x: float,
+    y: float,
+    course: float,
+    wanted: float,
 ) -> int:
     """Adds a pose and the opposite one where they are clear of all that does not move.
 
     Returns how many there are.
     """
-    if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(vias):
+    if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(tangents):
         return used
-    write_pose(Pose(x, y, course), vias[used])
-    write_pose(Pose(x, y, course + math.pi), vias[used + 1])
+    write_pose(Pose(x, y, course), tangents[used])
+    write_pose(Pose(x, y, course + math.pi), tangents[used + 1])
     return used + 2
 
 
 @compiled
-def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
-    """Adds via poses round a convex hazard where it is at time `t`; returns how many there are.
+def round_convex(
+    hazards: KeepOutZones, i: int, t: float, wanted: float, tangents: Poses, used: int
+) -> int:
+    """Adds tangent poses round a convex hazard where it is at time `t`; returns how many there are.
 
     They touch its outline grown by the wanted clearance; round a circle to keep in, from inside.
     """
-    outline = read_outline(hazards.table[i])
+    outline = read_zone_row(hazards.table[i])
     apart = outline.sign * (checked(wanted) + AMPLE)
     for k in range(BEARINGS):
         bearing = 2.0 * math.pi * k / BEARINGS
@@ -77,14 +85,14 @@ def round_convex(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses
         sx, sy = support(outline, hazards.sides, nx, ny)
         x = outline.x + t * outline.vx + sx + apart * nx
         y = outline.y + t * outline.vy + sy + apart * ny
-        used = add_via(hazards, vias, used, x, y, bearing + 0.5 * math.pi, wanted)
+        used = add_tangent_pose(hazards, tangents, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
 
 @compiled
-def round_corners(hazards: Outlines, i: int, wanted: float, vias: Poses, used: int) -> int:
-    """Adds via poses round the corners of a polygon that point at where one may be."""
-    outline = read_outline(hazards.table[i])
+def round_corners(hazards: KeepOutZones, i: int, wanted: float, tangents: Poses, used: int) -> int:
+    """Adds tangent poses round the corners of a polygon that point at where one may be."""
+    outline = read_zone_row(hazards.table[i])
     sides = hazards.sides[outline.first_side : outline.first_side + outline.sides]
     apart = checked(wanted) + AMPLE
     for k in range(len(sides)):
@@ -99,7 +107,7 @@ def round_corners(hazards: Outlines, i: int, wanted: float, vias: Poses, used: i
             bearing = bisector + FAN * (2.0 * j / (FANNED - 1) - 1.0)
             x = outline.x + corner.x + apart * math.cos(bearing)
             y = outline.y + corner.y + apart * math.sin(bearing)
-            used = add_via(hazards, vias, used, x, y, bearing + 0.5 * math.pi, wanted)
+            used = add_tangent_pose(hazards, tangents, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
 
@@ -112,28 +120,30 @@ def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
 
 
 @compiled
-def add_vias(hazards: Outlines, i: int, t: float, wanted: float, vias: Poses, used: int) -> int:
-    """Adds via poses round row `i` where it is at time `t`; returns how many there are."""
-    outline = read_outline(hazards.table[i])
+def add_tangent_poses(
+    hazards: KeepOutZones, i: int, t: float, wanted: float, tangents: Poses, used: int
+) -> int:
+    """Adds tangent poses round row `i` where it is at time `t`; returns how many there are."""
+    outline = read_zone_row(hazards.table[i])
     if outline.sides == 0 or outline.is_convex:
-        return round_convex(hazards, i, t, wanted, vias, used)
-    return round_corners(hazards, i, wanted, vias, used)
+        return round_convex(hazards, i, t, wanted, tangents, used)
+    return round_corners(hazards, i, wanted, tangents, used)
 
 
 @compiled
-def add_fan(end: Pose, ahead: float, radius: float, vias: Poses, used: int) -> int:
+def add_fan(end: Pose, ahead: float, radius: float, tangents: Poses, used: int) -> int:
     """Adds poses that are reached by a straight and a turn from one of the ends.
 
     `ahead` is 1 for the start; for the goal it is -1, and they are those from which it is reached.
     Returns how many there are.
     """
     for run in STRAIGHTS:
-        gone = ahead * run * radius
-        x, y = end.x + gone * math.cos(end.course), end.y + gone * math.sin(end.course)
+        travelled = ahead * run * radius
+        x, y = end.x + travelled * math.cos(end.course), end.y + travelled * math.sin(end.course)
         for arc in ARCS:
-            if used < len(vias):
+            if used < len(tangents):
                 side, turned = math.copysign(1.0, arc), ahead * abs(arc)
                 there = after_turn(Pose(x, y, end.course), side, turned, radius)
-                write_pose(there, vias[used])
+                write_pose(there, tangents[used])
                 used += 1
     return used

@@ -14,7 +14,7 @@ from vfguide.report.drawing import GOAL, Flights, line_of
 from vfguide.report.panels import LIMIT, lay_out, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.fence_distance import fence_distances
-from vfguide.results.interventions import episodes_of
+from vfguide.results.interventions import interventions_of
 from vfguide.results.record import Array, FlightRecord
 from vfguide.results.traffic_results import volume_distance
 from vfguide.scenario.obstacles import rows_of
@@ -49,7 +49,9 @@ def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
     """Distance from the nearest obstacle, volume or rule of the fence, (n,) [m]; inside < 0."""
     scenario = flights.loaded.scenario
     fence = fence_distances(scenario.fence, record.p_n)
-    volumes = [volume_distance(scenario.avoidance, its.p_n - record.p_n) for its in flights.passers]
+    volumes = [
+        volume_distance(scenario.avoidance, each.p_n - record.p_n) for each in flights.passers
+    ]
     each = np.column_stack((clearances(record, rows_of(scenario.obstacles)), *volumes, fence))
     return np.fmin.reduce(each, axis=1)
 
@@ -57,7 +59,7 @@ def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
 def _draw_vehicle(axes: Axes, flights: Flights, record: FlightRecord) -> None:
     loaded, seconds = flights.loaded, float(record.time[-1])
     margin = assurance(loaded.performance(record.vehicle), loaded.gains(record.vehicle)).margin
-    for episode in episodes_of(loaded.scenario, record):
+    for episode in interventions_of(loaded.scenario, record):
         end = max(episode.to_s, episode.from_s + SHORTEST * seconds)
         axes.axvspan(episode.from_s, end, zorder=0.5, **SHADES[episode.reason])
     axes.axhline(0.0, **LIMIT)

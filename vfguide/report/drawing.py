@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Series, Vec3
 from vfguide.report.obstacle_drawing import Body, body_of
-from vfguide.report.traffic_drawing import Passer, passers_of
+from vfguide.report.traffic_drawing import Passer, traffic_paths_of
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.load import LoadedScenario
 
@@ -74,12 +74,12 @@ class Flights:
     def bodies(self) -> tuple[Body, ...]:
         """The obstacles over the time of the flights."""
         seconds = float(self.records[0].time[-1])
-        return tuple(body_of(its, seconds) for its in self.loaded.scenario.obstacles)
+        return tuple(body_of(each, seconds) for each in self.loaded.scenario.obstacles)
 
     @cached_property
     def passers(self) -> tuple[Passer, ...]:
         """The other aircraft over the time of the flights."""
-        return passers_of(self.loaded.scenario, self.records)
+        return traffic_paths_of(self.loaded.scenario, self.records)
 
 
 def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:

@@ -89,4 +89,4 @@ def draw_figures(flights: Flights) -> list[Picture]:
         *_MOTION,
         *(_RIGID_BODY if flights.kinematic else _AEROPLANE),
     )
-    return [Picture(its.name, its.caption, to_png(its.draw, flights)) for its in drawings]
+    return [Picture(each.name, each.caption, to_png(each.draw, flights)) for each in drawings]

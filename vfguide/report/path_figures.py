@@ -11,7 +11,7 @@ from vfguide.report.drawing import GOAL, MUTED, Flights, goal_axis, line_of
 from vfguide.report.fence_figure import draw_heights, draw_zones, height_marks, zone_marks
 from vfguide.report.meshes import outline
 from vfguide.report.obstacle_drawing import draw_outlines, draw_surfaces, east_north_up, write_names
-from vfguide.report.traffic_drawing import draw_passers, draw_passers_in_space, name_passers
+from vfguide.report.traffic_drawing import draw_traffic, draw_traffic_in_space, name_traffic
 from vfguide.report.view import draw_legend, numbered, view_of
 from vfguide.report.wind_arrow import draw_wind
 from vfguide.results.record import Array
@@ -29,7 +29,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
     box, floor = view.limits, float(view.limits[2, 0])
     axes.set(xlim=box[0], ylim=box[1], zlim=box[2])
     draw_surfaces(axes, flights.bodies, floor)
-    draw_passers_in_space(axes, flights.passers)
+    draw_traffic_in_space(axes, flights.passers)
     for index, record in enumerate(flights.records):
         x, y, z = east_north_up(record.p_n).T
         line = line_of(index)
@@ -57,7 +57,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     _draw_flat(axes, flights, EAST, NORTH)
     draw_zones(axes, flights.loaded.scenario.fence)
     write_names(axes, flights.bodies, np.column_stack((EAST, NORTH)))
-    name_passers(axes, flights.passers, np.column_stack((EAST, NORTH)))
+    name_traffic(axes, flights.passers, np.column_stack((EAST, NORTH)))
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
     wind = flights.loaded.scenario.wind
@@ -88,7 +88,7 @@ def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:
     onto = np.column_stack((right, up))
     view = view_of(flights, onto.T)
     draw_outlines(axes, flights.bodies, onto)
-    draw_passers(axes, flights.passers, onto)
+    draw_traffic(axes, flights.passers, onto)
     for index, record in enumerate(flights.records):
         x, y = (record.p_n @ onto).T
         line = line_of(index)

@@ -16,9 +16,9 @@ from vfguide.results.record import AirBelief, FlightRecord
 def draw_position(figure: Figure, flights: Flights) -> None:
     """North, east and height of the origin, with the goals where they were reached."""
     panels = [
-        Panel("North [m]", lambda its: its.p_n[:, 0]),
-        Panel("East [m]", lambda its: its.p_n[:, 1]),
-        Panel("Above the origin [m]", lambda its: -its.p_n[:, 2]),
+        Panel("North [m]", lambda each: each.p_n[:, 0]),
+        Panel("East [m]", lambda each: each.p_n[:, 1]),
+        Panel("Above the origin [m]", lambda each: -each.p_n[:, 2]),
     ]
     mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
     grid = draw_panels(figure, flights, "Position", panels, [mark])
@@ -34,9 +34,9 @@ def draw_position(figure: Figure, flights: Flights) -> None:
 def draw_attitude(figure: Figure, flights: Flights) -> None:
     """Roll, pitch and yaw."""
     panels = [
-        Panel("Roll [°]", lambda its: broken(its.euler[:, 0] / DEG)),
-        Panel("Pitch [°]", lambda its: its.euler[:, 1] / DEG),
-        Panel("Yaw [°]", lambda its: broken(its.euler[:, 2] / DEG % 360.0)),
+        Panel("Roll [°]", lambda each: broken(each.euler[:, 0] / DEG)),
+        Panel("Pitch [°]", lambda each: each.euler[:, 1] / DEG),
+        Panel("Yaw [°]", lambda each: broken(each.euler[:, 2] / DEG % 360.0)),
     ]
     draw_panels(figure, flights, "Attitude (Euler angles)", panels, [])
 
@@ -45,14 +45,14 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
     """Airspeed, bank, load factor and thrust, with the limits of the aircraft."""
     loaded = flights.loaded
     first = flights.records[0].vehicle
-    its = loaded.performance(first)
+    each = loaded.performance(first)
     same = len(loaded.aircraft) == 1
     bank = loaded.gains(first).bank_max / DEG
     panels = [
         Panel(
             "True airspeed [m/s]",
             lambda record: record.airspeed,
-            (its.airspeed_min, its.airspeed_max) if same else (),
+            (each.airspeed_min, each.airspeed_max) if same else (),
         ),
         Panel(
             "Bank [°]",
@@ -62,7 +62,7 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
         Panel(
             "Load factor",
             lambda record: record.load_factor,
-            (its.load_min, its.load_max) if same else (),
+            (each.load_min, each.load_max) if same else (),
         ),
         Panel("Thrust setpoint", lambda record: record.thrust, (0.0, 1.0)),
     ]
@@ -73,7 +73,7 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
 
 def draw_speed(figure: Figure, flights: Flights) -> None:
     """The speed of vehicles that do not fly through air."""
-    panel = Panel("Speed [m/s]", lambda its: np.linalg.norm(its.v_n, axis=1))
+    panel = Panel("Speed [m/s]", lambda each: np.linalg.norm(each.v_n, axis=1))
     draw_panels(figure, flights, "Speed", [panel], [])
 
 
@@ -82,10 +82,10 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
     panels = [
         Panel(
             label,
-            lambda its, axis=axis: its.omega_b[:, axis] / DEG,
+            lambda each, axis=axis: each.omega_b[:, axis] / DEG,
             wanted=None
             if flights.kinematic
-            else lambda its, axis=axis: its.omega_wanted_b[:, axis] / DEG,
+            else lambda each, axis=axis: each.omega_wanted_b[:, axis] / DEG,
         )
         for axis, label in enumerate(
             ("Roll rate p [°/s]", "Pitch rate q [°/s]", "Yaw rate r [°/s]")
@@ -103,18 +103,18 @@ def draw_air(figure: Figure, flights: Flights) -> None:
     panels = [
         Panel(
             "Wind to north [m/s]",
-            lambda its: its.wind_n[:, 0],
-            wanted=lambda its: believed(its, lambda air: (air.wind_north, air.wind_sigma)),
+            lambda each: each.wind_n[:, 0],
+            wanted=lambda each: believed(each, lambda air: (air.wind_north, air.wind_sigma)),
         ),
         Panel(
             "Wind to east [m/s]",
-            lambda its: its.wind_n[:, 1],
-            wanted=lambda its: believed(its, lambda air: (air.wind_east, air.wind_sigma)),
+            lambda each: each.wind_n[:, 1],
+            wanted=lambda each: believed(each, lambda air: (air.wind_east, air.wind_sigma)),
         ),
         Panel(
             "True airspeed [m/s]",
-            lambda its: its.airspeed,
-            wanted=lambda its: believed(its, lambda air: (air.airspeed, air.airspeed_sigma)),
+            lambda each: each.airspeed,
+            wanted=lambda each: believed(each, lambda air: (air.airspeed, air.airspeed_sigma)),
         ),
     ]
     true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]

@@ -38,15 +38,15 @@ class Passer:
     """(3,) where it was then, NED [m]."""
 
 
-def passers_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tuple[Passer, ...]:
+def traffic_paths_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tuple[Passer, ...]:
     """The other aircraft of a run."""
     edges = _edges(scenario.avoidance.traffic_radius_m, scenario.avoidance.traffic_half_height_m)
     passers: list[Passer] = []
-    for its in scenario.traffic:
-        p_n, _ = motion_at(path_of(its), records[0].time)
+    for each in scenario.traffic:
+        p_n, _ = motion_at(path_of(each), records[0].time)
         apart = [volume_distance(scenario.avoidance, p_n - record.p_n) for record in records]
         nearest = p_n[int(np.nan_to_num(np.min(apart, axis=0), nan=np.inf).argmin())]
-        passers.append(Passer(its.name, p_n, nearest + edges, nearest))
+        passers.append(Passer(each.name, p_n, nearest + edges, nearest))
     return tuple(passers)
 
 
@@ -57,24 +57,24 @@ def _edges(radius: float, half_height: float) -> Array:
     return np.vstack((np.column_stack((x, y, -down)), np.column_stack((x, y, down))))
 
 
-def draw_passers(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+def draw_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
     """Their paths and volumes on the plane that `onto`, (3, 2), projects to."""
-    for its in passers:
-        axes.plot(*(its.p_n @ onto).T, zorder=1.6, **_PATH)
-        axes.fill(*outline(its.volume @ onto).T, zorder=1.4, **_VOLUME)
+    for each in passers:
+        axes.plot(*(each.p_n @ onto).T, zorder=1.6, **_PATH)
+        axes.fill(*outline(each.volume @ onto).T, zorder=1.4, **_VOLUME)
 
 
-def name_passers(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+def name_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
     """Their names where they came nearest, unless there are too many."""
-    for its in passers if len(passers) <= MOST_NAMES else ():
-        write_name(axes, its.name, its.nearest @ onto, AIRCRAFT)
+    for each in passers if len(passers) <= MOST_NAMES else ():
+        write_name(axes, each.name, each.nearest @ onto, AIRCRAFT)
 
 
-def draw_passers_in_space(axes: Any, passers: Sequence[Passer]) -> None:
+def draw_traffic_in_space(axes: Any, passers: Sequence[Passer]) -> None:
     """Their paths and volumes in axes east, north, up."""
-    for its in passers:
-        axes.plot(*east_north_up(its.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
-        for circle in its.volume.reshape(2, CORNERS, 3):
+    for each in passers:
+        axes.plot(*east_north_up(each.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
+        for circle in each.volume.reshape(2, CORNERS, 3):
             around = np.arange(CORNERS + 1) % CORNERS
             x, y, z = east_north_up(circle[around]).T
             axes.plot(x, y, z, color=AIRCRAFT, linewidth=0.9, zorder=1.6, axlim_clip=True)

@@ -29,7 +29,7 @@ def min_levels(record: FlightRecord, obstacles: Rows) -> Array:
     """Least U of each obstacle on the path, (M,)."""
     values = levels(record.p_n, record.time, obstacles)
     each = zip(values.T, obstacles[:, None], strict=True)
-    return np.array([_refined(record, its, levels, row) for its, row in each])
+    return np.array([_refined(record, each, levels, row) for each, row in each])
 
 
 def min_clearances(record: FlightRecord, obstacles: Rows) -> Array:

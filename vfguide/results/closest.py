@@ -19,9 +19,9 @@ class Closest(NamedTuple):
 def closest(result: Result) -> Closest | None:
     """The least clearance of all vehicles from all obstacles; None if there is none."""
     each = [
-        Closest(its.min_clearance_m, vehicle.id, its.name)
+        Closest(each.min_clearance_m, vehicle.id, each.name)
         for vehicle in result.vehicles
-        for its in vehicle.obstacles
-        if its.min_clearance_m is not None
+        for each in vehicle.obstacles
+        if each.min_clearance_m is not None
     ]
     return min(each, default=None)

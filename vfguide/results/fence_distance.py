@@ -52,9 +52,9 @@ def fence_violations(fence: Fence, record: FlightRecord) -> list[str]:
     values = fence_distances(fence, record.p_n)
     return [
         f"fence: vehicle {record.vehicle.id} {_side(fence, index)} {name} by "
-        f"{-np.nanmin(its):.1f} m after {record.time[np.flatnonzero(its < 0.0)[0]]:.1f} s"
-        for index, (name, its) in enumerate(zip(fence_rules(fence), values.T, strict=True))
-        if (its < 0.0).any()
+        f"{-np.nanmin(each):.1f} m after {record.time[np.flatnonzero(each < 0.0)[0]]:.1f} s"
+        for index, (name, each) in enumerate(zip(fence_rules(fence), values.T, strict=True))
+        if (each < 0.0).any()
     ]
 
 

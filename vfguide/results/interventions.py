@@ -51,22 +51,22 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
     return AssuranceResult(
         decided=count,
         escape=int((reason == Reason.ESCAPE).sum()),
-        least_bad=int((reason == Reason.LEAST_BAD).sum()),
+        least_bad=int((reason == Reason.BEST_EFFORT).sum()),
         acting_share=round(acting / count, 6) if count else None,
         min_margin_m=round(least, 6) if math.isfinite(least) else None,
-        episodes=episodes_of(scenario, record),
+        episodes=interventions_of(scenario, record),
     )
 
 
-def episodes_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
+def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
     """The times in which the assurance acted, those less than `APART` from each other as one."""
     decisions = record.decisions
     if decisions is None:
         return ()
     acting = np.flatnonzero(decisions.reason > 0.0)
     new = np.flatnonzero(np.diff(record.time[acting]) > APART) + 1
-    each = [its for its in np.split(acting, new) if its.size]
-    return tuple(_episode(scenario, record, decisions, its) for its in each)
+    each = [each for each in np.split(acting, new) if each.size]
+    return tuple(_episode(scenario, record, decisions, each) for each in each)
 
 
 def _episode(
@@ -79,7 +79,7 @@ def _episode(
         for sample, hazard in zip(samples, decisions.hazard[samples], strict=True)
     ]
     known = Counter(name for name in names if name is not None).most_common(1)
-    bad = (decisions.reason[samples] == Reason.LEAST_BAD).any()
+    bad = (decisions.reason[samples] == Reason.BEST_EFFORT).any()
     return Episode(
         from_s=round(float(record.time[first]), 6),
         to_s=round(float(record.time[last]) + step, 6),

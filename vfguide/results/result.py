@@ -180,10 +180,12 @@ def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleR
 
 
 def _measured(record: FlightRecord) -> tuple[MeasuredResult, ...]:
-    found = () if record.identified is None else record.identified.findings
+    found = () if record.identified is None else record.identified.estimates
     return tuple(
-        MeasuredResult(f"{its.table}.{its.key}", _rounded(its.value), _rounded(its.sigma), its.used)
-        for its in found
+        MeasuredResult(
+            f"{each.table}.{each.key}", _rounded(each.value), _rounded(each.sigma), each.used
+        )
+        for each in found
     )
 
 
@@ -224,10 +226,10 @@ def _reasons(
         if not goal.reached
     ]
     reasons += [
-        f"penetration: vehicle {vehicle.id} in {its.name}, {its.min_clearance_m:.2f} m"
+        f"penetration: vehicle {vehicle.id} in {each.name}, {each.min_clearance_m:.2f} m"
         for vehicle in vehicles
-        for its in vehicle.obstacles
-        if its.min_clearance_m is not None and its.min_clearance_m <= 0.0
+        for each in vehicle.obstacles
+        if each.min_clearance_m is not None and each.min_clearance_m <= 0.0
     ]
     for vehicle in vehicles:
         reasons += traffic_reasons(vehicle.id, vehicle.traffic)

@@ -37,13 +37,13 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
     radius = scenario.avoidance.traffic_radius_m
     half_height = scenario.avoidance.traffic_half_height_m
     results: list[TrafficResult] = []
-    for its in scenario.traffic:
-        other_n, _ = motion_at(path_of(its), time)
+    for each in scenario.traffic:
+        other_n, _ = motion_at(path_of(each), time)
         apart = other_n - p_n
         horizontal, vertical = np.hypot(apart[:, 0], apart[:, 1]), np.abs(apart[:, 2])
         least = volume_distance(scenario.avoidance, apart).min()
         beside, level = horizontal[vertical <= half_height], vertical[horizontal <= radius]
-        results.append(TrafficResult(its.name, _least(beside), _least(level), _rounded(least)))
+        results.append(TrafficResult(each.name, _least(beside), _least(level), _rounded(least)))
     return tuple(results)
 
 
@@ -72,9 +72,9 @@ def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
 def traffic_reasons(vehicle: int, results: tuple[TrafficResult, ...]) -> list[str]:
     """What is wrong with how near they came; empty if nothing is."""
     return [
-        f"traffic: vehicle {vehicle} in the volume of {its.name}, {its.min_clearance_m:.2f} m"
-        for its in results
-        if its.min_clearance_m <= 0.0
+        f"traffic: vehicle {vehicle} in the volume of {each.name}, {each.min_clearance_m:.2f} m"
+        for each in results
+        if each.min_clearance_m <= 0.0
     ]
 
 

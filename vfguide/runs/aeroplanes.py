@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from vfguide.results.record import FlightRecord
 from vfguide.runs.fleet import Ending
-from vfguide.runs.jsbsim_vehicle import Member
+from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.logs import Logs
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.scenario.load import LoadedScenario
@@ -24,12 +24,12 @@ class Aeroplanes:
         """
         self._steps = steps_between_updates(loaded.scenario.guidance.rate_hz)
         self._members = [
-            Member(loaded, vehicle, logs.write_vehicle(vehicle), logs.write_all, steps)
+            JsbsimVehicle(loaded, vehicle, logs.write_vehicle(vehicle), logs.write_all, steps)
             for vehicle in loaded.scenario.vehicles
         ]
 
     @property
-    def members(self) -> Sequence[Member]:
+    def members(self) -> Sequence[JsbsimVehicle]:
         """The vehicles."""
         return self._members
 

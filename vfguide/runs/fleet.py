@@ -18,7 +18,7 @@ class Ending(Enum):
     """The time allowed is over."""
     GROUND = "ground"
     """A vehicle touched the ground."""
-    AWAY = "away"
+    OUTBOUND = "away"
     """A vehicle has left for ever."""
     STOPPED = "interrupted"
     """Somebody stopped it."""

@@ -13,7 +13,7 @@ def instruments_from(
 ) -> Instruments:
     """What one autopilot measures with; the seeds are those of its two random streams."""
     fails = autopilot.airspeed_fails_at_s
-    resets = (Reset(its.time_s, its.position_m, its.origin_m) for its in autopilot.reset)
+    resets = (Reset(each.time_s, each.position_m, each.origin_m) for each in autopilot.reset)
     return Instruments(
         None if sensors is None else errors_from(sensors),
         seed,

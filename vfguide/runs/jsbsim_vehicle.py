@@ -44,7 +44,7 @@ class Commanded(NamedTuple):
     thrust: float = math.nan
 
 
-class Member:
+class JsbsimVehicle:
     """One vehicle, flown."""
 
     def __init__(

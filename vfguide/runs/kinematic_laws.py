@@ -21,7 +21,7 @@ from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.sim.kinematic import Bodies, Commands
 
 
-class Pilot(Protocol):
+class KinematicLaw(Protocol):
     """Steers all bodies, in the order of their ids."""
 
     def steer(self, time: float, bodies: Bodies) -> Commands:
@@ -33,7 +33,7 @@ class Pilot(Protocol):
         ...
 
 
-class PaperPilot:
+class PaperKinematicLaw:
     """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
 
     Where a robot is on its way it reads from its legs: its state is known exactly.
@@ -68,7 +68,7 @@ class PaperPilot:
         )
 
 
-class FlightPilot:
+class FlightKinematicLaw:
     """Law `flight`: every body flies its own way at its airspeed."""
 
     def __init__(

@@ -121,5 +121,5 @@ class Lockstep:
         self._updates += 1
         self.sim_s = self._updates * self._period
         self._fleet.advance()
-        if self._finished_at is None and all(its.legs.finished for its in self._fleet.members):
+        if self._finished_at is None and all(each.legs.finished for each in self._fleet.members):
             self._finished_at = self.sim_s

@@ -15,7 +15,7 @@ from vfguide.results.goal_passages import Legs, Sample
 from vfguide.results.record import Array, FlightRecord
 from vfguide.results.result import FAR_AWAY
 from vfguide.runs.fleet import Ending
-from vfguide.runs.kinematic_laws import FlightPilot, PaperPilot, Pilot
+from vfguide.runs.kinematic_laws import FlightKinematicLaw, KinematicLaw, PaperKinematicLaw
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, body_message
 from vfguide.scenario.load import LoadedScenario
@@ -45,15 +45,15 @@ class RigidBodies:
         self._origin = place_of(scenario.origin)
         self._start = start_us(scenario)
         self._write = write
-        self._bodies = bodies_at_start(by_id := sorted(scenario.vehicles, key=lambda its: its.id))
-        self._pilot: Pilot
+        self._bodies = bodies_at_start(by_id := sorted(scenario.vehicles, key=lambda each: each.id))
+        self._pilot: KinematicLaw
         if scenario.law == "paper":
             arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
-            self._pilot, legs = PaperPilot(scenario, arrivals, steps), arrivals
+            self._pilot, legs = PaperKinematicLaw(scenario, arrivals, steps), arrivals
         else:
-            self._pilot = FlightPilot(loaded, by_id, steps)
+            self._pilot = FlightKinematicLaw(loaded, by_id, steps)
             legs = [Legs(vehicle.goals) for vehicle in by_id]
-        self._sorted = [RigidBody(*its) for its in zip(by_id, legs, strict=True)]
+        self._sorted = [RigidBody(*each) for each in zip(by_id, legs, strict=True)]
         self._order = [by_id.index(vehicle) for vehicle in scenario.vehicles]
         self._encoders = [Encoder(vehicle.id, TRUTH_COMPONENT) for vehicle in by_id]
         self._updates = 0
@@ -75,7 +75,7 @@ class RigidBodies:
     @property
     def ending(self) -> Ending | None:
         """A body is far away."""
-        return Ending.AWAY if np.abs(self._bodies.p_n).max() > FAR_AWAY else None
+        return Ending.OUTBOUND if np.abs(self._bodies.p_n).max() > FAR_AWAY else None
 
     def advance(self) -> None:
         """Move all bodies on to the next update, then steer them anew.
@@ -138,11 +138,11 @@ class RigidBodies:
             height_above_ground=none,
             setpoints=self._updates,
             R_nb=R_nb,
-            arrives=isinstance(self._pilot, PaperPilot),
+            arrives=isinstance(self._pilot, PaperKinematicLaw),
         )
 
 
 def bodies_at_start(vehicles: Sequence[Vehicle]) -> Bodies:
     """The bodies at time zero."""
-    attitudes = [from_euler(*(angle * DEG for angle in its.euler_deg)) for its in vehicles]
-    return Bodies(np.array([its.position_m for its in vehicles], float), np.array(attitudes))
+    attitudes = [from_euler(*(angle * DEG for angle in each.euler_deg)) for each in vehicles]
+    return Bodies(np.array([each.position_m for each in vehicles], float), np.array(attitudes))

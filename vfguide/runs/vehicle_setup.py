@@ -14,7 +14,7 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of
-from vfguide.sim.autopilot.airframe_model import IdentifyError
+from vfguide.sim.autopilot.airframe_model import AirframeModelError
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
@@ -35,7 +35,7 @@ def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:
     """
     try:
         return SimVehicle(setup_of(loaded, vehicle), start_us(loaded.scenario))
-    except (ModelError, TrimError, IdentifyError) as error:
+    except (ModelError, TrimError, AirframeModelError) as error:
         raise InputError(str(error)) from error
 
 
@@ -70,15 +70,15 @@ def transponders_of(scenario: Scenario) -> tuple[Transponder, ...]:
     """What the other aircraft tell; every vehicle hears the same."""
     return tuple(
         Transponder(
-            int(its.icao, 16),
-            its.name,
-            path_of(its),
-            its.interval_s,
-            its.delay_s,
-            its.position_error_m,
-            random_seed(scenario.seed, int(its.icao, 16), TRAFFIC_ERRORS),
+            int(each.icao, 16),
+            each.name,
+            path_of(each),
+            each.interval_s,
+            each.delay_s,
+            each.position_error_m,
+            random_seed(scenario.seed, int(each.icao, 16), TRAFFIC_ERRORS),
         )
-        for its in scenario.traffic
+        for each in scenario.traffic
     )
 
 

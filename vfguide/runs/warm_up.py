@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from vfguide.runs.jsbsim_vehicle import Member
+from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario, load_scenario
@@ -26,7 +26,7 @@ def warm_up(loaded: LoadedScenario) -> None:
 def _fly_an_aeroplane(name: str, law: str) -> None:
     """Once in a process, in the shipped scenario of that name."""
     loaded = load_scenario(name, [f"law={law}"])
-    member = Member(loaded, loaded.scenario.vehicles[0], _ignore, _ignore)
+    member = JsbsimVehicle(loaded, loaded.scenario.vehicles[0], _ignore, _ignore)
     for _ in range(UPDATES):
         member.fly(1)
 

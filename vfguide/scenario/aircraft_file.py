@@ -137,13 +137,13 @@ class Aircraft(Table):
 
     def as_identified(self, found: Identified, how: str) -> "Aircraft":
         """The same with what a flight has shown; `how` says which flight."""
-        its, used = found.aircraft, [finding for finding in found.findings if finding.used]
+        each, used = found.aircraft, [finding for finding in found.estimates if finding.used]
         table = self.model_dump(exclude_none=True)
         table["thrust"] |= {
-            "per_climb": its.thrust_per_climb,
-            "per_load": its.thrust_per_load,
-            "per_airspeed": its.thrust_per_airspeed,
-            "integral": its.thrust_integral,
+            "per_climb": each.thrust_per_climb,
+            "per_load": each.thrust_per_load,
+            "per_airspeed": each.thrust_per_airspeed,
+            "integral": each.thrust_integral,
         }
         for finding in used:
             table[finding.table][finding.key] = finding.value

@@ -59,10 +59,10 @@ def check_ids(scenario: Scenario, source: Source) -> None:
         InputError: there are.
     """
     ids = [vehicle.id for vehicle in scenario.vehicles]
-    for index, its in enumerate(ids):
-        if its in ids[:index]:
-            rule = f"already the id of vehicle[{ids.index(its)}], each needs its own"
-            raise source.error(("vehicle", index, "id"), rule, its)
+    for index, each in enumerate(ids):
+        if each in ids[:index]:
+            rule = f"already the id of vehicle[{ids.index(each)}], each needs its own"
+            raise source.error(("vehicle", index, "id"), rule, each)
 
 
 def check_aircraft(
@@ -74,23 +74,23 @@ def check_aircraft(
         InputError: one is.
     """
     for index, vehicle in enumerate(scenario.vehicles):
-        its, at = aircraft[vehicle.aircraft], ("vehicle", index)
-        speeds, limits = its.airspeed, its.limits
+        each, at = aircraft[vehicle.aircraft], ("vehicle", index)
+        speeds, limits = each.airspeed, each.limits
         for place, speed in (
             ((*at, "airspeed_mps"), vehicle.airspeed_mps),
             (("guidance", "airspeed_mps"), scenario.airspeed_of(vehicle)),
         ):
-            _check_range(speed, (speeds.min_mps, speeds.max_mps), its.name, source, place)
+            _check_range(speed, (speeds.min_mps, speeds.max_mps), each.name, source, place)
         bank = scenario.guidance.bank_max_deg or limits.bank_max_deg
         place = ("guidance", "bank_max_deg")
-        _check_range(bank, (LEAST_BANK_DEG, limits.bank_max_deg), its.name, source, place)
+        _check_range(bank, (LEAST_BANK_DEG, limits.bank_max_deg), each.name, source, place)
         steepest = (-limits.descent_max_deg, limits.climb_max_deg)
         for number, goal in enumerate(vehicle.goals):
             place = (*at, "goal", number)
             direction = entry.vehicle[index].goal[number].direction
             if direction is None:
-                _check_range(goal.climb_deg, steepest, its.name, source, (*place, "climb_deg"))
-            elif rule := _outside(goal.climb_deg, steepest, its.name):
+                _check_range(goal.climb_deg, steepest, each.name, source, (*place, "climb_deg"))
+            elif rule := _outside(goal.climb_deg, steepest, each.name):
                 rule = f"climbs by {goal.climb_deg:.1f} degrees, {rule}"
                 raise source.error((*place, "direction"), rule, direction)
 

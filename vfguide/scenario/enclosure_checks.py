@@ -7,7 +7,7 @@ import numpy as np
 from scipy import ndimage
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import Outline, Outlines, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, hazards_of, joined
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.rows import columns
@@ -20,10 +20,12 @@ Place = tuple[float, float]
 """North and east [m]."""
 
 
-def is_shut_in(obstacles: Rows, fence: Outlines, band: Band, start: Place, goal: Place) -> bool:
+def is_enclosed(
+    obstacles: Rows, fence: KeepOutZones, band: Band, start: Place, goal: Place
+) -> bool:
     """Whether no path in the band of heights leads from one place to the other."""
     hazards = joined(hazards_of(obstacles, band, 0.0), fence)
-    outlines = columns(Outline, hazards.table)
+    outlines = columns(KeepOutZone, hazards.table)
     places = np.vstack((np.column_stack((outlines.x, outlines.y)), start, goal))
     reach = np.append(outlines.bounding_radius, (CELL, CELL))[:, None]
     low = (places - reach).min(axis=0) - 3.0 * CELL

@@ -4,7 +4,15 @@ import math
 
 from vfguide.airspace.fence import fence_distance, fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
-from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, NO_FENCE, Outlines, circle, joined, polygon
+from vfguide.airspace.keep_out import (
+    KEEP_IN,
+    KEEP_OUT,
+    NO_FENCE,
+    KeepOutZones,
+    circle,
+    joined,
+    polygon,
+)
 from vfguide.field.obstacle import PlacedObstacle, placed
 from vfguide.geometry.rows import table_of
 from vfguide.scenario.fence import Fence, check_zones, zone_of
@@ -45,7 +53,7 @@ def hazard_names(scenario: Scenario) -> tuple[str, ...]:
     )
 
 
-def outlines_of(fence: Fence) -> Outlines:
+def keep_out_zones_of(fence: Fence) -> KeepOutZones:
     """The zones of the fence in the plane, at whatever height they hold."""
     outlines = NO_FENCE
     for zone in fence.zone:

@@ -20,7 +20,7 @@ from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.overrides import parse_override
 from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
-from vfguide.scenario.route_checks import Flies, check_ways
+from vfguide.scenario.route_checks import Flies, check_routes
 from vfguide.scenario.scenario_file import ScenarioFile
 from vfguide.scenario.source import Source, read_toml
 from vfguide.scenario.traffic import check_traffic
@@ -93,11 +93,11 @@ class LoadedScenario:
 
     def write_identified(self, vehicle: Vehicle, found: Identified, folder: Path) -> None:
         """Write the aircraft file that a test flight of `vehicle` makes of its present one."""
-        its = self.aircraft[vehicle.aircraft]
+        each = self.aircraft[vehicle.aircraft]
         how = f"Measured in flight by vfguide {__version__}"
-        path = folder / f"aircraft-{vehicle.id}" / f"{its.name}.toml"
+        path = folder / f"aircraft-{vehicle.id}" / f"{each.name}.toml"
         path.parent.mkdir(exist_ok=True)
-        write_atomically(path, its.as_identified(found, how).to_toml())
+        write_atomically(path, each.as_identified(found, how).to_toml())
 
 
 def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> LoadedScenario:
@@ -110,7 +110,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     entry = source.parse(ScenarioFile)
     checks.check_law(entry, source)
     files = _find_all(entry, source)
-    aircraft = {name: load_aircraft(its) for name, its in files.items()}
+    aircraft = {name: load_aircraft(each) for name, each in files.items()}
     scenario = resolve(entry, aircraft, source)
     checks.check_ids(scenario, source)
     if scenario.law == "flight" or scenario.plant == "jsbsim":
@@ -125,8 +125,8 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
-    flies = [Flies(loaded.performance(its), loaded.gains(its)) for its in scenario.vehicles]
-    warnings = (*checks.told_of_law(scenario), *check_ways(scenario, flies, source))
+    flies = [Flies(loaded.performance(each), loaded.gains(each)) for each in scenario.vehicles]
+    warnings = (*checks.told_of_law(scenario), *check_routes(scenario, flies, source))
     return replace(loaded, warnings=warnings)
 
 

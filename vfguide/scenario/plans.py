@@ -7,7 +7,7 @@ from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import LAWS_BY_NAME
 from vfguide.loop.legs import Goal
 from vfguide.scenario.errors import InputError
-from vfguide.scenario.hazards import hazard_names, hazards_of, outlines_of
+from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
@@ -49,7 +49,7 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         vehicle.identify,
         hazards_of(loaded.scenario),
         hazard_names(loaded.scenario),
-        outlines_of(loaded.scenario.fence),
+        keep_out_zones_of(loaded.scenario.fence),
         start_us(loaded.scenario),
         volume_from(loaded.scenario.avoidance),
         int(vehicle.icao or "0", 16),

@@ -36,7 +36,7 @@ def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Sourc
         _vehicle(entry, index, aircraft, source) for index in range(len(entry.vehicle))
     )
     obstacles = tuple(_obstacle(entry, index, source) for index in range(len(entry.obstacle)))
-    traffic = tuple(_traffic(its, index) for index, its in enumerate(entry.traffic, start=1))
+    traffic = tuple(_traffic(each, index) for index, each in enumerate(entry.traffic, start=1))
     return Scenario(**head, vehicles=vehicles, obstacles=obstacles, traffic=traffic)
 
 

@@ -12,26 +12,26 @@ import numpy as np
 
 from vfguide.aircraft.envelope import radius_in
 from vfguide.aircraft.performance import Gains, Performance
-from vfguide.aircraft.point_mass import Motion
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.footprint import Band
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
-from vfguide.assurance.decision import Reason, assurance, assure, fresh_stored
+from vfguide.assurance.decision import Reason, assurance, assure, no_backup
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, Vector
 from vfguide.paths.dubins import length_of
-from vfguide.paths.edge import next_word
+from vfguide.paths.edge import next_path
 from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Air, Task
-from vfguide.planning.objective import Target
-from vfguide.planning.overflight import band_of, heights_by, left_in_way, levels_for
+from vfguide.planning.objective import GuidanceTarget
+from vfguide.planning.overflight import altitude_plan_by, band_of, left_in_path, levels_for
 from vfguide.planning.replanning import LOOK
-from vfguide.planning.route_search import CLEARANCES, find_detour
-from vfguide.scenario.enclosure_checks import is_shut_in
+from vfguide.planning.route_search import CLEARANCES, find_route
+from vfguide.scenario.enclosure_checks import is_enclosed
 from vfguide.scenario.fence import Fence
-from vfguide.scenario.hazards import hazard_names, hazards_of, outlines_of
+from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Goal, Scenario, Vehicle
 from vfguide.scenario.source import Location, Source, dotted
@@ -58,7 +58,7 @@ class Start(NamedTuple):
     """[rad]."""
 
 
-def check_ways(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
+def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
     """Warnings about starts and goals near hazards; `flies` are one of each vehicle.
 
     Raises:
@@ -68,14 +68,14 @@ def check_ways(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tu
     if scenario.law != "flight" or scenario.plant != "jsbsim" or hazards is None:
         return ()
     warnings: list[str] = []
-    for index, (vehicle, its) in enumerate(zip(scenario.vehicles, flies, strict=True)):
+    for index, (vehicle, each) in enumerate(zip(scenario.vehicles, flies, strict=True)):
         at: Location = ("vehicle", index)
-        warnings += _check_start(scenario, vehicle, its, hazards, source, at)
+        warnings += _check_start(scenario, vehicle, each, hazards, source, at)
         begin = Start(vehicle.position_m, vehicle.euler_deg[2] * DEG)
         for number, goal in enumerate(vehicle.goals):
             place = (*at, "goal", number)
-            warnings += _tight_goal(scenario, goal, its, source, place)
-            warnings += _check_way(scenario, begin, goal, its, source, place)
+            warnings += _tight_goal(scenario, goal, each, source, place)
+            warnings += _check_way(scenario, begin, goal, each, source, place)
             begin = Start(goal.position_m, goal.heading_deg * DEG)
     return tuple(warnings)
 
@@ -90,9 +90,11 @@ def _check_start(
 ) -> list[str]:
     """A warning where the guidance is overruled from the start on."""
     of = assurance(*flies)
-    motion = Motion(vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps)
+    motion = PointMass(
+        vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps
+    )
     wind_n = _wind(scenario)
-    decision, _ = assure(motion, (0.0, 0.0), wind_n, 0.0, hazards, 0.0, 0.02, of, fresh_stored())
+    decision, _ = assure(motion, (0.0, 0.0), wind_n, 0.0, hazards, 0.0, 0.02, of, no_backup())
     if decision.reason == Reason.CLEAR:
         return []
     names, place = hazard_names(scenario), (*at, "position_m")
@@ -114,8 +116,8 @@ def _tight_goal(
     hazards, names = hazards_of(still), hazard_names(still)
     if hazards is None:
         return []
-    final = gains.final * _radius(scenario, gains)
-    back = np.arange(0.0, final + SPACING, SPACING)
+    final_approach = gains.final_approach * _radius(scenario, gains)
+    back = np.arange(0.0, final_approach + SPACING, SPACING)
     ahead: Vector = np.array(
         (math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0)
     )
@@ -144,15 +146,17 @@ def _check_way(
     gains, (north, east, _) = flies.gains, _wind(scenario)
     radius = _radius(scenario, gains)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
-    final = gains.final * radius
-    entry = Pose(x - final * math.cos(course), y - final * math.sin(course), course)
+    final_approach = gains.final_approach * radius
+    entry = Pose(
+        x - final_approach * math.cos(course), y - final_approach * math.sin(course), course
+    )
     from_x, from_y, from_z = begin.p_n
     start = Pose(from_x, from_y, begin.course)
     band = Band(min(z, from_z), max(z, from_z))
     task = Task(start, entry, radius, Air(gains.airspeed, north, east), 0.0)
-    fence = outlines_of(_in_band(scenario.fence, band))
+    fence = keep_out_zones_of(_in_band(scenario.fence, band))
     rows = rows_of(_still(scenario).obstacles)
-    if len(find_detour(rows, fence, band, task).hops) > 0:
+    if len(find_route(rows, fence, band, task).route_edges) > 0:
         return []
     if _passes_over(scenario, rows, begin.p_n, goal, flies, task):
         if not avoids_traffic(scenario):
@@ -162,7 +166,7 @@ def _check_way(
             "other aircraft are known; open a gap, or start higher"
         )
         return [_warning(source, at, rule)]
-    if is_shut_in(rows, fence, band, (from_x, from_y), (x, y)):
+    if is_enclosed(rows, fence, band, (from_x, from_y), (x, y)):
         rule = "shut in, no way leads there at these heights; move it, or open a gap"
         raise source.error(at, rule, goal.position_m)
     rule = (
@@ -180,16 +184,16 @@ def _passes_over(
     (aircraft, gains), margin, fence = flies, CLEARANCES[0], scenario.fence
     course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
     state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
-    target = Target((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
+    target = GuidanceTarget((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
     highest = -math.inf if fence.ceiling_m is None else margin - fence.ceiling_m
-    seen_from = np.array([its.visible_from_m for its in _still(scenario).obstacles])
+    seen_from = np.array([each.visible_from_m for each in _still(scenario).obstacles])
     unseen = 2.0 * LOOK * (gains.airspeed + math.hypot(wind_n[0], wind_n[1]))
-    shortest = length_of(next_word(task.start, task.goal, task.radius, -1.0)) * task.radius
+    shortest = length_of(next_path(task.start, task.goal, task.radius, -1.0)) * task.radius
     for level in levels_for(rows, begin[2], z, highest, margin).tolist():
-        heights = heights_by(level, state, target, aircraft, gains)
+        heights = altitude_plan_by(level, state, target, aircraft, gains)
         early = seen_from >= heights.rise + margin + unseen
-        left = np.vstack((left_in_way(rows[early], heights, margin), rows[~early]))
-        way = find_detour(left, outlines_of(fence), band_of(heights), task)
+        left = np.vstack((left_in_path(rows[early], heights, margin), rows[~early]))
+        way = find_route(left, keep_out_zones_of(fence), band_of(heights), task)
         if way.clearance == margin and way.length <= (1.0 + 1e-6) * shortest:
             return True
     return False
@@ -197,7 +201,7 @@ def _passes_over(
 
 def _still(scenario: Scenario) -> Scenario:
     """The scenario without what moves."""
-    still = tuple(its for its in scenario.obstacles if not any(its.velocity_mps))
+    still = tuple(each for each in scenario.obstacles if not any(each.velocity_mps))
     return scenario.model_copy(update={"obstacles": still})
 
 

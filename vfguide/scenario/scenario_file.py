@@ -98,8 +98,8 @@ class Wind(Table):
     def stages(self) -> tuple[tuple[float, float, float], ...]:
         """The winds between which it changes: from when [s], speed [m/s], where from [deg]."""
         changes = (
-            (its.time_s, its.speed_mps, self.from_deg if its.from_deg is None else its.from_deg)
-            for its in self.change
+            (each.time_s, each.speed_mps, self.from_deg if each.from_deg is None else each.from_deg)
+            for each in self.change
         )
         return ((0.0, self.speed_mps, self.from_deg), *changes)
 
@@ -138,8 +138,8 @@ class Avoidance(Table):
     traffic_radius_m: Annotated[float, between(10, 10_000)] = SMALL_AIRCRAFT.radius
     traffic_half_height_m: Annotated[float, between(5, 10_000)] = SMALL_AIRCRAFT.half_height
     """Of the volume around other aircraft to keep out of."""
-    traffic_growth_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.growth
-    traffic_growth_up_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.growth_up
+    traffic_growth_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.uncertainty_rate
+    traffic_growth_up_mps: Annotated[float, between(0, 100)] = SMALL_AIRCRAFT.uncertainty_rate_up
     """Of both with the age of the report."""
 
 

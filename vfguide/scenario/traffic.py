@@ -23,10 +23,10 @@ def volume_from(avoidance: Avoidance) -> Volume:
     )
 
 
-def path_of(its: Traffic) -> Flight:
+def path_of(each: Traffic) -> Flight:
     """Where it flies, scenario frame."""
-    turns = [Turn(change.time_s, change.within_s, change.velocity_mps) for change in its.change]
-    return flight_of(its.position_m, its.velocity_mps, turns)
+    turns = [Turn(change.time_s, change.within_s, change.velocity_mps) for change in each.change]
+    return flight_of(each.position_m, each.velocity_mps, turns)
 
 
 def check_traffic(scenario: Scenario, source: Source) -> None:
@@ -37,16 +37,16 @@ def check_traffic(scenario: Scenario, source: Source) -> None:
     """
     if scenario.traffic and scenario.plant != "jsbsim":
         raise source.error(("traffic",), 'plant = "kinematic" hears none, allowed none')
-    for index, its in enumerate(scenario.traffic):
+    for index, each in enumerate(scenario.traffic):
         for key in ("name", "icao"):
             before = [getattr(other, key) for other in scenario.traffic[:index]]
-            if getattr(its, key) in before:
-                rule = f"already the {key} of traffic[{before.index(getattr(its, key))}]"
-                raise source.error(("traffic", index, key), rule, getattr(its, key))
-        for number in range(1, len(its.change)):
-            before = its.change[number - 1]
+            if getattr(each, key) in before:
+                rule = f"already the {key} of traffic[{before.index(getattr(each, key))}]"
+                raise source.error(("traffic", index, key), rule, getattr(each, key))
+        for number in range(1, len(each.change)):
+            before = each.change[number - 1]
             end = before.time_s + before.within_s
-            if its.change[number].time_s < end:
+            if each.change[number].time_s < end:
                 rule = f"before the end of the change before it, allowed from {in_words(end)} on"
                 at = ("traffic", index, "change", number, "time_s")
-                raise source.error(at, rule, its.change[number].time_s)
+                raise source.error(at, rule, each.change[number].time_s)

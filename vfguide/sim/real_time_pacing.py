@@ -6,7 +6,7 @@ GIVEN_UP = 1.0
 """Time that is lost beyond this is not made up for [s]."""
 
 
-class Pace:
+class RealTimePacing:
     """The schedule of equal steps: step n is due n periods after the start, so nothing drifts.
 
     Times are readings of one clock that never goes back [s].

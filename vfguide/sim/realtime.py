@@ -10,7 +10,7 @@ from vfguide.sim.autopilot.flight_mode import Event
 from vfguide.sim.autopilot.mavlink_channel import ONBOARD
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.plant import STEP
-from vfguide.sim.real_time_pacing import Pace
+from vfguide.sim.real_time_pacing import RealTimePacing
 from vfguide.sim.udp import Channel
 from vfguide.sim.vehicle import Vehicle
 
@@ -89,7 +89,7 @@ class RealtimeFlight:
             warn: takes what the user should know.
         """
         self.flying = list(stations)
-        self.pace = Pace(time.monotonic(), STEP / speed)
+        self.pace = RealTimePacing(time.monotonic(), STEP / speed)
         self._steps = steps
         self._observe = observe
         self._warn = warn

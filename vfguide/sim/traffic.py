@@ -95,19 +95,19 @@ class Transponder(NamedTuple):
 class Sender:
     """A transponder at work."""
 
-    def __init__(self, its: Transponder) -> None:
+    def __init__(self, each: Transponder) -> None:
         """One that has said nothing yet."""
-        self.its = its
-        self._rng = np.random.default_rng(its.seed)
+        self.each = each
+        self._rng = np.random.default_rng(each.seed)
         self._number = 0
 
     def take(self, time: float) -> list[tuple[Vec3, Vec3, Vec3]]:
         """The reports that have arrived by `time` [s]: place, error and velocity, NED."""
         taken: list[tuple[Vec3, Vec3, Vec3]] = []
-        while self._number * self.its.interval + self.its.delay <= time + NEARLY:
-            told = np.array([self._number * self.its.interval])
-            p_n, v_n = motion_at(self.its.flight, told)
-            error = self.its.error * self._rng.standard_normal(3)
+        while self._number * self.each.interval + self.each.delay <= time + NEARLY:
+            told = np.array([self._number * self.each.interval])
+            p_n, v_n = motion_at(self.each.flight, told)
+            error = self.each.error * self._rng.standard_normal(3)
             taken.append((vec3(p_n[0]), vec3(error), vec3(v_n[0])))
             self._number += 1
         return taken
@@ -126,7 +126,7 @@ class Receiver:
         """
         self._plane = tangent_plane(*origin)
         self._reach = reach
-        self._senders = [Sender(its) for its in transponders]
+        self._senders = [Sender(each) for each in transponders]
 
     def hear(self, truth: Truth) -> list[AdsbVehicle]:
         """The reports that have arrived since the last time."""
@@ -134,7 +134,7 @@ class Receiver:
             return []
         own = geodetic_to_ned(self._plane, truth.latitude, truth.longitude, truth.altitude)
         return [
-            report(sender.its, add(p_n, error), v_n, self._plane)
+            report(sender.each, add(p_n, error), v_n, self._plane)
             for sender in self._senders
             for p_n, error, v_n in sender.take(truth.time)
             if norm(sub(p_n, own)) <= self._reach
@@ -146,12 +146,12 @@ def vec3(row: Vector) -> Vec3:
     return (float(row[0]), float(row[1]), float(row[2]))
 
 
-def report(its: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> AdsbVehicle:
+def report(each: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> AdsbVehicle:
     """ADSB_VEHICLE of an aircraft at `p_n` [m] that moves with `v_n` [m/s], NED of the plane."""
     latitude, longitude, altitude = ned_to_geodetic(plane, p_n)
     north, east, down = matvec(transpose(R_level(plane, latitude, longitude)), v_n)
     return AdsbVehicle(
-        its.icao,
+        each.icao,
         round(latitude / DEG_E7),
         round(longitude / DEG_E7),
         AdsbAltitudeType.GEOMETRIC,
@@ -159,9 +159,9 @@ def report(its: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> AdsbV
         round(math.atan2(east, north) / CDEG) % FULL_CIRCLE,
         round(math.hypot(north, east) / CM_S),
         round(-down / CM_S),
-        its.callsign,
+        each.callsign,
         SMALL,
-        int(its.delay),
+        int(each.delay),
         EVERYTHING,
         0,
     )

@@ -4,7 +4,7 @@ import socket
 from contextlib import suppress
 from typing import NamedTuple
 
-from vfguide.sim.autopilot.mavlink_channel import Port
+from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.vehicle import Vehicle
 
 HOST = "127.0.0.1"
@@ -57,7 +57,7 @@ class Channel:
         self.numbers = numbers
         self.peer: Address = (HOST, numbers.peer)
         self.socket = bound
-        self._port: Port = vehicle.connect(rates)
+        self._port: MavlinkChannel = vehicle.connect(rates)
 
     def receive(self) -> None:
         """Take what has arrived, and answer it at once."""

@@ -9,7 +9,7 @@ from vfguide.sim.autopilot.airframe_model import identify
 from vfguide.sim.autopilot.autopilot import Autopilot
 from vfguide.sim.autopilot.command_server import receive
 from vfguide.sim.autopilot.instruments import EXACT, Instruments
-from vfguide.sim.autopilot.mavlink_channel import Port
+from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.autopilot.motor import SOUND, Motor
 from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.plant import STEP, Plant
@@ -109,17 +109,17 @@ class Vehicle:
             for report in self._receiver.hear(self.truth):
                 self.autopilot.pass_on(report)
 
-    def connect(self, rates: dict[int, float]) -> Port:
+    def connect(self, rates: dict[int, float]) -> MavlinkChannel:
         """A new MAVLink channel with these streams [Hz]."""
-        port = Port(self.sysid, rates, self.now)
+        port = MavlinkChannel(self.sysid, rates, self.now)
         self.autopilot.ports.append(port)
         return port
 
-    def transmit(self, port: Port) -> list[bytes]:
+    def transmit(self, port: MavlinkChannel) -> list[bytes]:
         """The frames that are due on a channel."""
         return self.autopilot.streams(port)
 
-    def receive(self, port: Port, data: bytes) -> list[bytes]:
+    def receive(self, port: MavlinkChannel, data: bytes) -> list[bytes]:
         """Takes a datagram that arrived on a channel; returns the frames that answer it."""
         self.autopilot.now = self.now
         return receive(self.autopilot, port, data)

@@ -37,7 +37,7 @@ _CONDITION_MAX = 1e4
 """Condition number of the control effectiveness beyond which an axis is without control."""
 
 
-class IdentifyError(Exception):
+class AirframeModelError(Exception):
     """The surfaces of a model do not move it about all three axes."""
 
 
@@ -162,5 +162,5 @@ def _inverse(effect: Matrix, bench: Bench) -> Matrix:
     """Surfaces for angular accelerations, of how these answer to the surfaces."""
     if np.linalg.cond(effect) > _CONDITION_MAX:
         name = bench.model.name
-        raise IdentifyError(f"{name}: its surfaces do not turn it about three axes")
+        raise AirframeModelError(f"{name}: its surfaces do not turn it about three axes")
     return np.asarray(np.linalg.inv(effect), dtype=np.float64)

@@ -17,8 +17,8 @@ from vfguide.sim.autopilot.estimate import Estimate, Estimator
 from vfguide.sim.autopilot.flight_mode import LOST, NEXT, REPORTED, Event, Mode
 from vfguide.sim.autopilot.inner_loop import inner_loop
 from vfguide.sim.autopilot.instruments import Instruments
-from vfguide.sim.autopilot.loiter import Hold
-from vfguide.sim.autopilot.mavlink_channel import SECOND, Port
+from vfguide.sim.autopilot.loiter import Loiter
+from vfguide.sim.autopilot.mavlink_channel import SECOND, MavlinkChannel
 from vfguide.sim.autopilot.motor import SOUND, Motor
 from vfguide.sim.autopilot.noise import RateNoise
 from vfguide.sim.autopilot.parameters import HOLD_ACTION, Parameters
@@ -63,7 +63,7 @@ class Autopilot:
         self.sysid = sysid
         self.mode = Mode.HOLD
         self.parameters = Parameters()
-        self.ports: list[Port] = []
+        self.ports: list[MavlinkChannel] = []
         self.now = 0
         """[us since 1970]."""
         self._airframe = airframe
@@ -75,8 +75,8 @@ class Autopilot:
         self._cruise = aircraft.airspeed_cruise
         self._has_airspeed = self._estimator.has_airspeed(first.time)
         self.estimate: Estimate = self._estimator.update(first)
-        self._hold = Hold(aircraft, airspeed)
-        self._hold.begin_here(self.estimate)
+        self._hold = Loiter(aircraft, airspeed)
+        self._hold.start_here(self.estimate)
         self.setpoint: SetAttitudeTarget | None = None
         self._setpoint_at = -SECOND * 3600
         self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
@@ -122,7 +122,7 @@ class Autopilot:
         elif self.setpoint is not None and not self.setpoint.type_mask & ATTITUDE_IGNORE:
             self._follow(self.setpoint)  # its body rates change with the attitude
 
-    def streams(self, port: Port) -> list[bytes]:
+    def streams(self, port: MavlinkChannel) -> list[bytes]:
         """The frames that are due on a port now."""
         report = self.report()
         messages = port.take_queue(self.now)
@@ -168,7 +168,7 @@ class Autopilot:
             return
         self.mode = after
         if after in (Mode.HOLD, Mode.LOST_TO_HOLD):
-            self._hold.begin_here(self.estimate)
+            self._hold.start_here(self.estimate)
         elif after is not Mode.OFFBOARD:
             self._hold.begin_about(self._estimator.home)
         elif self.setpoint is not None:

@@ -31,7 +31,7 @@ from vfguide.link.messages import (
 from vfguide.link.px4 import MAIN_MODE, SUB_MODE, Px4Mode
 from vfguide.sim.autopilot.autopilot import Autopilot
 from vfguide.sim.autopilot.flight_mode import ASKED_BY, Event
-from vfguide.sim.autopilot.mavlink_channel import Port
+from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.autopilot.telemetry import MAKERS
 
 NANOSECONDS = 1000
@@ -52,7 +52,7 @@ BY_NAME = -1
 Outcome = tuple[MavResult, list[Message]]
 
 
-def receive(autopilot: Autopilot, port: Port, data: bytes) -> list[bytes]:
+def receive(autopilot: Autopilot, port: MavlinkChannel, data: bytes) -> list[bytes]:
     """Takes a datagram that arrived on a port; returns the frames that answer it at once."""
     out: list[Message] = []
     for frame in port.parser.feed(data, whole=True):
@@ -73,7 +73,7 @@ def is_addressed(message: Message, sysid: int) -> bool:
 
 
 def answer(  # noqa: PLR0911
-    autopilot: Autopilot, port: Port, frame: Frame, message: Message
+    autopilot: Autopilot, port: MavlinkChannel, frame: Frame, message: Message
 ) -> list[Message]:
     """What to send back for one message."""
     match message:
@@ -97,7 +97,7 @@ def answer(  # noqa: PLR0911
 
 
 def answer_command(
-    autopilot: Autopilot, port: Port, frame: Frame, command: CommandLong | CommandInt
+    autopilot: Autopilot, port: MavlinkChannel, frame: Frame, command: CommandLong | CommandInt
 ) -> list[Message]:
     """Carry out a command and acknowledge it; a change of mode is acknowledged twice."""
 
@@ -112,7 +112,7 @@ def answer_command(
     return [ack(result), *messages]
 
 
-def set_mode(autopilot: Autopilot, _: Port, command: CommandLong | CommandInt) -> Outcome:
+def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
     """DO_SET_MODE with PX4's main and sub mode."""
     if not (is_number(command.param2) and is_number(command.param3)):
         return MavResult.DENIED, []
@@ -141,13 +141,13 @@ def loiter(autopilot: Autopilot, *_: object) -> Outcome:
     return change_mode(autopilot, Event.HOLD_ASKED), []
 
 
-def arm_or_disarm(_: Autopilot, __: Port, command: CommandLong | CommandInt) -> Outcome:
+def arm_or_disarm(_: Autopilot, __: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
     """Armed it is already; in the air it does not disarm."""
     return (MavResult.ACCEPTED if command.param1 == 1.0 else MavResult.DENIED), []
 
 
 def set_message_interval(
-    autopilot: Autopilot, port: Port, command: CommandLong | CommandInt
+    autopilot: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
 ) -> Outcome:
     """SET_MESSAGE_INTERVAL of a message that there is a stream of."""
     if not (is_number(command.param1) and is_number(command.param2)):
@@ -158,7 +158,9 @@ def set_message_interval(
     return MavResult.ACCEPTED, []
 
 
-def get_message_interval(_: Autopilot, port: Port, command: CommandLong | CommandInt) -> Outcome:
+def get_message_interval(
+    _: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
+) -> Outcome:
     """GET_MESSAGE_INTERVAL."""
     if not is_number(command.param1) or int(command.param1) not in MAKERS:
         return MavResult.UNSUPPORTED, []
@@ -166,7 +168,9 @@ def get_message_interval(_: Autopilot, port: Port, command: CommandLong | Comman
     return MavResult.ACCEPTED, [MessageInterval(msgid, port.interval(msgid))]
 
 
-def request_message(autopilot: Autopilot, _: Port, command: CommandLong | CommandInt) -> Outcome:
+def request_message(
+    autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt
+) -> Outcome:
     """REQUEST_MESSAGE."""
     wanted = int(command.param1) if is_number(command.param1) else -1
     if wanted == AutopilotVersion.MSGID:
@@ -188,7 +192,7 @@ def request_version(autopilot: Autopilot, *_: object) -> Outcome:
     return MavResult.ACCEPTED, [version(autopilot)]
 
 
-COMMANDS: dict[int, Callable[[Autopilot, Port, CommandLong | CommandInt], Outcome]] = {
+COMMANDS: dict[int, Callable[[Autopilot, MavlinkChannel, CommandLong | CommandInt], Outcome]] = {
     MavCmd.DO_SET_MODE: set_mode,
     MavCmd.NAV_RETURN_TO_LAUNCH: return_to_launch,
     MavCmd.NAV_LOITER_UNLIM: loiter,

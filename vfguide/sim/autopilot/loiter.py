@@ -18,7 +18,7 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.planning import planning
-from vfguide.planning.objective import Target, objective_at
+from vfguide.planning.objective import GuidanceTarget, objective_at
 from vfguide.planning.route import Route, fresh_route
 from vfguide.sim.autopilot.estimate import Estimate, Origin
 
@@ -27,7 +27,7 @@ RADIUS = 1.57
 the operator sets NAV_LOITER_RAD for his aircraft."""
 
 
-class HoldState(NamedTuple):
+class LoiterState(NamedTuple):
     """What one step of the hold leaves for the next."""
 
     time: float
@@ -38,24 +38,24 @@ class HoldState(NamedTuple):
 
 
 @compiled
-def fresh_hold() -> HoldState:
+def fresh_loiter() -> LoiterState:
     """Nothing is flown yet."""
-    return HoldState(-1.0, fresh_route(), fresh_guidance(), fresh_control())
+    return LoiterState(-1.0, fresh_route(), fresh_guidance(), fresh_control())
 
 
 @compiled
-def step_hold(
-    state: FlightState, target: Target, vehicle: Vehicle, s: HoldState
-) -> tuple[RateSetpoint, HoldState]:
+def step_loiter(
+    state: FlightState, target: GuidanceTarget, vehicle: Vehicle, s: LoiterState
+) -> tuple[RateSetpoint, LoiterState]:
     """Body rates and thrust that fly the circle of a target."""
     nav, goal = known_state(state, s.time), objective_at(target, state)
     route = planning.update(nav, goal, None, True, s.route, s.guidance.slope, vehicle)
     command, guidance = flight_law.update(nav, goal, route, None, s.guidance, vehicle)
     asked, controlled = control.update(nav, command, s.control, vehicle)
-    return limits.apply(asked, vehicle), HoldState(state.time, route, guidance, controlled)
+    return limits.apply(asked, vehicle), LoiterState(state.time, route, guidance, controlled)
 
 
-class Hold:
+class Loiter:
     """A level right-hand circle."""
 
     def __init__(self, aircraft: Performance, airspeed: float) -> None:
@@ -63,10 +63,10 @@ class Hold:
         self._vehicle = Vehicle(aircraft, Gains(airspeed))
         self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
         self._radius = RADIUS * turn_length(airspeed)
-        self._target = Target((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
-        self._state: HoldState = fresh_hold()
+        self._target = GuidanceTarget((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
+        self._state: LoiterState = fresh_loiter()
 
-    def begin_here(self, estimate: Estimate) -> None:
+    def start_here(self, estimate: Estimate) -> None:
         """Turn off the present path to the right, at this height."""
         north, east, _ = estimate.v_n
         place = (estimate.latitude, estimate.longitude, estimate.altitude)
@@ -85,8 +85,8 @@ class Hold:
         course: float,
     ) -> None:
         self._plane = tangent_plane(*place)
-        self._target = Target(p_n, course, 0.0, 1.0, self._radius)
-        self._state = fresh_hold()
+        self._target = GuidanceTarget(p_n, course, 0.0, 1.0, self._radius)
+        self._state = fresh_loiter()
 
     def step(self, estimate: Estimate) -> RateSetpoint:
         """Body rates and thrust for the next while."""
@@ -99,5 +99,5 @@ class Hold:
             estimate.true_airspeed,
             estimate.wind_n,
         )
-        setpoint, self._state = step_hold(state, self._target, self._vehicle, self._state)
+        setpoint, self._state = step_loiter(state, self._target, self._vehicle, self._state)
         return setpoint

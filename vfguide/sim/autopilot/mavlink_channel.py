@@ -58,7 +58,7 @@ GROUND: dict[int, float] = {
 """The same to a ground station."""
 
 
-class Port:
+class MavlinkChannel:
     """One channel. Times in us."""
 
     def __init__(self, sysid: int, rates: dict[int, float], now: int) -> None:
