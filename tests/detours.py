@@ -35,14 +35,14 @@ def wall(begin, end, thick=10.0):
 
 
 def find(obstacles, start, goal, fence=NO_FENCE, band=LEVEL, **options):
-    """The task and its following."""
+    """The task and its route."""
     task = task_of(start, goal, **options)
     rows = obstacles if isinstance(obstacles, np.ndarray) else obstacle_rows(obstacles)
     return task, find_route(rows, fence, band, task)
 
 
 def flown(task, following, step=1.0):
-    """Poses and times every `step` metres along a following."""
+    """Poses and times every `step` metres along a route."""
     t, poses = task.t, []
     for i in range(len(following.route_edges)):
         for segment in segments_of(edge_in(following.route_edges, i), task.radius):

@@ -188,12 +188,12 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         hazards = hazards_among(world, rows[known > 0.0])
         wish = wish_for(motion, goal, limits)
         before = stored
-        decision = Decision(wish[0], wish[1], Reason.CLEAR.value, 0.0, 0.0, -1)
+        decision = Decision(wish[0], wish[1], Reason.NOMINAL.value, 0.0, 0.0, -1)
         if assured:
             decision, stored = assure(
                 motion, wish, world.wind_n, world.gust, hazards, t, TICK, aircraft, stored
             )
-        escapes += decision.reason != Reason.CLEAR.value
+        escapes += decision.reason != Reason.NOMINAL.value
         if decision.reason == Reason.BEST_EFFORT.value:
             bad, first_bad = bad + 1, min(first_bad, t)
         distance, nearest = true_distance(world, rows, motion.p_n, t)

@@ -135,7 +135,7 @@ def show_flight(kind: str, args: argparse.Namespace) -> None:
     for row in log[:: round(0.25 / TICK)]:
         logged = read_logged(row)
         motion, decision = logged.motion, logged.decision
-        if decision.reason != Reason.CLEAR:
+        if decision.reason != Reason.NOMINAL:
             at = (logged.time, *motion.p_n, motion.azimuth, motion.bank, motion.gamma)
             chosen = (decision.bank, decision.gamma, decision.reason, decision.margin)
             print(*(f"{x:.2f}" for x in at), "|", *(f"{x:.2f}" for x in chosen), end=" | ")

@@ -41,13 +41,13 @@ NORTHWARD = FlightState(1.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 
 
 
 def test_a_wish_that_is_clear_is_flown_as_it_is():
-    decision = Decision(1.0, -0.1, Reason.CLEAR, 12.0, math.inf, -1)
+    decision = Decision(1.0, -0.1, Reason.NOMINAL, 12.0, math.inf, -1)
     assert as_decided(WISH, decision, (0.1, 0.2), 0.2) == WISH
 
 
 @given(st.floats(-0.9, 0.9), st.floats(-0.2, 0.2), st.floats(-0.5, 0.5), st.floats(0.3, 0.9))
 def test_an_escape_is_flown_as_aircraft_and_air_allow(bank, gamma, climb, most):
-    decision = Decision(bank, gamma, Reason.ESCAPE, 12.0, 3.0, 0)
+    decision = Decision(bank, gamma, Reason.RECOVERY, 12.0, 3.0, 0)
     flown = as_decided(WISH, decision, (climb, climb + 0.1), most)
     assert flown.bank == np.clip(bank, -most, most)
     assert (flown.gamma, flown.climb) == (climb, climb + 0.1)
@@ -89,7 +89,7 @@ def test_air_that_moves_faster_than_any_limit_still_leaves_a_decision(sinking):
     aircraft = in_air(FLOWN, sinking)
     near = hazards([ball((60.0, 0.0, -150.0))])
     decision, _ = decide(motion(p_n=HERE), near, of=aircraft)
-    assert decision.reason != Reason.CLEAR
+    assert decision.reason != Reason.NOMINAL
     assert math.isfinite(decision.bank + decision.gamma)
 
 
@@ -126,11 +126,11 @@ FAR = ball((9000.0, 0.0, -150.0))
 def test_a_command_that_leaves_a_way_out_passes_as_it_is():
     command, after = judged(among(FAR))
     assert command == WISH
-    assert after.decision.reason == Reason.CLEAR
+    assert after.decision.reason == Reason.NOMINAL
 
 
 @pytest.mark.parametrize(
-    ("obstacle", "reason"), [(NEAR, Reason.ESCAPE), (TOO_NEAR, Reason.BEST_EFFORT)]
+    ("obstacle", "reason"), [(NEAR, Reason.RECOVERY), (TOO_NEAR, Reason.BEST_EFFORT)]
 )
 def test_a_command_that_leaves_none_is_not_flown(obstacle, reason):
     command, after = judged(among(obstacle))

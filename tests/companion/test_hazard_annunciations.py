@@ -19,7 +19,7 @@ from vfguide.planning.route_following import RouteFollowing, fresh_following
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 
-CLEAR, ESCAPE, BEST_EFFORT = Reason.CLEAR, Reason.ESCAPE, Reason.BEST_EFFORT
+CLEAR, ESCAPE, BEST_EFFORT = Reason.NOMINAL, Reason.RECOVERY, Reason.BEST_EFFORT
 HERE = Pose(0.0, 0.0, 0.0)
 STEP = 0.02
 
@@ -53,7 +53,7 @@ def sought(clearance: float, at: float, looked: float | None = None) -> Row:
 def with_hops(route: RouteFollowing, radius: float, *words: DubinsPath) -> RouteFollowing:
     hops = route.hops.copy()
     hops[: len(words)] = [edge_row(Edge(HERE, word)) for word in words]
-    return route._replace(length=len(words), radius=radius, hops=hops)
+    return route._replace(length=len(words), radius=radius, route_edges=hops)
 
 
 def told(its: Plan, *stretches: tuple[float, Row]) -> list[tuple[float, str]]:

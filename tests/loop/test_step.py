@@ -128,7 +128,7 @@ USED_BY = {
     # The paper says nothing of the circle after the last goal.
     "guidance/paper_law.py": {"vfguide.guidance.flight_law.update"},
     # The one exception, until the software autopilot has a loiter of its own.
-    "sim/hold.py": {
+    "sim/autopilot/loiter.py": {
         "vfguide.planning.planning.update",
         "vfguide.guidance.flight_law.update",
         "vfguide.control.control.update",

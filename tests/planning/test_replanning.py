@@ -77,7 +77,7 @@ def flown_among(obstacles, wind=STILL, to=None, **known):
 
 
 def acted(flown):
-    return [at for at in flown if decision_of_row(at.row).reason != Reason.CLEAR]
+    return [at for at in flown if decision_of_row(at.row).reason != Reason.NOMINAL]
 
 
 @pytest.mark.parametrize("wind", [STILL, blowing(8.0, 60.0), blowing(8.0, 240.0)])
@@ -237,7 +237,7 @@ def test_the_level_is_kept_over_a_plateau_when_a_tower_comes_into_sight(north, s
     over = [at for at in flown if 160.0 < at.state.p_n[0] < 760.0]
     assert len(over) > 100
     assert min(-at.state.p_n[2] for at in over) > 200.0
-    assert not [at for at in over if decision_of_row(at.row).reason != Reason.CLEAR]
+    assert not [at for at in over if decision_of_row(at.row).reason != Reason.NOMINAL]
 
 
 @pytest.mark.parametrize("sunk", [6.0, 11.0, 18.0])

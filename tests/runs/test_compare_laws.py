@@ -41,10 +41,13 @@ def loaded_from(table, folder):
 
 
 def test_laws_side_by_side_as_a_table(tmp_path):
-    took = np.array([10.0, 20.0, 30.0])
+
+    def flown_as(**changes):
+        return compare_laws.Flown(flight(**changes), np.array([10.0, 20.0, 30.0]))
+
     flown = [
-        {"printed": (flight(clearance_m=-2.0, best_m=4.0), took), "ours": (flight(), took)},
-        {"printed": (flight(reached=False), took), "ours": (flight(miss_m=7.0), took)},
+        {"printed": flown_as(clearance_m=-2.0, best_m=4.0), "ours": flown_as()},
+        {"printed": flown_as(reached=False), "ours": flown_as(miss_m=7.0)},
     ]
     rows = [compare_laws.row_of("field", law, flown) for law in ("printed", "ours")]
     printed, ours = rows

@@ -146,8 +146,9 @@ def test_what_moves_may_come_over_a_goal_and_start_over_it(tmp_path: Path) -> No
     [
         # Plant and law.
         (
-            PAPER.replace("kinematic", "jsbsim"),
-            'law = "paper": only plant = "kinematic" flies it, allowed here "flight"',
+            PAPER.replace("kinematic", "jsbsim").replace("id = 1", "id = 1\nidentify = true"),
+            "vehicle[0].identify = true: "
+            'only law = "flight" flies a test flight, allowed here false',
         ),
         (
             FLIGHT + sized("sphere"),
@@ -265,6 +266,13 @@ def test_what_moves_may_come_over_a_goal_and_start_over_it(tmp_path: Path) -> No
 )
 def test_message(tmp_path: Path, text: str, message: str) -> None:
     assert message_for(tmp_path, text) == message
+
+
+def test_law_paper_flies_on_either_plant(tmp_path: Path) -> None:
+    text = PAPER.replace("[-100, 0, 0]", "[-100, 0, -100]").replace("[0, 0, 0]", "[0, 0, -100]")
+    for plant in ("kinematic", "jsbsim"):
+        loaded = loaded_from(tmp_path, text.replace("kinematic", plant))
+        assert (loaded.scenario.law, loaded.scenario.plant) == ("paper", plant)
 
 
 def test_the_kinematic_plant_has_no_ground_and_takes_no_notice_of_aircraft(tmp_path: Path) -> None:

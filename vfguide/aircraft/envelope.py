@@ -10,6 +10,8 @@ from vfguide.geometry.units import G0
 SLOWEST_TURN = 2.5
 """No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
 the same time for a small aircraft, which could turn faster."""
+SMALLEST = 1e-3
+"""Radius of turns without any speed, or with one that is no number [m]."""
 
 
 @compiled
@@ -27,14 +29,10 @@ def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
 
 @compiled
 def radius_in(wind: float, bank: float, gains: Gains) -> float:
-    """The same in a wind of so many m/s."""
+    """Turn radius [m] over ground at the commanded airspeed, in a wind [m/s], at a bank [rad]."""
     radius = turn_radius(gains.airspeed, wind, bank, gains.turn_margin)
     radius += 0.5 * (gains.airspeed + wind) * gains.response_lag
     return max(radius, SLOWEST_TURN * gains.airspeed)
-
-
-SMALLEST = 1e-3
-"""Radius of turns without any speed, or with one that is no number [m]."""
 
 
 @compiled

@@ -6,32 +6,33 @@ from vfguide.aircraft.performance import Performance, turn_length
 from vfguide.geometry.compiled import compiled
 
 SAFE = 1.165
-"""Below this times the slowest airspeed height is given up for airspeed."""
-
+"""Below this times the slowest airspeed height is given up for airspeed; measured on the shipped
+aircraft in turbulence."""
 ROOM = 0.12
-"""This much above it the steepest climb is flown, as a share of the airspeed to fly."""
-
+"""The steepest climb is flown from so much above SAFE on, as a share of the airspeed to fly."""
 ZOOM = 1.4
-"""Through air that sinks it may be this much steeper, while the airspeed lasts."""
-
-LAST_SAFE, LAST_ROOM, LAST_ZOOM = 1.12, 0.056, 1.8
-"""The same three at the floor: airspeed is spent there, and at less of it the climb is faster."""
-
-NEAR_FLOOR, AT_FLOOR = 1.2, 0.6
-"""From the first height above the floor, in turn lengths, to the second the first three become
-the last."""
-
+"""Through air that sinks a climb may be steeper than the steepest by this factor, while the
+airspeed lasts."""
+LAST_SAFE = 1.12
+"""What SAFE becomes at the floor, where airspeed is spent for height."""
+LAST_ROOM = 0.056
+"""What ROOM becomes at the floor."""
+LAST_ZOOM = 1.8
+"""What ZOOM becomes at the floor."""
+NEAR_FLOOR = 1.2
+"""From this height above the floor on, in turn lengths, the three change towards their values at
+the floor."""
+AT_FLOOR = 0.6
+"""At this height above the floor, in turn lengths, the three have their values at the floor."""
 FASTEST_DESCENT = 0.98
-"""At this times the fastest airspeed half the descent is given up, ..."""
-
+"""At this times the fastest airspeed half of the steepest descent is given up."""
 AIRSPEED_BAND = 0.12
-"""... all of it so much of the cruise airspeed above."""
-
+"""All of the descent is given up so much above that airspeed, as a share of the cruise airspeed."""
 IDLE = 1.2
-"""A descent in a turn is steeper than the straight glide without thrust by this factor."""
-
+"""A descent in a turn is steeper than the straight glide without thrust by this factor: a turn
+takes more drag, and the descent is flown a little faster."""
 MAX_RADIUS_FACTOR = 1.15
-"""Turns that are wider by this allow a faster and steeper descent."""
+"""Turns are made wider by no more than this, for a faster and steeper descent."""
 
 
 @compiled

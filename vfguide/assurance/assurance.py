@@ -51,7 +51,7 @@ class AssuranceState(NamedTuple):
 @compiled
 def fresh_assurance() -> AssuranceState:
     """Nothing was decided yet."""
-    return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.CLEAR.value, 0.0, 0.0, 0))
+    return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.NOMINAL.value, 0.0, 0.0, 0))
 
 
 @compiled
@@ -148,7 +148,7 @@ def as_decided(
     thrust is set for [rad]; the bank is no larger than `bank_max` [rad], which the wing carries
     now.
     """
-    if decision.reason == Reason.CLEAR.value:
+    if decision.reason == Reason.NOMINAL.value:
         return command
     bank = max(-bank_max, min(bank_max, decision.bank))
     gamma, climb = path

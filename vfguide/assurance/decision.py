@@ -45,14 +45,14 @@ GUST_UNCERTAINTY = 0.3
 
 
 class Reason(IntEnum):
-    """Who decided."""
+    """The state of the run-time assurance, in the words of ASTM F3269."""
 
-    CLEAR = 0
-    """The command is flown."""
-    ESCAPE = 1
-    """The command would leave no way out: one is flown now."""
+    NOMINAL = 0
+    """The command of guidance is flown."""
+    RECOVERY = 1
+    """The command would leave no way out: an escape is flown now."""
     BEST_EFFORT = 2
-    """Nothing stays clear."""
+    """Nothing stays clear: the manoeuvre that goes least deep is flown."""
 
 
 class Assurance(NamedTuple):
@@ -156,13 +156,13 @@ def assure(
         out = find_escape(world, after, t + hold, command, plan, need, acting)
         if out.seen.hazard < 0:
             decision = Decision(
-                command[0], command[1], Reason.CLEAR.value, out.seen.least, math.inf, -1
+                command[0], command[1], Reason.NOMINAL.value, out.seen.least, math.inf, -1
             )
             return decision, BackupManoeuvre(out.plan.side, out.plan.turning, out.plan.climb, 0.0)
     out = Found(plan, seen)
     if seen.hazard >= 0:
         out = best_from(world, point_mass, t, command, plan, margin)
-    reason = Reason.ESCAPE.value if out.seen.hazard < 0 else Reason.BEST_EFFORT.value
+    reason = Reason.RECOVERY.value if out.seen.hazard < 0 else Reason.BEST_EFFORT.value
     conflict = time_to_conflict(world, point_mass, t, command)
     bank, gamma = bank_of(out.plan, limits), climb_of(out.plan, limits)
     decision = Decision(bank, gamma, reason, out.seen.least, conflict.lost, conflict.hazard)

@@ -44,7 +44,7 @@ class HazardAnnunciator:
 
     def _assurance(self, after: Row, now: float) -> list[str]:
         decision = decision_of_row(after)
-        if decision.reason == Reason.CLEAR:
+        if decision.reason == Reason.NOMINAL:
             if self._acted is None or abs(now - self._acted) < QUIET:
                 return []
             self._acted = None

@@ -186,7 +186,7 @@ class Route:
 
     def _test(self, identification: IdentificationFlight) -> None:
         """Go on with the test flight; after it the goals are flown to with what it has shown."""
-        if decision_of_row(self._state).reason != Reason.CLEAR:
+        if decision_of_row(self._state).reason != Reason.NOMINAL:
             self._end_test(identification, BROKEN_OFF)
             return
         if identification.is_stuck(goal_of_row(self._state)):

@@ -83,7 +83,7 @@ def height_above_floor(state: FlightState, airspace: Airspace | None) -> float:
 
 @compiled
 def wanted_course(goal: Objective, route: Route, vehicle: Vehicle) -> Course:
-    """The course over ground relative to the target's; a circle is flown before any following."""
+    """The course over ground relative to the target's; a circle is flown before any route."""
     target, (aircraft, gains, _) = goal.target, vehicle
     ahead = predicted_state(goal.state, gains)
     if is_on_route(route.following) and target.circle == 0.0:

@@ -1,4 +1,7 @@
-"""The wind triangle: from a course over ground to a direction through the air."""
+"""The wind triangle: from a course over ground to a direction through the air.
+
+R. W. Beard and T. W. McLain, Small Unmanned Aircraft: Theory and Practice, 2012, Chapter 2.
+"""
 
 import math
 from typing import NamedTuple

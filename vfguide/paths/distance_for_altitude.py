@@ -7,12 +7,10 @@ from vfguide.geometry.units import G0
 
 LINE_UP = 1.57
 """The slope of the goal is taken up over this distance before it, in turn lengths."""
-
 SLOPE_RATE = 2.5
-"""Fastest change of the wanted slope times the airspeed to fly [m/s^2], ..."""
-
+"""The wanted slope changes no faster than this over the airspeed to fly [m/s^2]."""
 RAMP = 0.8
-"""... and the part of it that paths are planned with."""
+"""Part of SLOPE_RATE that paths are planned with."""
 
 
 @compiled

@@ -2,6 +2,9 @@
 
 The hold is flown in the frame of the air: there the wind is still, and going backwards over
 ground turns nothing round. The aircraft points into the wind, level, at its airspeed.
+
+T. Stastny and R. Siegwart, On Flying Backwards: Preventing Run-away of Small, Low-speed, Fixed-wing
+UAVs in Strong Winds, IROS 2019, is where the problem is treated first.
 """
 
 import math

@@ -4,6 +4,10 @@ A* whose edges are Dubins paths. It begins with the start and the goal alone; wh
 blocked, the tangent poses round what blocks it become neighbours of the pose it began at. Nothing
 is computed before its turn: first an edge counts as the straight line, then as its Dubins path,
 and whether it is clear is only looked up when it is the most promising of all.
+
+P. E. Hart, N. J. Nilsson and B. Raphael, A Formal Basis for the Heuristic Determination of Minimum
+Cost Paths, 1968 (A*); that edges are checked only when they are the most promising is the lazy
+roadmap of R. Bohlin and L. E. Kavraki, Path Planning Using Lazy PRM, 2000.
 """
 
 from heapq import heappop

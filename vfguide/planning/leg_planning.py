@@ -75,7 +75,7 @@ def wind_along(wind_n: Vec3, course: float) -> float:
 
 @compiled
 def advance_leg(goal: Objective, route: Route, slope: float, vehicle: Vehicle) -> Leg:
-    """The leg after this step; it waits while a following is flown."""
+    """The leg after this step; it waits while a route round hazards is flown."""
     state, target, (aircraft, gains, _) = goal.state, goal.target, vehicle
     if is_on_route(route.following) and target.circle == 0.0:
         return route.leg

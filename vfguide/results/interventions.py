@@ -50,7 +50,7 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
     least = float(np.fmin.reduce(margin[decided], initial=math.inf))
     return AssuranceResult(
         decided=count,
-        escape=int((reason == Reason.ESCAPE).sum()),
+        escape=int((reason == Reason.RECOVERY).sum()),
         least_bad=int((reason == Reason.BEST_EFFORT).sum()),
         acting_share=round(acting / count, 6) if count else None,
         min_margin_m=round(least, 6) if math.isfinite(least) else None,

@@ -95,7 +95,7 @@ def _check_start(
     )
     wind_n = _wind(scenario)
     decision, _ = assure(motion, (0.0, 0.0), wind_n, 0.0, hazards, 0.0, 0.02, of, no_backup())
-    if decision.reason == Reason.CLEAR:
+    if decision.reason == Reason.NOMINAL:
         return []
     names, place = hazard_names(scenario), (*at, "position_m")
     what = f'"{names[decision.hazard]}"' if decision.hazard >= 0 else "what is near"

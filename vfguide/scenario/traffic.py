@@ -18,8 +18,8 @@ def volume_from(avoidance: Avoidance) -> Volume:
     return SMALL_AIRCRAFT._replace(
         radius=avoidance.traffic_radius_m,
         half_height=avoidance.traffic_half_height_m,
-        growth=avoidance.traffic_growth_mps,
-        growth_up=avoidance.traffic_growth_up_mps,
+        uncertainty_rate=avoidance.traffic_growth_mps,
+        uncertainty_rate_up=avoidance.traffic_growth_up_mps,
     )
 
 
