@@ -1,13 +1,21 @@
 """The software autopilot as its peers see it: bytes in, bytes out."""
 
+import math
+
+from aeroplanes import AEROSONDE
+from sim_flights import AEROSONDE as MODEL
+
+from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavCmd, MavState, MavType, ModeFlag
 from vfguide.link.messages import CommandAck, CommandLong, Heartbeat, SetAttitudeTarget
 from vfguide.link.px4 import main_and_sub
-from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.load import load_scenario
 from vfguide.sim.autopilot.mavlink_channel import ONBOARD
-from vfguide.sim.vehicle import Vehicle
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import Start, Weather
+from vfguide.sim.trim import trim
+from vfguide.sim.vehicle import Setup, Vehicle
 
 UPDATE = 4
 """Steps of the plant between two updates of the autopilot."""
@@ -22,8 +30,15 @@ ATTITUDES = (
 
 
 def new_vehicle() -> Vehicle:
-    loaded = load_scenario("first-flight")
-    return simulate(loaded, loaded.scenario.vehicles[0])
+    """That of the first flight, at its start."""
+    origin, speed = (47.397742 * DEG, 8.545594 * DEG, 488.0), 25.0
+    latitude, longitude, altitude = ned_to_geodetic(
+        tangent_plane(*origin), (-450.0, -350.0, -120.0)
+    )
+    start = Start(latitude, longitude, altitude, 0.0, trim(Bench(MODEL, altitude), speed))
+    wind = Weather((3.0 * math.cos(120.0 * DEG), 3.0 * math.sin(120.0 * DEG), 0.0))
+    setup = Setup(1, MODEL, AEROSONDE, speed, start, wind, origin[2], frame_origin=origin)
+    return Vehicle(setup, 1_767_225_600_000_000)
 
 
 class Dialogue:

@@ -5,6 +5,7 @@ import math
 from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.geometry.so3 import from_euler
@@ -33,3 +34,7 @@ def turned(R, each):
 def is_within_limits(setpoint):
     rates = zip(setpoint.omega_b, AEROSONDE.rate_max, strict=True)
     return all(abs(rate) <= most for rate, most in rates) and 0.0 <= setpoint.thrust <= 1.0
+
+
+def motion(p_n=(0.0, 0.0, -150.0), azimuth=0.0, bank=0.0, gamma=0.0, airspeed=25.0):
+    return PointMass(p_n, azimuth, bank, gamma, airspeed)

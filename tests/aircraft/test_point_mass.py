@@ -2,15 +2,19 @@ import math
 
 import numpy as np
 import pytest
-from assurance_samples import FLOWN, SMALL
-from hazard_samples import STILL, motion
+from aeroplanes import AEROSONDE, EASYSTAR
+from flight_states import motion
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from vfguide.aircraft.point_mass import advance, lagged
+from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.point_mass import advance, dynamics, lagged
 from vfguide.geometry.units import G0
 
+FLOWN = dynamics(AEROSONDE, Gains(25.0))
+SMALL = dynamics(EASYSTAR, Gains(11.0))
+STILL = (0.0, 0.0, 0.0)
 angles = st.floats(-0.9, 0.9)
 
 
@@ -33,14 +37,14 @@ def by_integration(at, bank, gamma, wind_n, limits, dt):
     return solve_ivp(slope, (0.0, dt), start, rtol=1e-10, atol=1e-10, max_step=0.01).y[:, -1]
 
 
-@pytest.mark.parametrize("of", [FLOWN, SMALL], ids=["aerosonde", "easystar"])
+@pytest.mark.parametrize("limits", [FLOWN, SMALL], ids=["aerosonde", "easystar"])
 @given(bank=angles, wanted=angles, gamma=st.floats(-0.17, 0.17), climb=st.floats(-0.17, 0.17))
-def test_a_second_of_steps_is_the_solution_of_the_equations(of, bank, wanted, gamma, climb):
+def test_a_second_of_steps_is_the_solution_of_the_equations(limits, bank, wanted, gamma, climb):
     at, wind_n = motion(azimuth=0.4, bank=bank, gamma=gamma), (3.0, -2.0, 0.5)
-    expected = by_integration(at, wanted, climb, wind_n, of.limits, 1.0)
+    expected = by_integration(at, wanted, climb, wind_n, limits, 1.0)
     after = at
     for _ in range(5):
-        after = advance(after, wanted, climb, wind_n, of.limits, 0.2)
+        after = advance(after, wanted, climb, wind_n, limits, 0.2)
     assert (after.bank, after.gamma) == pytest.approx(expected[4:], abs=1e-7)
     assert after.azimuth == pytest.approx(expected[3], abs=2e-3)
     assert after.p_n == pytest.approx(expected[:3], abs=0.05)
@@ -61,7 +65,7 @@ def test_a_lag_never_overshoots_nor_exceeds_its_rate(value, wanted, dt):
 
 
 def test_a_full_turn_ends_where_it_began():
-    bank, limits = 0.8, FLOWN.limits
+    bank, limits = 0.8, FLOWN
     start = at = motion(bank=bank)
     steps = 100
     dt = 2.0 * math.pi * 25.0 / (G0 * math.tan(bank)) / steps

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from obstacle_samples import (
+from shape_samples import (
     MORE_SHAPES,
     floats,
     points_around,

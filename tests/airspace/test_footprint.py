@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from obstacle_samples import SHAPES, random_shape
+from shape_samples import SHAPES, random_shape
 
 from vfguide.airspace.footprint import (
     Band,

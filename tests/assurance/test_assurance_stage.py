@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from aeroplanes import AEROSONDE
 from assurance_samples import FLOWN, decide
-from hazard_samples import ball, hazards, motion
+from flight_states import motion
+from hazard_samples import ball, hazards
 from hypothesis import given
 from hypothesis import strategies as st
 

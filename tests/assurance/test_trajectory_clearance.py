@@ -3,7 +3,8 @@ import math
 import numpy as np
 import pytest
 from assurance_samples import FLOWN, SMALL, random_field
-from hazard_samples import ball, hazards, motion
+from flight_states import motion
+from hazard_samples import ball, hazards
 
 from vfguide.airspace.fence import Zone
 from vfguide.airspace.hazards import (

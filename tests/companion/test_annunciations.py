@@ -44,8 +44,6 @@ def test_the_operator_is_told_what_became_of_a_goal():
 
 
 VEHICLE = row_of(Vehicle(AEROSONDE, Gains(25.0)))
-
-
 LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 
 

@@ -1,10 +1,10 @@
 """Notes about obstacles and the fence: once at the beginning, once at the end, never a flood."""
 
 import math
-from dataclasses import replace
 
 import pytest
 from conversations import plan
+from plans import AMONG_TOWERS
 
 from vfguide.assurance.decision import Reason
 from vfguide.companion.hazard_annunciations import BACK, HazardAnnunciator, route_summary
@@ -16,8 +16,6 @@ from vfguide.paths.edge import Edge, edge_row
 from vfguide.paths.path_progress import Pose
 from vfguide.planning.route import fresh_route
 from vfguide.planning.route_following import RouteFollowing, fresh_following
-from vfguide.scenario.hazards import hazard_names, hazards_of
-from vfguide.scenario.load import load_scenario
 
 CLEAR, ESCAPE, BEST_EFFORT = Reason.NOMINAL, Reason.RECOVERY, Reason.BEST_EFFORT
 HERE = Pose(0.0, 0.0, 0.0)
@@ -26,8 +24,7 @@ STEP = 0.02
 
 @pytest.fixture(scope="module")
 def among_towers() -> Plan:
-    scenario = load_scenario("towers").scenario
-    return replace(plan(), hazards=hazards_of(scenario), hazard_names=hazard_names(scenario))
+    return AMONG_TOWERS
 
 
 def decided(reason: Reason, conflict: float = math.inf, hazard: int = -1) -> Row:

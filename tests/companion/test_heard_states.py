@@ -21,11 +21,7 @@ from vfguide.link.messages import (
 )
 
 ORIGIN = (47.397742, 8.545594, 488.0)
-
-
 PLANE = (ORIGIN[0] * DEG, ORIGIN[1] * DEG, ORIGIN[2])
-
-
 TWO_CENTIMETRES = 0.02
 """The wire rounds the local origin to 1e-7 degrees."""
 

@@ -5,32 +5,25 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conversations import Conversation
-from conversations import plan as plain_plan
+from conversations import Conversation, plan
 from hypothesis import given
 from hypothesis import strategies as st
+from plans import TEST_FLIGHT
 
 from vfguide.aircraft.state import FlightState
-from vfguide.companion.identification_flight import CHANGE, NEEDED, SPACING, circuit, least_room
+from vfguide.companion.identification_flight import CHANGE, SPACING, circuit
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
 from vfguide.link.px4 import Px4Mode
-from vfguide.scenario.load import load_scenario
-from vfguide.scenario.plans import plan_of
 
 NORTH = FlightState(
     5.0, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.0, 0.0), 25.0, (math.nan,) * 3
 )
 
 
-def plan(*changes: str, aircraft: str = "aerosonde") -> Plan:
-    loaded = load_scenario("identify", (f'vehicle.0.aircraft="{aircraft}"', *changes))
-    return plan_of(loaded, loaded.scenario.vehicles[0])
-
-
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_places_are_close_together_along_the_whole_circuit(side):
-    legs = circuit(NORTH, plan(), side)
+    legs = circuit(NORTH, TEST_FLIGHT, side)
     places = np.array([NORTH.p_n, *(place for leg in legs for place in leg.places)])
     assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= SPACING + 1e-9
     assert all(leg.places[-1] == leg.goal.p_n for leg in legs)
@@ -41,7 +34,7 @@ def test_places_are_close_together_along_the_whole_circuit(side):
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_the_circuit_ends_near_its_beginning_and_on_its_course(side):
-    legs = circuit(NORTH, plan(), side)
+    legs = circuit(NORTH, TEST_FLIGHT, side)
     ends = np.array([leg.goal.p_n for leg in legs])
     courses = [math.cos(leg.goal.course) for leg in legs]
     assert np.linalg.norm(ends[-1] - NORTH.p_n) < 30.0
@@ -55,16 +48,16 @@ def test_the_circuit_ends_near_its_beginning_and_on_its_course(side):
 def test_airspeeds_stay_inside_what_the_aircraft_flies(slowest, cruise, fastest):
     speed = slowest * cruise
     its = replace(
-        plan(),
-        aircraft=plan().aircraft._replace(airspeed_min=slowest, airspeed_max=speed * fastest),
-        gains=plan().gains._replace(airspeed=speed),
+        TEST_FLIGHT,
+        aircraft=TEST_FLIGHT.aircraft._replace(airspeed_min=slowest, airspeed_max=speed * fastest),
+        gains=TEST_FLIGHT.gains._replace(airspeed=speed),
     )
     speeds = {leg.name: leg.airspeed for leg in circuit(NORTH, its, 1.0)}
     assert slowest <= speeds["slow flight"] <= speed <= speeds["fast flight"] <= speed * fastest
 
 
 def test_it_changes_the_airspeed_by_as_much_as_it_says():
-    speeds = [leg.airspeed for leg in circuit(NORTH, plan(), 1.0)]
+    speeds = [leg.airspeed for leg in circuit(NORTH, TEST_FLIGHT, 1.0)]
     assert max(speeds) == pytest.approx(25.0 * (1.0 + CHANGE))
     assert min(speeds) == pytest.approx(25.0 * (1.0 - CHANGE))
 
@@ -88,11 +81,11 @@ class Testing(Conversation):
 
 
 def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
-    talk = Testing(replace(plain_plan(), identify=True))
+    talk = Testing(replace(plan(), identify=True))
     talk.engage()
     assert talk.told[-1] == "test flight: level flight"
     assert talk.route.is_testing
-    gains, ours = talk.route.plan.tuned, plain_plan().tuned
+    gains, ours = talk.route.plan.tuned, plan().tuned
     assert gains.bank_max == ours.bank_max, "an escape may take it all"
     wider = math.tan(math.radians(50.0)) / math.tan(math.radians(30.0))
     assert gains.turn_margin == pytest.approx(ours.turn_margin * wider)
@@ -101,7 +94,7 @@ def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
 
 
 def test_it_begins_anew_when_the_autopilot_follows_again():
-    talk = Testing(replace(plain_plan(), identify=True))
+    talk = Testing(replace(plan(), identify=True))
     talk.engage()
     first = talk.route.plan.goals
     talk.fly(10.0, Px4Mode.OFFBOARD)
@@ -115,7 +108,7 @@ def test_it_begins_anew_when_the_autopilot_follows_again():
 
 def test_a_leg_that_comes_to_no_end_is_left():
     """The aeroplane of the conversation flies straight to the north for ever."""
-    talk = Testing(replace(plain_plan(), identify=True))
+    talk = Testing(replace(plan(), identify=True))
     talk.engage()
     talk.fly(600.0, Px4Mode.OFFBOARD)
     tests = [note for note in talk.told if note.startswith("test flight")]
@@ -123,46 +116,8 @@ def test_a_leg_that_comes_to_no_end_is_left():
     assert not talk.route.is_testing
     end = talk.told.index("flying to goal 1 of 1")
     assert talk.told[end - 1].startswith("not seen well enough")
-    assert talk.route.identified.aircraft == plain_plan().aircraft
-    assert talk.route.plan.goals == plain_plan().goals
+    assert talk.route.identified.aircraft == plan().aircraft
+    assert talk.route.plan.goals == plan().goals
     assert talk.route.plan.tuned.response_lag == pytest.approx(0.3 - 0.08), (
         "its response is unknown"
     )
-
-
-@pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])
-def test_a_tower_anywhere_on_the_circuit_is_seen(along):
-    its = plan()
-    legs = circuit(NORTH, its, 1.0)
-    places = [place for leg in legs for place in leg.places]
-    north, east, _ = places[int(along * len(places))]
-    tower = (
-        f'obstacle=[{{shape="cylinder",position_m=[{north + 9},{east - 7},-100],'
-        "radius_m=15,height_m=200}]"
-    )
-    goal = ("vehicle.0.goal.0.position_m=[0,3000,-150]", "vehicle.0.position_m=[0,2500,-150]")
-    hazards = plan(tower, *goal).hazards
-    assert least_room(legs, hazards, 0.0) < NEEDED
-
-
-def fenced(east: tuple[float, float]) -> Plan:
-    corners = [[-2000, east[0]], [2000, east[0]], [2000, east[1]], [-2000, east[1]]]
-    zone = f'{{kind="include",polygon_m={corners}}}'
-    goal = "vehicle.0.goal.0.position_m=[0,-300,-120]"
-    start = "vehicle.0.position_m=[-300,-300,-120]"
-    return plan(f"fence.zone=[{zone}]", "fence.floor_m=50", goal, start)
-
-
-@pytest.mark.parametrize(
-    ("east", "side"), [((-400.0, 400.0), 1.0), ((-1000.0, -200.0), -1.0), ((-450.0, -150.0), 0.0)]
-)
-def test_it_turns_to_where_there_is_room_and_is_left_out_where_there_is_none(east, side):
-    talk = Testing(fenced(east))
-    talk.engage()
-    if side:
-        turned = talk.route.plan.goals[3].p_n[1] + 300.0
-        assert math.copysign(1.0, turned) == side
-    else:
-        assert not talk.route.is_testing
-        assert any(note.startswith("no room for a test flight") for note in talk.told)
-        assert talk.told[-1] == "flying to goal 1 of 1"

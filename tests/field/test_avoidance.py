@@ -6,17 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from obstacle_samples import (
-    NOBODY,
-    SHAPES,
-    SPACING,
-    STILL,
-    at_level,
-    floats,
-    one_obstacle,
-    random_directions,
-    random_goal,
-)
+from obstacle_samples import NOBODY, SPACING, STILL, at_level, one_obstacle, random_goal
+from shape_samples import SHAPES, floats, random_directions
 
 from vfguide.field.avoidance import (
     COLLINEAR,

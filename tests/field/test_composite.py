@@ -6,19 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from obstacle_samples import (
-    NOBODY,
-    NOTHING,
-    SHAPES,
-    SPACING,
-    STILL,
-    at_level,
-    floats,
-    one_obstacle,
-    random_directions,
-    random_goal,
-    random_shape,
-)
+from obstacle_samples import NOBODY, NOTHING, SPACING, STILL, at_level, one_obstacle, random_goal
+from shape_samples import SHAPES, floats, random_directions, random_shape
 
 from vfguide.field import arrays
 from vfguide.field.attitude import AXIS, attitude

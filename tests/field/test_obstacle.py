@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from obstacle_samples import SHAPES, STILL, at_level, floats, random_directions
+from obstacle_samples import STILL, at_level
+from shape_samples import SHAPES, floats, random_directions
 
 from vfguide.field.obstacle import (
     OUT_OF_SIGHT,

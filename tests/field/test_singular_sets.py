@@ -9,16 +9,8 @@ import math
 
 import numpy as np
 import pytest
-from obstacle_samples import (
-    NOBODY,
-    SHAPES,
-    SPACING,
-    STILL,
-    at_level,
-    floats,
-    one_obstacle,
-    random_directions,
-)
+from obstacle_samples import NOBODY, SPACING, STILL, at_level, one_obstacle
+from shape_samples import SHAPES, floats, random_directions
 
 from vfguide.field import arrays
 from vfguide.field.composite import composite_field

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
-from obstacle_samples import NOTHING, SPACING, floats, random_goal, random_shape
+from obstacle_samples import NOTHING, SPACING, random_goal
+from shape_samples import floats, random_shape
 
 from vfguide.field.composite import composite_field
 from vfguide.field.composite_arrays import composite_fields

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from obstacle_samples import floats
+from shape_samples import floats
 
 from vfguide.geometry import dual
 from vfguide.geometry.dual import Dual, Dual3

@@ -1,16 +1,16 @@
 import numpy as np
 import pytest
-from obstacle_samples import (
+from scipy.spatial import KDTree
+from shape_samples import (
     MORE_SHAPES,
+    distances_at,
     floats,
-    one_obstacle,
+    levels_at,
     points_around,
     random_directions,
     surface_points,
 )
-from scipy.spatial import KDTree
 
-from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.cone import TIP
 from vfguide.geometry.shapes.distance import onto_surface, signed_distance
@@ -22,16 +22,16 @@ every_shape = pytest.mark.parametrize("body", MORE_SHAPES.values(), ids=MORE_SHA
 
 @every_shape
 def test_the_sign_is_that_of_the_level(body):
-    x, obstacles = points_around(body), one_obstacle(body)
-    inside = levels(x, 0.0, obstacles) < 1.0
-    np.testing.assert_array_equal(distances(x, 0.0, obstacles) < 0.0, inside)
+    x = points_around(body)
+    inside = levels_at(body, x) < 1.0
+    np.testing.assert_array_equal(distances_at(body, x) < 0.0, inside)
     assert 50 < np.count_nonzero(inside) < 550
 
 
 @every_shape
 def test_no_point_of_the_surface_is_nearer(body):
     x = points_around(body)
-    distance = np.abs(distances(x, 0.0, one_obstacle(body))[:, 0])
+    distance = np.abs(distances_at(body, x))
     found, _ = KDTree(surface_points(body)).query(x)
     assert np.all(distance <= found * (1.0 + 5e-4) + 1e-6 * max(body.semi_axes))
 
@@ -39,26 +39,26 @@ def test_no_point_of_the_surface_is_nearer(body):
 @every_shape
 def test_along_a_normal_from_the_surface_the_distance_is_the_length(body):
     """Exact outside, because the body is convex; inside it is an upper bound."""
-    rng, obstacles = np.random.default_rng(5), one_obstacle(body)
+    rng = np.random.default_rng(5)
     foot = surface_points(body, 500)
     normal = np.array([shape_level(body, floats(y)).gradient for y in foot])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     d = 10.0 ** rng.uniform(-3.0, 4.0, 500)
-    outside = distances(foot + d[:, None] * normal, 0.0, obstacles)[:, 0]
+    outside = distances_at(body, foot + d[:, None] * normal)
     np.testing.assert_allclose(outside, d, rtol=2e-4)
     d = min(body.semi_axes) * rng.uniform(0.0, 0.3, 500)
-    inside = -distances(foot - d[:, None] * normal, 0.0, obstacles)[:, 0]
+    inside = -distances_at(body, foot - d[:, None] * normal)
     assert np.all(inside <= d * (1.0 + 1e-3) + 1e-9)
 
 
 @every_shape
 def test_the_ball_of_that_radius_around_a_point_inside_is_inside(body):
-    x, obstacles = points_around(body), one_obstacle(body)
-    distance = distances(x, 0.0, obstacles)[:, 0]
+    x = points_around(body)
+    distance = distances_at(body, x)
     x, radius = x[distance < 0.0][:100], -distance[distance < 0.0][:100]
     directions = random_directions(np.random.default_rng(6), 2000)
     ball = x[:, None] + 0.995 * radius[:, None, None] * directions
-    assert levels(ball, 0.0, obstacles).max() <= 1.0
+    assert levels_at(body, ball.reshape(-1, 3)).max() <= 1.0
 
 
 @pytest.mark.parametrize("d", [-40.0, -39.9, -20.0, -1e-6, 0.0, 1e-9, 0.1, 1e3, 1e6])

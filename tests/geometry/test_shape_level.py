@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from obstacle_samples import SHAPES, floats, one_obstacle, random_directions
+from shape_samples import SHAPES, floats, levels_at, random_directions
 
-from vfguide.field.obstacle_arrays import levels
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.base import FAR, even_power
 from vfguide.geometry.shapes.cone import TIP
@@ -143,7 +142,7 @@ def test_how_close_the_cone_is_to_a_sharp_one():
     w = np.stack([np.cos(angle), np.zeros_like(angle), np.sin(angle)], axis=1)
     sharp = np.maximum(2.0 * w[:, 0] - w[:, 2], w[:, 2])
     surface = w / sharp[:, None]
-    ratio = levels(surface * (50.0, 50.0, 40.0), 0.0, one_obstacle(shape.cone(50.0, 80.0))) ** 0.125
+    ratio = levels_at(shape.cone(50.0, 80.0), surface * (50.0, 50.0, 40.0)) ** 0.125
     assert ratio.min() == pytest.approx(1.0, abs=1e-3)
     assert ratio.max() == pytest.approx(1.0 + TIP, abs=1e-3)
     cone = shape.cone(50.0, 80.0)

@@ -2,15 +2,34 @@
 
 from dataclasses import replace
 
-from plans import FIRST_FLIGHT
+import numpy as np
+import pytest
+from plans import AMONG_TOWERS, FIRST_FLIGHT, TEST_FLIGHT
 
 from vfguide.airspace.keep_out import NO_FENCE
+from vfguide.field.obstacle import PlacedObstacle
+from vfguide.geometry.rows import columns
+from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 
-def test_the_plan_of_the_other_tests_is_that_of_the_file():
-    loaded = load_scenario("first-flight")
+@pytest.mark.parametrize(
+    ("name", "same"), [("first-flight", FIRST_FLIGHT), ("identify", TEST_FLIGHT)]
+)
+def test_the_plans_of_the_other_tests_are_those_of_the_files(name, same):
+    loaded = load_scenario(name)
     plan = plan_of(loaded, loaded.scenario.vehicles[0])
     assert len(plan.fence.table) == len(NO_FENCE.table) == 0
-    assert replace(plan, fence=NO_FENCE) == FIRST_FLIGHT
+    assert replace(plan, fence=NO_FENCE) == same
+
+
+def test_so_are_the_obstacles():
+    scenario = load_scenario("towers").scenario
+    found, same = hazards_of(scenario), AMONG_TOWERS.hazards
+    kept = columns(PlacedObstacle, found.obstacles)
+    for name, column in columns(PlacedObstacle, same.obstacles)._asdict().items():
+        if name != "visible_from":
+            np.testing.assert_array_equal(getattr(kept, name), column)
+    assert (len(found.fences.table), found.floor, found.ceiling) == (0, same.floor, same.ceiling)
+    assert hazard_names(scenario) == AMONG_TOWERS.hazard_names

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pymap3d
 import pytest
+from continuous_law import GOAL, rows
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
@@ -138,3 +139,21 @@ def test_sightings_are_geodetic_and_level_where_the_body_is():
         assert seen.v_l == pytest.approx(speed * R_lb[:, 0], abs=1e-8)
         w, x, y, z = seen.q_lb
         assert Rotation.from_quat((x, y, z, w)).as_matrix() == pytest.approx(R_lb, abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_step_of_the_body_solves_its_kinematics(seed):
+    """eq_kine_UVA with constant inputs, integrated by SciPy."""
+    rng = np.random.default_rng([43, seed])
+    R_nb, w = rows(Rotation.random(rng=rng).as_matrix()), rng.uniform(-2.0, 2.0, 3)
+    hat = np.array([[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]])
+
+    def rate(_, state):
+        R = state[3:].reshape(3, 3)
+        return np.concatenate((25.0 * R[:, 0], (R @ hat).ravel()))
+
+    start = np.concatenate((GOAL.p_n, np.ravel(R_nb)))
+    end = solve_ivp(rate, (0.0, 1.5), start, rtol=1e-11, atol=1e-11).y[:, -1]
+    R_after, p_after = move(R_nb, GOAL.p_n, 25.0, tuple(map(float, w)), 1.5)
+    np.testing.assert_allclose(p_after, end[:3], atol=1e-8)
+    np.testing.assert_allclose(R_after, end[3:].reshape(3, 3), atol=1e-9)

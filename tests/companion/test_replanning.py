@@ -10,14 +10,13 @@ from point_mass import fly, level
 
 from vfguide.airspace.fence import Zone, fence_distance, fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
+from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, NO_FENCE, circle, joined, polygon
 from vfguide.assurance.decision import Reason
 from vfguide.companion.loop_report import decision_of_row, route_of_row
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_distance, obstacle_rows
 from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
 from vfguide.loop.state import take_over
-from vfguide.scenario.fence import ZoneEntry
-from vfguide.scenario.hazards import Fence, keep_out_zones_of
 
 pytestmark = pytest.mark.slow
 
@@ -39,10 +38,9 @@ def among(plan, obstacles, seen=2000.0, entries=(), heights=FREE):
     """The plan with obstacles that are known from `seen` metres on, and a fence."""
     rows = obstacle_rows(list(obstacles))
     columns(PlacedObstacle, rows).visible_from[:] = seen
-    fence = Fence(zone=[ZoneEntry(**entry) for entry in entries])
     zones = fences([zone_of(entry) for entry in entries])
     hazards = Hazards(rows, traffic_rows(()), zones, *heights)
-    return replace(plan, hazards=hazards, fence=keep_out_zones_of(fence))
+    return replace(plan, hazards=hazards, fence=outlines_of(entries))
 
 
 def zone_of(entry):
@@ -50,6 +48,19 @@ def zone_of(entry):
     if "polygon_m" in entry:
         return Zone(inside, tuple(entry["polygon_m"]))
     return Zone(inside, (entry["centre_m"],), entry["radius_m"])
+
+
+def outlines_of(entries):
+    """The same zones in the plane."""
+    outlines = NO_FENCE
+    for entry in entries:
+        sign = KEEP_IN if entry["kind"] == "include" else KEEP_OUT
+        if "polygon_m" in entry:
+            outline = polygon(entry["polygon_m"], sign)
+        else:
+            outline = circle(*entry["centre_m"], entry["radius_m"], sign)
+        outlines = joined(outlines, outline)
+    return outlines
 
 
 def least_distance(flown, obstacles):
