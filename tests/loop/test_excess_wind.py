@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from vfguide.geometry.angles import wrap
 from vfguide.planning.excess_wind import (
-    SETTLING,
     TOO_STRONG,
     WEAK_AGAIN,
+    WIND_SMOOTHING_TIME,
     WindHold,
     fresh_wind_hold,
     in_air_frame,
@@ -39,7 +39,7 @@ def test_it_holds_above_a_part_of_the_airspeed(part):
 @pytest.mark.parametrize("part", [0.84, 0.86, 0.94, 1.1])
 def test_it_goes_on_holding_until_the_wind_has_fallen_below_another(part):
     stand = after(fresh_wind_hold(), 30.0, 1.0)
-    assert after(stand, part * 25.0, 10.0 * SETTLING).holds == (part > WEAK_AGAIN)
+    assert after(stand, part * 25.0, 10.0 * WIND_SMOOTHING_TIME).holds == (part > WEAK_AGAIN)
 
 
 def test_a_gust_changes_nothing():

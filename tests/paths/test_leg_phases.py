@@ -13,7 +13,14 @@ from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import FULL, is_hasty, length_of, shortest_path
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, keep_radius, new_leg
 from vfguide.paths.leg_phases import BREAK_OFF, fly_leg, leg_course
-from vfguide.paths.leg_start import BRIEF, ENDS, LEAP, SETTLING, Paths, start_here
+from vfguide.paths.leg_start import (
+    ENDS,
+    HASTY_FINAL_APPROACH,
+    LEAP,
+    SHORTEST_FINAL_APPROACH,
+    Paths,
+    start_here,
+)
 from vfguide.paths.path_stretching import best_end, best_outbound
 
 RADIUS, SPEED = 80.0, 25.0
@@ -47,8 +54,8 @@ def begun(x, y, course=0.0, distance_for_altitude=0.0):
 def begun_end(here, course):
     """The straight end of the shortest way, and that way from there; no end where it leaps."""
     final_approach, path = FINAL, shortest_path(*ahead(here, FINAL), course, RADIUS)
-    ends = [max(FINAL, SETTLING * RADIUS) if is_hasty(path) else FINAL]
-    brief = min(BRIEF * RADIUS, FINAL)
+    ends = [max(FINAL, HASTY_FINAL_APPROACH * RADIUS) if is_hasty(path) else FINAL]
+    brief = min(SHORTEST_FINAL_APPROACH * RADIUS, FINAL)
     ends += [ends[0] + (brief - ends[0]) * k / ENDS for k in range(1, ENDS + 1)]
     least = math.inf
     for end in ends:
@@ -204,7 +211,7 @@ def test_a_shorter_straight_end_is_flown_where_the_way_leaps_otherwise():
     radius, here = 62.5, at(-75.4, -135.4, math.radians(81.0))
     near = leg()._replace(radius=radius)
     after = fly_leg(near, here, needing(0.0), GAINS)
-    assert BRIEF * radius <= after.final_approach < GAINS.final_approach * radius
+    assert SHORTEST_FINAL_APPROACH * radius <= after.final_approach < GAINS.final_approach * radius
     length = leg_course(after, here, CORE).remaining
     leapt = shortest_path(*ahead(here, GAINS.final_approach * radius), math.radians(81.0), radius)
     assert length < GAINS.final_approach * radius + radius * (length_of(leapt) - 5.0)

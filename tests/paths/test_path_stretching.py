@@ -10,8 +10,8 @@ from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import FULL, length_of, shortest_path
 from vfguide.paths.path_progress import Pose, after_turn
 from vfguide.paths.path_stretching import (
+    LENGTH_SLACK,
     SHORTER,
-    SLACK,
     STRIDES,
     TURN,
     TURNS,
@@ -64,7 +64,7 @@ def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course
         pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), abs(k) * TURN, RADIUS)
         lengths[pose.course] = tuple(
             arc + outbound_length(pose, RADIUS, needed + slack * RADIUS - arc)
-            for slack in (0.0, SLACK)
+            for slack in (0.0, LENGTH_SLACK)
         )
     nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL)))
     plain, with_slack = lengths[nearest]

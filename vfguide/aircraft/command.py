@@ -1,10 +1,10 @@
-"""What a law of guidance is asked for, and what it commands."""
+"""What a law of guidance commands, and what the assurance makes of it."""
 
 from typing import NamedTuple
 
 
 class GuidanceCommand(NamedTuple):
-    """What the law wanted at one step: for displays, logs and tests."""
+    """What control is asked to fly at one step, and what displays and logs show of it."""
 
     course: float
     """Over ground [rad]."""

@@ -27,7 +27,7 @@ SETTLED = 1.5
 """So much of the beginning does not count for the roll response [s]: it is to what came before."""
 ENOUGH = 20
 """With fewer samples, or means, nothing is looked for."""
-WORTH = 0.2
+LARGEST_RELATIVE_SIGMA = 0.2
 """A slope or a time is used with a standard error of less than this part of it."""
 TRIM_WORTH = 0.1
 """The thrust setpoint of level flight is used with a standard error of less than this, of 1."""
@@ -139,7 +139,9 @@ def find_roll(samples: Samples) -> ParameterEstimate:
 
     lag, sigma, fit = best_time(regressors, rate)
     follows = fit.squares < (1.0 - FOLLOWED) * float(np.sum((rate - np.mean(rate)) ** 2))
-    return found("response", "roll_s", BEGIN + lag, sigma, follows and sigma < WORTH * lag)
+    return found(
+        "response", "roll_s", BEGIN + lag, sigma, follows and sigma < LARGEST_RELATIVE_SIGMA * lag
+    )
 
 
 def find_lift(means: Means) -> LiftEstimates:
@@ -159,7 +161,7 @@ def find_lift(means: Means) -> LiftEstimates:
     sigma_alpha, sigma_load = fit.sigma(1.0, float(np.mean(loaded))), fit.sigma(0.0, 1.0)
     varied = float(np.ptp(loaded)) > VARIED * abs(float(np.mean(loaded)))
     used = varied and abs(zero) < MOST_ALPHA and 0.0 < load < MOST_LOAD
-    used = used and sigma_load < WORTH * load and sigma_alpha < ALPHA_WORTH / DEG
+    used = used and sigma_load < LARGEST_RELATIVE_SIGMA * load and sigma_alpha < ALPHA_WORTH / DEG
     return LiftEstimates(
         found("lift", zero_key, zero, fit.sigma(1.0, 0.0), used),
         found("lift", load_key, load, sigma_load, used),
@@ -202,7 +204,7 @@ def find_thrust(
     sigma_climb = fit.sigma(0.0, 1.0, 0.0, 0.0) / per_thrust**2
     sigma_load = fit.sigma(0.0, per_load, 0.0, 1.0) / per_thrust
     used = 0.0 < trim < 1.0 and sigma_trim < TRIM_WORTH
-    used = used and per_climb < MOST_WEIGHT and sigma_climb < WORTH * per_climb
+    used = used and per_climb < MOST_WEIGHT and sigma_climb < LARGEST_RELATIVE_SIGMA * per_climb
     loads = used and per_load < 1.0 and sigma_load < LOAD_WORTH
     return ThrustEstimates(
         found("thrust", "trim", trim, sigma_trim, used),

@@ -95,11 +95,11 @@ def find_escape(
     command: Command,
     backup: Manoeuvre,
     margin: float,
-    level: bool,
+    level_only: bool,
 ) -> Found:
     """A manoeuvre that stays clear from `point_mass` on, the backup or the nearest to the command.
 
-    What is found has `seen.hazard` -1; if nothing is, it is the backup. With `level` climbs
+    What is found has `seen.hazard` -1; if nothing is, it is the backup. With `level_only` climbs
     and descents are not tried.
     """
     seen = follow(world, point_mass, backup, t, (margin, margin), 0)
@@ -108,7 +108,7 @@ def find_escape(
     suspect = seen.hazard
     for kind in np.argsort(distances_from_command(world, command)):
         plan = manoeuvre(kind, world.scale)
-        if level and plan.climb != 0.0:
+        if level_only and plan.climb != 0.0:
             continue
         other = follow(world, point_mass, plan, t, (margin, margin), suspect)
         if other.hazard < 0:

@@ -90,5 +90,5 @@ def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) 
     over = 0.5 * remaining if remaining < line_up else remaining - 0.5 * line_up
     if 0.0 < error < GENTLE * over:
         error = max(0.0, error - GENTLE * max(0.0, over - WAIT * unit))
-    predicted_state = max(SMALL_ERROR_DISTANCE * unit, abs(error) / GENTLE)
-    return own - error / max(min(over, predicted_state), 0.5 * STANDOFF * unit)
+    reach = max(SMALL_ERROR_DISTANCE * unit, abs(error) / GENTLE)
+    return own - error / max(min(over, reach), 0.5 * STANDOFF * unit)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.loop.legs import Goal
 
-NEAR = 50.0
+ATTEMPT_MISS = 50.0
 """A pass by more than this is no try at the goal, unless its tolerance is larger [m]."""
 
 

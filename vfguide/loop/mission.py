@@ -9,7 +9,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
-from vfguide.loop.attempts import NEAR, Attempts, at_next, gives_up, no_attempts, once_more
+from vfguide.loop.attempts import ATTEMPT_MISS, Attempts, at_next, gives_up, no_attempts, once_more
 from vfguide.loop.legs import Goal, Legs, goal_of, target_of
 from vfguide.paths.leg import FIELD
 from vfguide.planning.excess_wind import (
@@ -110,8 +110,8 @@ def passage_since(nav: NavState, index: int, phase: int, legs: Legs) -> Passage:
         return NO_PASSAGE
     goal, state = goal_of(legs, index), nav.state
     passage = passage_of(goal, (nav.p_n_before, nav.v_n_before), (state.p_n, state.v_n))
-    attempts = phase == FIELD and passage.miss <= max(NEAR, goal.tolerance)
-    return passage if attempts or is_reached(passage, goal) else NO_PASSAGE
+    is_attempt = phase == FIELD and passage.miss <= max(ATTEMPT_MISS, goal.tolerance)
+    return passage if is_attempt or is_reached(passage, goal) else NO_PASSAGE
 
 
 @compiled

@@ -4,7 +4,7 @@ Everything here is in the horizontal plane of the goal frame: x along the goal's
 y to its right, courses measured from the goal's. The paper's field leads through the goal
 along circles that are tangent to the x axis there; within the two circles of the smallest
 flyable radius it turns too tightly, and beyond the goal it leads far away. There the
-vehicle flies along a path of turns and straights instead (`progress`).
+vehicle flies along a path of turns and straights instead (`path_progress`).
 """
 
 import math

@@ -1,4 +1,4 @@
-"""The shortest path of bounded curvature to a pose: Dubins' six Dubins paths.
+"""The shortest path of bounded curvature to a pose: Dubins' six candidates.
 
 Each has three pieces: two turns, and a straight or a third turn between them (L. E. Dubins, On
 curves of minimal length with a constraint on average curvature, 1957; in the normalised form of
@@ -15,9 +15,9 @@ FULL = 2.0 * math.pi
 CLOSED = 0.1
 """A turn that lacks no more than this to a full circle is none: a step earlier it was [rad]."""
 
-BRIEF = 1.1
+SHORT_LAST_TURN = 1.1
 """A last turn of less than this is short [rad]."""
-NEAR = 1.0
+SHORT_STRAIGHT = 1.0
 """A straight of less than this is short [turn radii]."""
 
 
@@ -109,8 +109,8 @@ def three_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
 def is_hasty(path: DubinsPath) -> bool:
     """Whether a short last turn follows at once on one to the other side: no time to settle."""
     swings = path.middle == -path.last
-    crosses = path.middle == 0.0 and path.first == -path.last and path.reach < NEAR
-    return path.end < BRIEF and (swings or crosses)
+    crosses = path.middle == 0.0 and path.first == -path.last and path.reach < SHORT_STRAIGHT
+    return path.end < SHORT_LAST_TURN and (swings or crosses)
 
 
 @compiled

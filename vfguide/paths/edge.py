@@ -1,4 +1,4 @@
-"""Hops: Dubins paths that join poses of the horizontal plane, and places along them."""
+"""Edges: Dubins paths that join poses of the horizontal plane, and places along them."""
 
 import math
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_tur
 from vfguide.paths.path_progress import Pose, after_turn
 
 KINDS = 6
-"""Of words: three, each with its first turn to either side."""
+"""Of Dubins paths: three, each with its first turn to either side."""
 FARTHEST_THREE = 4.0
 """Apart at most for three turns [radii]."""
 JOINS = 1e-10

@@ -27,7 +27,7 @@ ASIDE = 0.01
 """The straight end is begun between its ends no farther aside than this, in radii, ..."""
 OFF_COURSE = 0.05
 """... and within this of its course [rad]; at the end of a path ..."""
-SLACK = 5.0
+ROLL_OUT_FACTOR = 5.0
 """... so many times as far."""
 
 
@@ -42,8 +42,8 @@ def is_lined_up(leg: Leg, at: Planar) -> bool:
 def rolls_out(leg: Leg, at: Planar, left: float) -> bool:
     """Whether to roll out onto the straight end now, `left` [m] before the end of a path."""
     lead = TURN_IN * math.hypot(at.vx, at.vy)
-    off = SLACK * OFF_COURSE + lead / leg.radius
-    is_beside = abs(at.y) < SLACK * ASIDE * leg.radius
+    off = ROLL_OUT_FACTOR * OFF_COURSE + lead / leg.radius
+    is_beside = abs(at.y) < ROLL_OUT_FACTOR * ASIDE * leg.radius
     return left < lead and is_beside and abs(math.atan2(at.vy, at.vx)) < off
 
 

@@ -20,11 +20,11 @@ class Leg(NamedTuple):
     final_approach: float
     """Length of the straight end [m]."""
     outbound: float
-    """Course in phase AWAY, from the goal's [rad]."""
+    """Course in phase OUTBOUND, from the goal's [rad]."""
     circles: float
     """Full circles that the path will have when it is flown after that."""
     progress: PathProgress
-    """That is flown in phase WAY."""
+    """That is flown in phase ON_PATH."""
 
 
 @compiled

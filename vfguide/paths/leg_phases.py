@@ -1,9 +1,9 @@
-"""Which of the courses of `approach` to fly: the leg to a goal as a small state machine.
+"""Which of the courses of `course_laws` to fly: the leg to a goal as a small state machine.
 
-    NEW -> (AWAY ->) WAY -> FIELD
+    NEW -> (OUTBOUND ->) ON_PATH -> FIELD
 
-A leg begins as `begin` says; from the last turn of its path the paper's field is taken up. What
-does not lead on any more is planned anew.
+A leg begins as `leg_start.begin_leg` says; from the last turn of its path the paper's field is
+taken up. What does not lead on any more is planned anew.
 """
 
 from vfguide.aircraft.performance import Gains

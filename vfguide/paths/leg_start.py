@@ -27,9 +27,9 @@ from vfguide.paths.leg import (
 from vfguide.paths.path_progress import TURN_IN, begin_path
 from vfguide.paths.path_stretching import best_end, best_outbound
 
-SETTLING = 0.9
+HASTY_FINAL_APPROACH = 0.9
 """The straight end is this long [radii] where the turns before it follow in haste."""
-BRIEF = 0.3
+SHORTEST_FINAL_APPROACH = 0.3
 """No straight end is shortened to less than this [radii]."""
 LEAP = 5.0
 """A path that is longer by so many radii has leapt."""
@@ -96,7 +96,9 @@ def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains)
     length = leg.radius * length_of(path) + lead
     if begins_in_field(fresh, entry, length, distance_for_altitude - final_approach):
         return LegStart(in_phase(fresh, FIELD, leg.progress), final_approach + length)
-    longest = max(final_approach, SETTLING * leg.radius) if is_hasty(path) else final_approach
+    longest = (
+        max(final_approach, HASTY_FINAL_APPROACH * leg.radius) if is_hasty(path) else final_approach
+    )
     end = longest_end(begin, leg.radius, final_approach, longest)
     begin, fresh = moved(begin, end - final_approach), with_final_approach(fresh, end)
     path = path_from(begin, leg.radius)
@@ -119,7 +121,7 @@ def longest_end(begin: Planar, radius: float, final_approach: float, longest: fl
     """
     chosen, shortest = longest, math.inf
     for k in range(ENDS + 1):
-        end = longest + (min(BRIEF * radius, final_approach) - longest) * k / ENDS
+        end = longest + (min(SHORTEST_FINAL_APPROACH * radius, final_approach) - longest) * k / ENDS
         path = path_from(moved(begin, end - final_approach), radius)
         length = end + radius * length_of(path)
         if length < shortest - LEAP * radius:

@@ -1,4 +1,4 @@
-"""A way: three segments, turns and straights, onto the straight end of the approach.
+"""A path: three segments, turns and straights, onto the straight end of the approach.
 
 Everything is in the horizontal plane of the goal frame, moved so that the path ends at the origin
 along x.
@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, writer
 from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
-from vfguide.paths.dubins import BRIEF, FULL, DubinsPath
+from vfguide.paths.dubins import FULL, SHORT_LAST_TURN, DubinsPath
 
 TURN_IN = 0.37
 """The roll into a turn, or out of it, sets in this much earlier [s], from one turn into the other
@@ -152,7 +152,7 @@ def at_segment(progress: PathProgress, segment: int, left: float) -> PathProgres
 def along(progress: PathProgress, at: Planar) -> PathProgress:
     """The path, as far along it as the vehicle is."""
     path, lead = progress.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
-    last = path.last * min(1.0, path.end / BRIEF)
+    last = path.last * min(1.0, path.end / SHORT_LAST_TURN)
     middle = last if path.middle == 0.0 and path.reach < lead else path.middle
     progress = at_segment(progress, progress.segment, segment_left(progress, at))
     if progress.segment == FIRST_TURN and progress.left < lead * abs(middle - path.first):

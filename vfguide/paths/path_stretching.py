@@ -1,7 +1,7 @@
 """Longer paths, where the shortest one is too short for the height.
 
 The length of the shortest path leaps where another Dubins path becomes the shortest, by up to a
-circle. Therefore several paths of making it longer are tried, and the one that ends up shortest is
+circle. Therefore several ways of making it longer are tried, and the one that ends up shortest is
 taken.
 """
 
@@ -21,7 +21,7 @@ STRIDES = 100
 """... no more of them than this."""
 SHORTER = 0.01
 """A later path is taken only where it is shorter by this, in radii: rounding decides nothing."""
-SLACK = 0.3
+LENGTH_SLACK = 0.3
 """A path that flies on first has to lead on even where so much more path is needed, in radii: what
 is missed by a little does not leap then."""
 
@@ -60,7 +60,7 @@ def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tu
         pose = after_turn(begin, 1.0 if k % 2 == 1 else -1.0, turn, radius)
         arc = radius * turn
         with_slack = arc + outbound_length(
-            pose, radius, distance_for_altitude + SLACK * radius - arc
+            pose, radius, distance_for_altitude + LENGTH_SLACK * radius - arc
         )
         if with_slack < least - SHORTER * radius:
             best, least = pose.course, with_slack

@@ -19,7 +19,7 @@ TOO_STRONG = 0.95
 """A goal is given up while the wind is above this part of the airspeed, ..."""
 WEAK_AGAIN = 0.85
 """... until it is below this."""
-SETTLING = 3.0
+WIND_SMOOTHING_TIME = 3.0
 """The ratio of the two is smoothed over this time, so that a gust changes nothing [s]."""
 STRAIGHT = 1e5
 """Radius of the circle that is flown as a straight line [m]."""
@@ -50,7 +50,7 @@ def update_wind_hold(
     ratio = (
         now
         if wind_hold.ratio < 0.0
-        else wind_hold.ratio + min(dt / SETTLING, 1.0) * (now - wind_hold.ratio)
+        else wind_hold.ratio + min(dt / WIND_SMOOTHING_TIME, 1.0) * (now - wind_hold.ratio)
     )
     if wind_hold.holds:
         return WindHold(ratio, ratio > WEAK_AGAIN, wind_hold.down)

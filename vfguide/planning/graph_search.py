@@ -101,7 +101,7 @@ def follow(
     queue: Queue,
     e: int,
 ) -> None:
-    """Checks a hop: from its end on to the goal, or else round what blocks it."""
+    """Checks an edge: from its end on to the goal, or else round what blocks it."""
     begin, end = edges.begins[e], edges.ends[e]
     found = check_edge(
         hazards, task, demand, edge_of(tangents, edges, e), float(tangents.times[begin])

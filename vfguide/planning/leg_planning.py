@@ -18,7 +18,7 @@ from vfguide.planning.objective import GuidanceTarget, Objective
 from vfguide.planning.route import Route
 from vfguide.planning.route_following import is_on_route
 
-PLANNED = 0.95
+USED_SLOPE_PART = 0.95
 """Part of the steepest slope that routes are planned with."""
 
 
@@ -62,7 +62,7 @@ def distance_for_goal_altitude(
     descent = steepest_descent(aircraft, radius_factor, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
     tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
-    most = PLANNED * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
+    most = USED_SLOPE_PART * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
     distance = math.hypot(state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1])
     return distance_for_altitude(height, distance, target.slope, max(most, 1e-6), unit, slope)
 

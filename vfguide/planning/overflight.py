@@ -1,4 +1,4 @@
-"""Over what is in the route, instead of round it.
+"""Over what blocks the route, instead of round it.
 
 The route stays as it is. The vehicle climbs before what is passed, keeps that level, and flies to
 the goal's height after it. What moves is not passed so.
@@ -21,10 +21,10 @@ from vfguide.geometry.vector import Series, Vec3
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.planning.objective import GuidanceTarget
 
-PLANNED, FLOWN = 0.7, 0.9
+PLANNED_SLOPE_PART, ENOUGH_SLOPE_PART = 0.7, 0.9
 """Part of the steepest path that a change of height is planned with, and found to be enough on the
 way: the wind that is believed changes."""
-SETTLING = 3.0
+GOAL_HEIGHT_LEAD = 3.0
 """Before the goal its height is flown to for so long, in turn lengths, whatever the change."""
 COST = 1.0
 """A metre of height more, up or down, counts as so many metres of way: what is climbed comes back
@@ -57,9 +57,11 @@ def altitude_plan_by(
 ) -> AltitudePlan:
     """The heights of a route by a level, as it is planned."""
     here, goal = state.p_n, target.p_n
-    rise = change_length(here[2] - level, PLANNED, state.wind_n, aircraft, gains)
-    fall = change_length(level - goal[2], PLANNED, state.wind_n, aircraft, gains)
-    return AltitudePlan(here, goal, level, rise, fall + SETTLING * turn_length(gains.airspeed))
+    rise = change_length(here[2] - level, PLANNED_SLOPE_PART, state.wind_n, aircraft, gains)
+    fall = change_length(level - goal[2], PLANNED_SLOPE_PART, state.wind_n, aircraft, gains)
+    return AltitudePlan(
+        here, goal, level, rise, fall + GOAL_HEIGHT_LEAD * turn_length(gains.airspeed)
+    )
 
 
 @compiled
@@ -72,7 +74,7 @@ def altitude_plan_left(
     gains: Gains,
 ) -> AltitudePlan:
     """The heights of the rest of a route by a level that was planned with a fall [m]."""
-    rise = change_length(state.p_n[2] - level, FLOWN, state.wind_n, aircraft, gains)
+    rise = change_length(state.p_n[2] - level, ENOUGH_SLOPE_PART, state.wind_n, aircraft, gains)
     return AltitudePlan(state.p_n, target.p_n, level, rise, fall)
 
 

@@ -34,7 +34,7 @@ def update(
     Args:
         nav: the vehicle.
         goal: what is flown to.
-        airspace: what is known to be in the route; None compiles to a stage without search.
+        airspace: what is known and to be kept clear of; None compiles to a stage without search.
         plans: whether the law wants a route; else only circles have a leg.
         s: the route of the step before.
         slope: of the path that was wanted at the step before, dh/ds.
@@ -55,7 +55,7 @@ def update(
 def clear_route(
     nav: NavState, goal: Objective, airspace: Airspace | None, route: Route, vehicle: Vehicle
 ) -> Route:
-    """The route round or over what is in its route; a circle is flown as it is."""
+    """The route, changed where something blocks it; a circle is flown as it is."""
     if airspace is None:
         return route
     if goal.target.circle != 0.0:

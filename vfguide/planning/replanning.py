@@ -63,7 +63,7 @@ class PlanningContext(NamedTuple):
 
 
 class Scene(NamedTuple):
-    """What may be in the route."""
+    """What may block the route."""
 
     obstacles: Rows
     """That are known."""
@@ -200,7 +200,7 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 def with_new_route(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
 ) -> tuple[Leg, RouteFollowing]:
-    """The leg along what is found, or as it was: over what is in its route, or with nothing found.
+    """The leg along what is found, or as it was: over what blocks it, or with nothing found.
 
     A level that is kept is kept on a new route too. Where there is no route to the beginning of the
     straight end, one to the goal itself is taken.
@@ -233,7 +233,7 @@ def with_new_route(
 def seek_level(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing, most: float
 ) -> RouteFollowing:
-    """The route over what is in the route, where the leg is clear at another height.
+    """The route over what blocks it, where the leg is clear at another height.
 
     That has to cost less than `most` [m]; where nothing is found the route is as it was.
     """

@@ -68,7 +68,7 @@ class Edges(NamedTuple):
     """The tangent poses at both ends."""
     above: Series
     """Only Dubins paths longer than this are left to be tried [radii]."""
-    words: Table
+    paths: Table
     """A `DubinsPath` a row."""
     known: Mask
     """Whether the Dubins path has been found."""
@@ -113,12 +113,12 @@ def pose_in(tangents: TangentPoses, i: int) -> Pose:
 @compiled
 def path_in(edges: Edges, e: int) -> DubinsPath:
     """The Dubins path of edge `e`."""
-    return read_dubins_path(edges.words[e])
+    return read_dubins_path(edges.paths[e])
 
 
 @compiled
 def edge_of(tangents: TangentPoses, edges: Edges, e: int) -> Edge:
-    """The edge of edge `e`."""
+    """Edge `e` as a record."""
     return Edge(pose_in(tangents, edges.begins[e]), path_in(edges, e))
 
 
@@ -160,7 +160,7 @@ def find_path(tangents: TangentPoses, edges: Edges, queue: Queue, e: int, radius
     path = next_path(pose_in(tangents, begin), pose_in(tangents, end), radius, edges.above[e])
     length = length_of(path)
     if length < math.inf:
-        write_dubins_path(path, edges.words[e])
+        write_dubins_path(path, edges.paths[e])
         edges.known[e], edges.above[e] = True, length
         hoped = (
             tangents.cost_to_come[begin]

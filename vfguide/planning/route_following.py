@@ -124,7 +124,7 @@ def end_at(route: RouteFollowing, i: int) -> Pose:
 
 @compiled
 def edge_progress(route: RouteFollowing, i: int) -> PathProgress:
-    """Edge `i` as a route that ends at the origin along x."""
+    """Edge `i` as a path that ends at the origin along x."""
     edge, end = edge_at(route, i), end_at(route, i)
     x, y, course = seen_from(end, edge.begin)
     return PathProgress(x, y, course, edge.path, route.radius, route.segment, route.left)
@@ -149,7 +149,7 @@ def vehicle_from(frame: Pose, state: FlightState) -> Planar:
 
 @compiled
 def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[RouteFollowing, Leg]:
-    """Go along the edges; the last one becomes the route of the leg, and the route ends."""
+    """Go along the edges; the last one becomes the path of the leg, and the route ends."""
     last = route.length - 1
     while route.present < last:
         i = route.present
@@ -173,9 +173,9 @@ def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[R
 @compiled
 def lead_into(route: RouteFollowing, i: int, state: FlightState) -> float:
     """How far before its end edge `i` goes over into the next one, for the lag of the bank [m]."""
-    path, following = edge_at(route, i).path, edge_at(route, i + 1).path
+    path, next_path = edge_at(route, i).path, edge_at(route, i + 1).path
     now = path.last if route.segment == LAST_TURN and path.end > 0.0 else 0.0
-    then = following.first if following.arc > 0.0 else 0.0
+    then = next_path.first if next_path.arc > 0.0 else 0.0
     speed = math.hypot(state.v_n[0], state.v_n[1])
     return TURN_IN * speed * abs(then - now)
 

@@ -18,7 +18,7 @@ CLEARANCES = (25.0, 18.0, 12.0, 8.0, 5.0)
 """That are tried one after the other [m]."""
 EFFORTS = (3500, 1500, 2500, 2500, 1000)
 """Dubins paths computed for each of them, at most; see `search`."""
-LONG, GATE, WORTH = 1.4, 2, 0.75
+LONG, GATE, SHORTER_PART = 1.4, 2, 0.75
 """A route longer than the one without hazards by the first factor is looked for with less
 clearance, that of the second number, too, and left where that makes it shorter by the third
 factor."""
@@ -43,7 +43,7 @@ def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> 
 
     Args:
         obstacles: rows of `obstacle_rows`.
-        fence: as far as it is in the band; `outlines.NO_FENCE` for none.
+        fence: as far as it is in the band; `keep_out.NO_FENCE` for none.
         band: heights between those of the start and of the goal.
         task: what is to be flown.
     """
@@ -56,7 +56,7 @@ def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> 
             if found.length > LONG * free and CLEARANCES[i] > CLEARANCES[GATE]:
                 through = route_with(obstacles, fence, band, task, CLEARANCES[GATE], EFFORTS[GATE])
                 spent += through.effort
-                if 0.0 < through.length < WORTH * found.length:
+                if 0.0 < through.length < SHORTER_PART * found.length:
                     found = through
             return FoundRoute(found.route_edges, found.length, found.clearance, spent)
     return FoundRoute(np.empty((0, EDGE_WIDTH)), 0.0, 0.0, spent)

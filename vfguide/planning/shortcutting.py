@@ -21,7 +21,7 @@ from vfguide.planning.collision_check import Demand, Task, check_edge
 
 SLIDES = 0.3, 0.1
 """How far tangent poses are slid [radii, and rad]."""
-WORTH = 0.5
+LEAST_SAVING = 0.5
 """What is changed saves at least this [m]."""
 
 
@@ -73,7 +73,7 @@ def is_better(
 ) -> bool:
     """Whether a route is shorter than another and clear; only edges `first` to `last` are new."""
     saved = route_length(route_edges, task.radius) - route_length(candidate, task.radius)
-    if not saved > WORTH:
+    if not saved > LEAST_SAVING:
         return False
     if moves(hazards):
         first, last = 0, len(candidate)

@@ -1,4 +1,4 @@
-"""Via poses: where a route passes a hazard closely, along its border."""
+"""Tangent poses: where a route passes a hazard closely, along its border."""
 
 import math
 

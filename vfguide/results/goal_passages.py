@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
-from vfguide.loop.attempts import NEAR
+from vfguide.loop.attempts import ATTEMPT_MISS
 from vfguide.scenario.resolved import Goal
 
 
@@ -91,7 +91,7 @@ class Legs:
 
     def is_try(self, a_pass: Pass, goal: Goal) -> bool:
         """Whether a pass counts as one that was meant to reach the goal."""
-        return a_pass.miss <= max(NEAR, goal.tolerance_m) and a_pass.course_error <= ASKEW
+        return a_pass.miss <= max(ATTEMPT_MISS, goal.tolerance_m) and a_pass.course_error <= ASKEW
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
         """Where the present goal is passed between two samples, if it is."""
