@@ -48,9 +48,9 @@ def sought(clearance: float, at: float, looked: float | None = None) -> Row:
 
 
 def with_hops(route: RouteFollowing, radius: float, *words: DubinsPath) -> RouteFollowing:
-    hops = route.hops.copy()
-    hops[: len(words)] = [edge_row(Edge(HERE, word)) for word in words]
-    return route._replace(length=len(words), radius=radius, route_edges=hops)
+    edges = route.route_edges.copy()
+    edges[: len(words)] = [edge_row(Edge(HERE, word)) for word in words]
+    return route._replace(length=len(words), radius=radius, route_edges=edges)
 
 
 def told(its: Plan, *stretches: tuple[float, Row]) -> list[tuple[float, str]]:
