@@ -7,7 +7,6 @@ import textwrap
 from collections import Counter
 from pathlib import Path
 
-import numpy as np
 import pytest
 from aeroplanes import AEROSONDE
 
@@ -22,7 +21,6 @@ from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
-    measurement_numbers,
     place_measured,
     place_state,
 )
@@ -98,7 +96,7 @@ def test_the_step_for_a_link_is_the_step(law, airspace):
     s = fresh_state(0 if airspace is None else 2)
     inputs = Inputs(place_state(MEASURED, ORIGIN), place_measured(MEASURED, ORIGIN), False)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
-    measured = np.array(measurement_numbers(MEASURED))
+    measured = tuple(MEASURED)
     omega_b, thrust, q_nb, row_after, miss = step_measured(
         measured, ORIGIN, row_of_state(s), LEGS, airspace, law, row_of(VEHICLE)
     )

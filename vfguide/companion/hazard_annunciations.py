@@ -4,7 +4,14 @@ import math
 from itertools import pairwise
 
 from vfguide.assurance.decision import Reason
-from vfguide.companion.loop_report import decision_of_row, goal_of_row, route_of_row
+from vfguide.companion.loop_report import (
+    decision_of_row,
+    goal_of_row,
+    looked_of_row,
+    reason_of_row,
+    route_of_row,
+    sought_of_row,
+)
 from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
 from vfguide.paths.dubins import DubinsPath, length_of
@@ -43,12 +50,12 @@ class HazardAnnunciator:
         return [*self._assurance(after, now), *self._ways(after, now)]
 
     def _assurance(self, after: Row, now: float) -> list[str]:
-        decision = decision_of_row(after)
-        if decision.reason == Reason.NOMINAL:
+        if reason_of_row(after) == Reason.NOMINAL:
             if self._acted is None or abs(now - self._acted) < QUIET:
                 return []
             self._acted = None
             return [BACK]
+        decision = decision_of_row(after)
         new, self._acted = self._acted is None, now
         what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
         if decision.reason == Reason.BEST_EFFORT:
@@ -56,19 +63,18 @@ class HazardAnnunciator:
         return self._tell("escape", f"escape: {what}", now) if new else []
 
     def _ways(self, after: Row, now: float) -> list[str]:
-        route, goal = route_of_row(after), goal_of_row(after)
+        sought, goal = sought_of_row(after), goal_of_row(after)
         if self._lost is not None and self._lost != goal:
             self._lost = None
-        sought = route.sought
         if sought != self._sought and math.isfinite(sought):
-            self._sought = sought
+            self._sought, route = sought, route_of_row(after)
             if route.clearance > 0.0:
                 self._lost = None
                 return self._tell("way", route_summary(route), now)
             if self._lost is None:
                 self._lost = goal
                 return self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
-        elif self._lost is not None and route.looked - sought > SEEK + LOOK:
+        elif self._lost is not None and looked_of_row(after) - sought > SEEK + LOOK:
             self._lost = None  # it was looked along without need to search
             return [ROUTE_AGAIN.format(goal=goal + 1)]
         return []

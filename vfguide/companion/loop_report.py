@@ -11,8 +11,14 @@ goal_of_row = getter(LoopState, "mission.goal")
 """Index of the goal that is flown to."""
 decision_of_row = getter(LoopState, "assurance.decision")
 """What the assurance decided last."""
+reason_of_row = getter(LoopState, "assurance.decision.reason")
+"""The `Reason` of that alone."""
 route_of_row = getter(LoopState, "planning.following")
 """The route round hazards."""
+sought_of_row = getter(LoopState, "planning.following.sought")
+"""When one was searched for last [s]."""
+looked_of_row = getter(LoopState, "planning.following.looked")
+"""When the way ahead was looked along last [s]."""
 number_of_resets = getter(LoopState, "estimation.resets.number")
 """How often the position has jumped."""
 is_alarmed = getter(LoopState, "progress.alarmed")

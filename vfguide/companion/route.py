@@ -3,8 +3,6 @@
 import math
 from collections.abc import Callable
 
-import numpy as np
-
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight
@@ -37,7 +35,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.surveillance import Surveillance
 from vfguide.companion.traffic import Ownship, Picture
 from vfguide.estimation.air_state import AirReport
-from vfguide.estimation.local_frame import Measurement, Quaternion, measurement_numbers, place_state
+from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
 from vfguide.link.messages import AdsbVehicle
@@ -127,7 +125,7 @@ class Route:
         self._follows = follows
         plan, before = self.plan, self._state
         omega_b, thrust, q_nb, after, miss = self._step(
-            np.array(measurement_numbers(state)),
+            tuple(state),
             plan.origin,
             before,
             plan.legs,

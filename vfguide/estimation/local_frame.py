@@ -7,7 +7,7 @@ from vfguide.geometry.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, geodetic_to_ned, tangent_plane
 from vfguide.geometry.projection import reproject
-from vfguide.geometry.rows import flattener, reader, replacing
+from vfguide.geometry.rows import replacing
 from vfguide.geometry.so3 import exp, from_quaternion
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale
@@ -45,8 +45,10 @@ class Measurement(NamedTuple):
     """The state is wanted so much later than the attitude [s]."""
 
 
-measurement_numbers = flattener(Measurement)
-read_measurement = reader(Measurement)
+MeasurementTuple = tuple[
+    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, Vec3, Vec3, float
+]
+"""A `Measurement` without its names, as it crosses into compiled code."""
 _at_attitude = replacing(Measurement, "lead")
 
 

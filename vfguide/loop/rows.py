@@ -6,7 +6,13 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
-from vfguide.estimation.local_frame import Quaternion, place_measured, place_state, read_measurement
+from vfguide.estimation.local_frame import (
+    Measurement,
+    MeasurementTuple,
+    Quaternion,
+    place_measured,
+    place_state,
+)
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
@@ -20,7 +26,7 @@ CALM = (0.0, 0.0, 0.0)
 
 @compiled
 def step_measured(
-    measured: Row,
+    measured: MeasurementTuple,
     origin: Vec3,
     before: Row,
     legs: Legs,
@@ -31,7 +37,7 @@ def step_measured(
     """A step for what an autopilot told.
 
     Args:
-        measured: a `Measurement`.
+        measured: a `Measurement`, as a plain tuple: a named one takes longer to cross.
         origin: latitude, longitude [rad] and altitude [m] where the plan's frame touches.
         before: a `LoopState`.
         legs: of the mission.
@@ -43,7 +49,7 @@ def step_measured(
         Body rates [rad/s], thrust, reference attitude, the next state, and the miss of a goal
         that was passed [m].
     """
-    told = read_measurement(measured)
+    told = Measurement(*measured)
     inputs = Inputs(place_state(told, origin), place_measured(told, origin), False)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     setpoint, left, outcome = step(inputs, state, legs, airspace, law, aircraft)

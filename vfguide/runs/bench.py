@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from statistics import median
-from typing import NamedTuple
-
-import numpy as np
+from typing import Any, NamedTuple
 
 from vfguide.companion.plan import Plan
-from vfguide.estimation.local_frame import Measurement, measurement_numbers
+from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
@@ -122,9 +120,10 @@ def seconds(work: Callable[[], None]) -> float:
 
 def guide_often(plan: Plan) -> None:
     """Guidance steps in flight, each with the memory of the one before."""
-    state, told = row_of_state(fresh_state()), MEASURED._replace(origin=plan.origin)
+    state = row_of_state(fresh_state())
+    _, *rest = MEASURED._replace(origin=plan.origin)
     for k in range(GUIDANCE_STEPS):
-        measured = np.array(measurement_numbers(told._replace(time=0.02 * k)))
+        measured: Any = (0.02 * k, *rest)
         *_, state, _ = step_measured(
             measured, plan.origin, state, plan.legs, None, plan.law, plan.vehicle_row
         )
