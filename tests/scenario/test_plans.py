@@ -31,5 +31,5 @@ def test_so_are_the_obstacles():
     for name, column in columns(PlacedObstacle, same.obstacles)._asdict().items():
         if name != "visible_from":
             np.testing.assert_array_equal(getattr(kept, name), column)
-    assert (len(found.fences.table), found.floor, found.ceiling) == (0, same.floor, same.ceiling)
+    assert (len(found.fences.zones), found.floor, found.ceiling) == (0, same.floor, same.ceiling)
     assert hazard_names(scenario) == AMONG_TOWERS.hazard_names
