@@ -10,6 +10,7 @@ the machine code is that of a function written by hand.
 """
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_origin, get_type_hints
@@ -210,7 +211,8 @@ def python_reader(kind: type[T]) -> Callable[[Sequence[float] | Row], T]:
     """The same in Python, also for a list of the numbers."""
     scope: dict[str, Any] = {}
     source = _reading(kind, scope, [0])
-    return source_function(f"def read(a):\n    return {source}", "read", scope)
+    name = f"read_{symbol(kind)}"
+    return source_function(f"def {name}(a):\n    return {source}", name, scope)
 
 
 def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
@@ -231,11 +233,12 @@ def _reading(kind: Any, scope: dict[str, Any], begin: list[int]) -> str:
 
 def writer(kind: type[T]) -> Callable[[T, Row], None]:
     """A compiled function that writes a record into a row."""
-    lines, at = ["def write(r, a):"], 0
+    name = f"write_{symbol(kind)}"
+    lines, at = [f"def {name}(r, a):"], 0
     for leaf in leaves(kind):
         lines += written_lines(leaf, at)
         at += leaf.size
-    return njit(source_function("\n".join(lines), "write", {}))
+    return njit(source_function("\n".join(lines), name, {}))
 
 
 def written_lines(leaf: Leaf, begin: int) -> list[str]:
@@ -268,8 +271,20 @@ def replacing(kind: type[T], *names: str) -> Callable[..., T]:
     if unknown := set(names) - set(fields):
         raise KeyError(f"{kind.__name__} has no field {', '.join(sorted(unknown))}")
     values = (name if name in names else f"r.{name}" for name in fields)
-    source = f"def replace(r, {', '.join(names)}):\n    return {kind.__name__}({', '.join(values)})"
-    return njit(source_function(source, "replace", {kind.__name__: kind}))
+    name = f"replace_{'_'.join(names)}_of_{symbol(kind)}"
+    call = f"{kind.__name__}({', '.join(values)})"
+    source = f"def {name}(r, {', '.join(names)}):\n    return {call}"
+    return njit(source_function(source, name, {kind.__name__: kind}))
+
+
+def symbol(kind: Any) -> str:
+    """A name for a record type that no other has.
+
+    numba names machine code by the function's name, its argument types and a number that each
+    process counts for itself. Functions of one name that were cached by different processes would
+    be taken for each other.
+    """
+    return re.sub(r"\W+", "_", f"{getattr(kind, '__module__', '')}_{kind!r}")
 
 
 def source_function(source: str, name: str, scope: dict[str, Any]) -> Any:
