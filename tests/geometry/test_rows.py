@@ -154,3 +154,16 @@ def test_what_is_no_number_is_refused():
 
     with pytest.raises(TypeError, match="name"):
         flattener(Named)
+
+
+class Wagon(NamedTuple):
+    radius: float
+    braked: bool
+
+
+def test_functions_of_different_types_never_share_a_name():
+    """Cached machine code of several processes is told apart by it."""
+    makers = (reader, writer, lambda kind: replacing(kind, "radius"))
+    functions = [make(kind) for make in makers for kind in (Wheel, Wagon, Cart) if kind is not Cart]
+    names = [function.py_func.__name__ for function in functions]
+    assert len(set(names)) == len(names)
