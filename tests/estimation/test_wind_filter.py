@@ -5,7 +5,7 @@ import pytest
 
 from vfguide.aircraft.flight_model import ModelledFlight
 from vfguide.estimation.air_state import ACCELERATION_BIAS, AIRSPEED, STATES, WindEstimate
-from vfguide.estimation.wind_filter import PROCESS_NOISE, measurement_update, time_update
+from vfguide.estimation.wind_filter import PROCESS_NOISE, copied, measurement_update, time_update
 
 DT = 0.02
 
@@ -31,15 +31,16 @@ def test_the_time_update_propagates_state_and_covariance():
 
 def test_the_measurement_update_takes_the_gain_of_kalman():
     before, h, variance = some_estimate(2), np.array((0.6, 0.8, 0.9, 20.0, 1.0, 0.0)), 0.5
-    x, covariance = measurement_update(before, tuple(h.tolist()), 1.5, variance)
+    x, covariance = copied(before)
+    measurement_update(WindEstimate(x, covariance), tuple(h.tolist()), 1.5, variance)
     gain = before.P @ h / (h @ before.P @ h + variance)
     assert x == pytest.approx(before.x + 1.5 * gain)
     assert covariance == pytest.approx((np.eye(STATES) - np.outer(gain, h)) @ before.P)
 
 
-def test_an_update_leaves_the_estimate_before_it():
+def test_updates_leave_the_estimate_of_the_step_before():
     before, same = some_estimate(), some_estimate()
-    time_update(before, ModelledFlight((1.0, 0.0, 0.0), 0.7, -0.3), DT)
-    measurement_update(before, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), 1.0, 1.0)
+    after = time_update(before, ModelledFlight((1.0, 0.0, 0.0), 0.7, -0.3), DT)
+    measurement_update(after, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), 1.0, 1.0)
     assert np.array_equal(before.x, same.x)
     assert np.array_equal(before.P, same.P)

@@ -11,12 +11,14 @@ from vfguide.geometry.rows import (
     columns,
     flattener,
     getter,
+    nester,
     place,
     python_reader,
     reader,
     replacing,
     row_of,
     table_of,
+    unnester,
     width,
     writer,
 )
@@ -167,3 +169,26 @@ def test_functions_of_different_types_never_share_a_name():
     functions = [make(kind) for make in makers for kind in (Wheel, Wagon, Cart) if kind is not Cart]
     names = [function.py_func.__name__ for function in functions]
     assert len(set(names)) == len(names)
+
+
+class Convoy(NamedTuple):
+    first: Wheel
+    cargo: NDArray[np.float64]
+    speed: float
+
+
+unnested_convoy, nested_convoy = unnester(Convoy), nester(Convoy)
+
+
+@compiled
+def cargo_and_radius(values: tuple[float, bool, NDArray[np.float64], float]) -> float:
+    convoy = nested_convoy(values)
+    return convoy.cargo[1] + convoy.first.radius if convoy.first.braked else convoy.speed
+
+
+def test_records_of_records_cross_as_one_tuple():
+    convoy = Convoy(Wheel(0.3, True), np.array((1.0, 2.0)), 7.0)
+    values = unnested_convoy(convoy)
+    assert values == (0.3, True, convoy.cargo, 7.0)
+    assert values[2] is convoy.cargo
+    assert cargo_and_radius(values) == 2.3

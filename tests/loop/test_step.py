@@ -14,7 +14,7 @@ import vfguide
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.airspace.detection import Airspace
+from vfguide.airspace.detection import Airspace, unnested_airspace
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.airspace.keep_out import NO_FENCE
@@ -97,8 +97,9 @@ def test_the_step_for_a_link_is_the_step(law, airspace):
     inputs = Inputs(place_state(MEASURED, ORIGIN), place_measured(MEASURED, ORIGIN), False)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
     measured = tuple(MEASURED)
+    values = None if airspace is None else unnested_airspace(airspace)
     omega_b, thrust, q_nb, row_after, miss = step_measured(
-        measured, ORIGIN, row_of_state(s), LEGS, airspace, law, row_of(VEHICLE)
+        measured, ORIGIN, row_of_state(s), LEGS, values, law, row_of(VEHICLE)
     )
     assert (omega_b, thrust, q_nb) == setpoint
     assert (row_after == row_of_state(after)).all()

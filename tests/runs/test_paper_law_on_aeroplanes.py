@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from flights import vfguide
 
-from vfguide.airspace.detection import Airspace
 from vfguide.guidance.laws import PAPER
 from vfguide.loop.rows import step_measured
 from vfguide.runs.lockstep import fly_scenario
@@ -34,7 +33,7 @@ def test_among_obstacles_no_route_is_planned_and_nothing_is_assured(tmp_path):
     seen = []
 
     def watched(measured, origin, before, legs, airspace, law, vehicle):
-        seen.append((law, isinstance(airspace, Airspace)))
+        seen.append((law, airspace is not None))
         return step_measured(measured, origin, before, legs, airspace, law, vehicle)
 
     loaded = load_scenario("towers", ["law=paper", "duration_s=3"])

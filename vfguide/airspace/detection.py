@@ -1,6 +1,6 @@
 """The stage of detection: which of the obstacles are known by now."""
 
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.estimation.estimation import NavState
 from vfguide.field.obstacle import Rows, obstacle_distance, put_out_of_sight, read_obstacle
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import OPEN
+from vfguide.geometry.rows import OPEN, nester, unnester
 from vfguide.geometry.vector import Vec3
 
 Known = NDArray[np.float64]
@@ -29,6 +29,20 @@ class Airspace(NamedTuple):
     """On the clock of the obstacles [s]."""
     gust: float
     """Speed of the gusts, one standard deviation [m/s]."""
+
+
+AirspaceTuple = tuple[Any, ...]
+"""The values of an `Airspace` without names, as they cross into compiled code."""
+unnested_airspace = unnester(Airspace)
+_nested_airspace = nester(Airspace)
+
+
+@compiled
+def airspace_of(values: AirspaceTuple | None) -> Airspace | None:
+    """The airspace of a tuple of its values; None compiles to None."""
+    if values is None:
+        return None
+    return _nested_airspace(values)
 
 
 class DetectionState(NamedTuple):

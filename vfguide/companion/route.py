@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.airspace.detection import Airspace, in_sight
+from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.decision import Reason
 from vfguide.companion.annunciations import (
@@ -129,7 +129,7 @@ class Route:
             plan.origin,
             before,
             plan.legs,
-            None if hazards is None else Airspace(hazards, plan.fence, t, GUST),
+            None if hazards is None else unnested_airspace(Airspace(hazards, plan.fence, t, GUST)),
             plan.law,
             plan.vehicle_row
             if self._identification is None

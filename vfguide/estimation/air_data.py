@@ -11,6 +11,7 @@ from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, SensorWatch, VerticalWind
 from vfguide.estimation.wind_filter import (
+    copied,
     first_estimate,
     fuse_airspeed,
     fuse_ground_velocity,
@@ -63,6 +64,8 @@ def sense_air(
         air, dt = first_air(state, aircraft, cruise), SHORTEST_STEP
     elif dt > 0.0:
         air = moved_on(state, air, thrust, aircraft, dt)
+    else:
+        air = with_estimate(air, copied(air.estimate), air.sensor)
     return fused(state, air, dt)
 
 
@@ -89,7 +92,7 @@ def moved_on(
     flight = modelled_flight(R_nb, before.x[AIRSPEED], thrust, side_force, aircraft)
     model = model_airspeed(air.sensor.model_airspeed, before, flight, dt)
     estimate = time_update(before, flight, dt)
-    estimate = fuse_ground_velocity(estimate, state.v_n, flight.d_n, dt)
+    fuse_ground_velocity(estimate, state.v_n, flight.d_n, dt)
     sensor = with_model_airspeed(air.sensor, model)
     return with_step(air, state.time, estimate, state.v_n, side_force, sensor)
 
@@ -100,11 +103,11 @@ def fused(state: FlightState, air: AirState, dt: float) -> tuple[FlightState, Ai
     sensor, estimate = watched(air.sensor, state.airspeed, dt), air.estimate
     plausible = sensor.fault_time <= 0.0 and sensor.trusted
     if plausible:
-        estimate = fuse_airspeed(estimate, state.airspeed, max(dt, SHORTEST_STEP))
+        fuse_airspeed(estimate, state.airspeed, max(dt, SHORTEST_STEP))
     wind_n = (estimate.x[NORTH], estimate.x[EAST], -air.vertical.rise)
     if not math.isnan(state.wind_n[0]):
         wind_n = (state.wind_n[0], state.wind_n[1], -air.vertical.rise)
-        estimate = fuse_wind(estimate, wind_n, max(dt, SHORTEST_STEP))
+        fuse_wind(estimate, wind_n, max(dt, SHORTEST_STEP))
     speed = state.airspeed if plausible else estimate.x[AIRSPEED]
     flown_on = FlightState(state.time, state.p_n, state.v_n, state.R_nb, speed, wind_n)
     return flown_on, with_estimate(air, estimate, sensor)

@@ -36,7 +36,10 @@ Covariance = Annotated[Matrix, Shape(STATES, STATES)]
 
 
 class WindEstimate(NamedTuple):
-    """State of the Kalman filter of the wind triangle; its arrays are never changed in place."""
+    """State of the Kalman filter of the wind triangle.
+
+    Within a step the filter works in place; what a step leaves is not changed by the next one.
+    """
 
     x: StateVector
     P: Covariance

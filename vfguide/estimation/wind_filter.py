@@ -76,16 +76,30 @@ def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
     x[AIRSPEED] = airspeed
     for k in range(STATES):
         P[k, k] = INITIAL_SIGMA[k] ** 2
-    return fuse_ground_velocity(WindEstimate(x, P), v_n, d_n, INITIAL_TIME)
+    first = WindEstimate(x, P)
+    fuse_ground_velocity(first, v_n, d_n, INITIAL_TIME)
+    return first
+
+
+@compiled
+def copied(estimate: WindEstimate) -> WindEstimate:
+    """The estimate in arrays of its own."""
+    x, P = np.empty(STATES), np.empty((STATES, STATES))
+    for i in range(STATES):
+        x[i] = estimate.x[i]
+        for j in range(STATES):
+            P[i, j] = estimate.P[i, j]
+    return WindEstimate(x, P)
 
 
 @compiled
 def time_update(estimate: WindEstimate, flight: ModelledFlight, dt: float) -> WindEstimate:
     """The estimate `dt` [s] later: x = f(x), P = F P F^T + Q.
 
-    F is the identity but for the row of the airspeed.
+    F is the identity but for the row of the airspeed. The measurements of this step are fused
+    into the arrays of the result, in place.
     """
-    x, P = estimate.x.copy(), estimate.P.copy()
+    x, P = copied(estimate)
     x[AIRSPEED] += dt * (flight.acceleration + x[ACCELERATION_BIAS])
     keep = 1.0 + dt * flight.slope
     for k in range(STATES):
@@ -100,25 +114,25 @@ def time_update(estimate: WindEstimate, flight: ModelledFlight, dt: float) -> Wi
 @compiled
 def measurement_update(
     estimate: WindEstimate, h: Observation, innovation: float, variance: float
-) -> WindEstimate:
-    """The estimate after one measurement.
+) -> None:
+    """Fuse one measurement into the estimate, in place: x += K innovation, P -= K h P.
+
+    The gain is K = P h / (h P h + variance).
 
     Args:
-        estimate: before it.
+        estimate: of this step.
         h: the measurement's derivative with respect to the state vector.
         innovation: what was measured less what was expected.
         variance: of the measurement's error.
     """
-    before, Ph = estimate, product(estimate.P, h)
+    x, P, Ph = estimate.x, estimate.P, product(estimate.P, h)
     total = variance
     for k in range(STATES):
         total += h[k] * Ph[k]
-    x, P = np.empty(STATES), np.empty((STATES, STATES))
     for i in range(STATES):
-        x[i] = before.x[i] + Ph[i] * innovation / total
+        x[i] += Ph[i] * innovation / total
         for j in range(STATES):
-            P[i, j] = before.P[i, j] - Ph[i] * Ph[j] / total
-    return WindEstimate(x, P)
+            P[i, j] -= Ph[i] * Ph[j] / total
 
 
 @compiled
@@ -144,11 +158,11 @@ def weighted(values: StateVector, h: Observation) -> float:
 
 
 @compiled
-def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float) -> WindEstimate:
+def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float) -> None:
     """Wind, airspeed and azimuth from the ground velocity, along and across the flight.
 
     Args:
-        estimate: before it.
+        estimate: of this step, changed in place.
         v_n: velocity over ground, NED [m/s].
         d_n: direction of flight through the air, NED, by the attitude.
         dt: time since the last ground velocity [s].
@@ -161,25 +175,31 @@ def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float
     speed = level * x[AIRSPEED]
     along, across = c * north + s * east - speed, c * east - s * north
     h_across, h_along = (-s, c, 0.0, speed, 0.0, 0.0), (c, s, level, 0.0, 0.0, 0.0)
-    estimate = measurement_update(estimate, h_across, across, ACROSS_NOISE * ACROSS_NOISE / dt)
-    return measurement_update(estimate, h_along, along, ALONG_NOISE * ALONG_NOISE / dt)
+    measurement_update(estimate, h_across, across, ACROSS_NOISE * ACROSS_NOISE / dt)
+    measurement_update(estimate, h_along, along, ALONG_NOISE * ALONG_NOISE / dt)
 
 
 @compiled
-def fuse_airspeed(estimate: WindEstimate, measured: float, dt: float) -> WindEstimate:
-    """Airspeed and bias of its sensor from what it `measured` [m/s], `dt` [s] after the last."""
+def fuse_airspeed(estimate: WindEstimate, measured: float, dt: float) -> None:
+    """Airspeed and bias of its sensor from what it `measured` [m/s], `dt` [s] after the last.
+
+    The estimate is changed in place.
+    """
     h = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0)
     innovation = measured - estimate.x[AIRSPEED] - estimate.x[SENSOR_BIAS]
-    return measurement_update(estimate, h, innovation, SENSOR_NOISE * SENSOR_NOISE * 0.1 / dt)
+    measurement_update(estimate, h, innovation, SENSOR_NOISE * SENSOR_NOISE * 0.1 / dt)
 
 
 @compiled
-def fuse_wind(estimate: WindEstimate, wind_n: Vec3, dt: float) -> WindEstimate:
-    """Wind from the autopilot's own estimate, NED [m/s], `dt` [s] after the last."""
+def fuse_wind(estimate: WindEstimate, wind_n: Vec3, dt: float) -> None:
+    """Wind from the autopilot's own estimate, NED [m/s], `dt` [s] after the last.
+
+    The estimate is changed in place.
+    """
     variance = WIND_NOISE * WIND_NOISE * 5.0 / dt
     north, east = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
-    estimate = measurement_update(estimate, north, wind_n[0] - estimate.x[NORTH], variance)
-    return measurement_update(estimate, east, wind_n[1] - estimate.x[EAST], variance)
+    measurement_update(estimate, north, wind_n[0] - estimate.x[NORTH], variance)
+    measurement_update(estimate, east, wind_n[1] - estimate.x[EAST], variance)
 
 
 @compiled

@@ -242,20 +242,22 @@ def writer(kind: type[T]) -> Callable[[T, Row], None]:
 
 
 def written_lines(leaf: Leaf, begin: int) -> list[str]:
-    """The source that writes a number or an array of a record `r` into a row `a`."""
-    if leaf.kind == OPEN or not isinstance(leaf.kind, Shape):
+    """The source that writes a number or an array of a record `r` into a row `a`.
+
+    Loops take a tenth of the time of an assignment to a reshaped part of the row, and two seconds
+    less to compile than one to an open part.
+    """
+    if not isinstance(leaf.kind, Shape):
         return [f"    {leaf.source('a', begin)} = {leaf.expression}"]
     return _writing(leaf.expression, leaf.kind, begin)
 
 
 def _writing(expression: str, shape: tuple[int, ...], begin: int) -> list[str]:
-    """The source that writes an array from the place `begin` on.
-
-    Loops take a tenth of the time of an assignment to a reshaped part of the row.
-    """
+    """The source that writes an array from the place `begin` on."""
     lines, place_of = list[str](), str(begin)
     for axis, size in enumerate(shape):
-        lines.append(f"{'    ' * (axis + 1)}for i{axis} in range({size}):")
+        count = f"len({expression})" if shape == OPEN else size
+        lines.append(f"{'    ' * (axis + 1)}for i{axis} in range({count}):")
         place_of += f" + i{axis} * {math.prod(shape[axis + 1 :])}"
     indices = ", ".join(f"i{axis}" for axis in range(len(shape)))
     return [*lines, f"{'    ' * (len(shape) + 1)}a[{place_of}] = {expression}[{indices}]"]
@@ -275,6 +277,41 @@ def replacing(kind: type[T], *names: str) -> Callable[..., T]:
     call = f"{kind.__name__}({', '.join(values)})"
     source = f"def {name}(r, {', '.join(names)}):\n    return {call}"
     return njit(source_function(source, name, {kind.__name__: kind}))
+
+
+def unnester(kind: type[T]) -> Callable[[T], tuple[Any, ...]]:
+    """A Python function that gives the fields of a record, and those of its records, as one tuple.
+
+    Nested records cross into compiled code in 2.4 us, the same values as a plain tuple in 0.5.
+    """
+    source = f"def parts(r):\n    return ({', '.join(_parts(kind, 'r'))},)"
+    return source_function(source, "parts", {})
+
+
+def nester(kind: type[T]) -> Callable[[tuple[Any, ...]], T]:
+    """A compiled function that makes the record of the tuple of an `unnester`."""
+    scope: dict[str, Any] = {}
+    places = iter(range(len(_parts(kind, "r"))))
+    name = f"nest_{symbol(kind)}"
+    source = f"def {name}(a):\n    return {_nesting(kind, scope, places)}"
+    return njit(source_function(source, name, scope))
+
+
+def _parts(kind: Any, expression: str) -> list[str]:
+    """The sources of the fields that are no records, of a record that `expression` stands for."""
+    if not hasattr(kind, "_fields"):
+        return [expression]
+    fields = fields_of(kind).items()
+    return [part for name, of in fields for part in _parts(of, f"{expression}.{name}")]
+
+
+def _nesting(kind: Any, scope: dict[str, Any], places: Iterator[int]) -> str:
+    """The source that makes a field from the tuple `a`, from the next of its places on."""
+    if not hasattr(kind, "_fields"):
+        return f"a[{next(places)}]"
+    scope[kind.__name__] = kind
+    fields = fields_of(kind).values()
+    return f"{kind.__name__}({', '.join(_nesting(of, scope, places) for of in fields)})"
 
 
 def symbol(kind: Any) -> str:

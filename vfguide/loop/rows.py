@@ -4,7 +4,7 @@ import numpy as np
 
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
-from vfguide.airspace.detection import Airspace
+from vfguide.airspace.detection import AirspaceTuple, airspace_of
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
@@ -30,7 +30,7 @@ def step_measured(
     origin: Vec3,
     before: Row,
     legs: Legs,
-    airspace: Airspace | None,
+    airspace: AirspaceTuple | None,
     law: Law,
     vehicle: Row,
 ) -> tuple[Vec3, float, Quaternion, Row, float]:
@@ -41,7 +41,7 @@ def step_measured(
         origin: latitude, longitude [rad] and altitude [m] where the plan's frame touches.
         before: a `LoopState`.
         legs: of the mission.
-        airspace: what to keep clear of, or None.
+        airspace: what to keep clear of, of `unnested_airspace`, or None.
         law: that guides.
         vehicle: a `Vehicle`.
 
@@ -52,7 +52,8 @@ def step_measured(
     told = Measurement(*measured)
     inputs = Inputs(place_state(told, origin), place_measured(told, origin), False)
     state, aircraft = read_state(before), read_vehicle(vehicle)
-    setpoint, left, outcome = step(inputs, state, legs, airspace, law, aircraft)
+    known = airspace_of(airspace)
+    setpoint, left, outcome = step(inputs, state, legs, known, law, aircraft)
     after = np.empty(len(before))
     write_state(left, after)
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, after, outcome.passage.miss
