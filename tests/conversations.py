@@ -2,6 +2,7 @@
 
 from plans import FIRST_FLIGHT
 
+from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
 from vfguide.geometry.units import DEG_E7, MM
@@ -16,7 +17,6 @@ from vfguide.link.messages import (
     SetAttitudeTarget,
     VfrHud,
 )
-from vfguide.link.px4 import Px4Mode, main_and_sub
 
 SECOND = 1_000_000
 TICK = 20_000

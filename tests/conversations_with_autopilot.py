@@ -5,12 +5,12 @@ import math
 from aeroplanes import AEROSONDE
 from sim_flights import AEROSONDE as MODEL
 
+from vfguide.autopilots.px4 import main_and_sub
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavCmd, MavState, MavType, ModeFlag
 from vfguide.link.messages import CommandAck, CommandLong, Heartbeat, SetAttitudeTarget
-from vfguide.link.px4 import main_and_sub
 from vfguide.sim.autopilot.mavlink_channel import ONBOARD
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Weather

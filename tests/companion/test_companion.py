@@ -8,6 +8,7 @@ from conversations import SECOND, Conversation, heartbeat, modes_asked, plan, se
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
 from vfguide.companion.engagement import OVER, Phase
 from vfguide.link.enums import MavResult, MavState, MavType
@@ -19,7 +20,6 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
-from vfguide.link.px4 import Px4Mode
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 

@@ -37,7 +37,7 @@ def test_every_phase_can_come_about():
 
 def test_only_the_autopilot_makes_it_fly():
     ways = {event for (phase, event), after in NEXT.items() if after is Phase.FLYING is not phase}
-    assert ways == {Event.OFFBOARD_SEEN}
+    assert ways == {Event.FOLLOWING_SEEN}
 
 
 @pytest.mark.parametrize("phase", Phase)
@@ -63,7 +63,7 @@ def test_without_a_link_nothing_is_sent(phase):
 
 @pytest.mark.parametrize("phase", Phase)
 def test_it_asks_only_while_the_autopilot_flies_in_a_mode_of_its_own(phase):
-    after = NEXT[phase, Event.OFFBOARD_ASKED]
+    after = NEXT[phase, Event.FOLLOWING_ASKED]
     assert after is (Phase.ASKING if phase is Phase.OFFERING else phase)
 
 
@@ -77,8 +77,8 @@ def test_giving_up_the_question_touches_nothing_else(phase):
 def test_somebody_elses_setpoints_are_never_joined(phase):
     """OFFBOARD that was there before the companion is not its own."""
     if phase is Phase.SEARCHING:
-        assert NEXT[phase, Event.OFFBOARD_SEEN] is Phase.SEARCHING
-    assert NEXT[phase, Event.OFFBOARD_SEEN] in {phase, Phase.FLYING}
+        assert NEXT[phase, Event.FOLLOWING_SEEN] is Phase.SEARCHING
+    assert NEXT[phase, Event.FOLLOWING_SEEN] in {phase, Phase.FLYING}
 
 
 @pytest.mark.parametrize(("phase", "event"), ALL)

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from plans import TEST_FLIGHT
 
 from vfguide.aircraft.state import FlightState
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.identification_flight import CHANGE, SPACING, circuit
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
-from vfguide.link.px4 import Px4Mode
 
 NORTH = FlightState(
     5.0, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.0, 0.0), 25.0, (math.nan,) * 3

@@ -1,8 +1,12 @@
 """Commands that must be answered: one at a time, repeated, given up, refused."""
 
+from dataclasses import replace
+
 import pytest
 from conversations import SECOND, Conversation, heartbeat, state
 
+from vfguide.autopilots.autopilot import Stream
+from vfguide.autopilots.px4 import PX4, Px4Mode
 from vfguide.companion.requests import (
     INSIST,
     RETRY,
@@ -15,7 +19,6 @@ from vfguide.companion.requests import (
     requested_streams,
     result_name,
     set_mode,
-    streams,
 )
 from vfguide.link.enums import MavCmd, MavResult
 from vfguide.link.messages import (
@@ -27,7 +30,6 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
-from vfguide.link.px4 import Px4Mode
 
 REFUSALS = [MavResult.DENIED, MavResult.UNSUPPORTED, MavResult.FAILED]
 NOT_YET = [MavResult.IN_PROGRESS, MavResult.TEMPORARILY_REJECTED]
@@ -40,26 +42,38 @@ def asked(*numbers):
 
 
 def test_commands_go_to_the_autopilot_of_the_system():
-    for each in (request_origin(42), set_mode(42, Px4Mode.HOLD), *requested_streams(42, 50.0)):
+    for each in (
+        request_origin(42),
+        set_mode(42, PX4, Px4Mode.HOLD),
+        *requested_streams(42, PX4, 50.0),
+    ):
         assert (each.target_system, each.target_component) == (42, 1)
 
 
 def test_all_that_is_flown_on_is_asked_for_at_its_rate():
-    wanted = {stream.msgid: stream.rate for stream in streams(50.0)}
-    assert set(wanted) == {m.MSGID for m in (AttitudeQuaternion, LocalPositionNed, VfrHud, WindCov)}
-    assert wanted[AttitudeQuaternion.MSGID] == wanted[LocalPositionNed.MSGID] == 50.0
-    for each in requested_streams(1, 50.0):
-        assert each.command == MavCmd.SET_MESSAGE_INTERVAL
-        assert each.param2 == pytest.approx(1e6 / wanted[each.param1])
+    asked_for = requested_streams(1, PX4, 50.0)
+    assert {each.command for each in asked_for} == {MavCmd.SET_MESSAGE_INTERVAL}
+    assert {each.param1: each.param2 for each in asked_for} == {
+        AttitudeQuaternion.MSGID: 20_000.0,
+        LocalPositionNed.MSGID: 20_000.0,
+        VfrHud.MSGID: 100_000.0,
+        WindCov.MSGID: 200_000.0,
+    }
 
 
 @pytest.mark.parametrize("rate", [1.0, 4.0, 10.0, 200.0])
 def test_no_stream_is_asked_for_faster_than_the_guidance_runs(rate):
-    assert all(stream.rate <= rate for stream in streams(rate))
+    assert all(each.param2 >= 1e6 / rate for each in requested_streams(1, PX4, rate))
+
+
+def test_an_autopilot_is_asked_for_its_own_streams_and_no_faster_than_it_can():
+    slow = replace(PX4, streams=(Stream(AttitudeQuaternion.MSGID, 25.0),))
+    (only,) = requested_streams(1, slow, 50.0)
+    assert (only.param1, only.param2) == (AttitudeQuaternion.MSGID, 40_000.0)
 
 
 def test_a_mode_is_asked_for_by_its_main_and_sub_number():
-    asked_for = set_mode(1, Px4Mode.HOLD)
+    asked_for = set_mode(1, PX4, Px4Mode.HOLD)
     assert asked_for.command == MavCmd.DO_SET_MODE
     assert (asked_for.param1, asked_for.param2, asked_for.param3) == (1.0, 4.0, 3.0)
 
@@ -111,7 +125,7 @@ def test_answers_to_other_commands_are_no_answers():
 
 
 def test_a_mode_is_insisted_on_until_it_is_accepted():
-    request = ModeRequest(1, Px4Mode.OFFBOARD)
+    request = ModeRequest(1, PX4, Px4Mode.OFFBOARD)
     assert request.due(0) is not None
     assert request.due(INSIST - 1) is None
     assert request.due(INSIST) is not None
@@ -120,7 +134,7 @@ def test_a_mode_is_insisted_on_until_it_is_accepted():
 
 
 def test_an_accepted_mode_that_is_not_seen_was_asked_for_in_vain():
-    request = ModeRequest(1, Px4Mode.OFFBOARD)
+    request = ModeRequest(1, PX4, Px4Mode.OFFBOARD)
     request.due(0)
     assert not request.in_vain(100 * SECOND)
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.ACCEPTED))
@@ -129,7 +143,7 @@ def test_an_accepted_mode_that_is_not_seen_was_asked_for_in_vain():
 
 
 def test_a_refused_mode_is_told_once_for_each_reason_and_asked_for_again():
-    request = ModeRequest(1, Px4Mode.OFFBOARD)
+    request = ModeRequest(1, PX4, Px4Mode.OFFBOARD)
     assert request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.DENIED)) is None  # not asked
     request.due(0)
     told = [
@@ -143,7 +157,7 @@ def test_a_refused_mode_is_told_once_for_each_reason_and_asked_for_again():
 
 
 def test_the_last_of_two_answers_counts():
-    request = ModeRequest(1, Px4Mode.OFFBOARD)
+    request = ModeRequest(1, PX4, Px4Mode.OFFBOARD)
     request.due(0)
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.ACCEPTED))
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.TEMPORARILY_REJECTED))
@@ -178,7 +192,7 @@ def of(messages, number):
 
 def test_a_new_autopilot_is_asked_for_every_stream_once_if_it_accepts():
     asked_for = of(answered(Conversation(engage=False), 10.0), MavCmd.SET_MESSAGE_INTERVAL)
-    assert sorted(asked_for) == sorted(stream.msgid for stream in streams(50.0))
+    assert sorted(asked_for) == sorted(stream.msgid for stream in PX4.streams)
 
 
 def test_the_origin_is_asked_for_every_second_until_it_is_known():
@@ -196,7 +210,7 @@ def test_an_autopilot_that_is_heard_anew_is_asked_again():
     talk.now += 5 * SECOND
     talk.poll()
     asked_for = of(answered(talk, 2.0), MavCmd.SET_MESSAGE_INTERVAL)
-    assert sorted(asked_for) == sorted(stream.msgid for stream in streams(50.0))
+    assert sorted(asked_for) == sorted(stream.msgid for stream in PX4.streams)
 
 
 def test_questions_for_the_origin_that_nobody_answered_do_not_pile_up():

@@ -5,13 +5,13 @@ from random import Random
 import pytest
 from conversations import SECOND, START, heartbeat, plan, setpoints, state
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
 from vfguide.companion.engagement import Phase
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent, MavType
 from vfguide.link.messages import CommandLong, Heartbeat, SetAttitudeTarget
-from vfguide.link.px4 import Px4Mode
 
 TICK = 20_000
 

@@ -5,6 +5,7 @@ import socket
 import pytest
 from plans import FIRST_FLIGHT
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.annunciations import passage_note
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
@@ -15,7 +16,6 @@ from vfguide.daemon.warm_up import warm_up
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import CommandLong, Heartbeat
-from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogError, TlogReader, TlogWriter
 
 START = 1_767_225_600_000_000

@@ -4,12 +4,12 @@ import socket
 
 import pytest
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.daemon.transport import ConnectError
 from vfguide.daemon.udp import PEER_SILENT, UdpLink, call, listen
 from vfguide.link.codec import Encoder
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import Heartbeat
-from vfguide.link.px4 import Px4Mode
 from vfguide.link.url import parse_url
 
 BEAT = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, Px4Mode.HOLD, MavState.ACTIVE)

@@ -5,7 +5,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
-from vfguide.geometry.projection import EARTH_RADIUS, project, reproject
+from vfguide.geometry.projection import (
+    EARTH_RADIUS,
+    Projection,
+    geodetic_of,
+    project,
+    reproject,
+)
 
 MICRORADIAN_E3 = 1e-9
 METRES = MICRORADIAN_E3 * EARTH_RADIUS
@@ -64,3 +70,19 @@ def test_three_metres_off_the_tangent_plane_one_kilometre_east():
     lat, lon, _ = ned_to_geodetic(plane, (0.0, 1000.0, 0.0))
     _, east = project(plane.lat, plane.lon, lat, lon)
     assert abs(east - 1000.0) == pytest.approx(3.0, abs=0.2)
+
+
+@pytest.mark.parametrize("kind", Projection, ids=lambda kind: kind.name)
+def test_every_kind_of_frame_is_about_its_origin_and_true_near_it(kind):
+    assert geodetic_of(int(kind), 0.8, 0.1, 0.0, 0.0) == pytest.approx((0.8, 0.1))
+    north, east = geodetic_of(int(kind), 0.8, 0.1, 10.0, 20.0)
+    assert haversine(0.8, 0.1, north, east) == pytest.approx(math.hypot(10.0, 20.0), rel=2e-3)
+
+
+def test_px4s_frame_is_the_azimuthal_equidistant_one():
+    there = geodetic_of(int(Projection.AZIMUTHAL_EQUIDISTANT), 0.8, 0.1, 3e5, -2e5)
+    assert there == reproject(0.8, 0.1, 3e5, -2e5)
+
+
+def test_a_frame_of_no_known_kind_gives_no_numbers():
+    assert all(math.isnan(each) for each in geodetic_of(len(Projection), 0.8, 0.1, 10.0, 20.0))

@@ -25,6 +25,7 @@ from vfguide.estimation.local_frame import (
     place_state,
 )
 from vfguide.field.obstacle import Obstacle, obstacle_rows
+from vfguide.geometry.projection import Projection
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import from_euler
@@ -54,6 +55,7 @@ MEASURED = Measurement(
     wind_l=(2.0, -1.0, 0.0),
     omega_b=(0.1, 0.2, -0.1),
     lead=0.05,
+    projection=int(Projection.AZIMUTHAL_EQUIDISTANT),
 )
 
 

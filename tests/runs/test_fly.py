@@ -20,6 +20,7 @@ from programs import (
     true_path,
 )
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.cli.main import main
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, MM, MS
@@ -33,7 +34,6 @@ from vfguide.link.messages import (
     SetAttitudeTarget,
     Statustext,
 )
-from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogReader
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolve import place_of

@@ -17,6 +17,7 @@ from programs import (
     simulation,
 )
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.cli.main import main
 from vfguide.geometry.units import MS
 from vfguide.link.codec import Encoder, Parser, decode
@@ -31,7 +32,6 @@ from vfguide.link.messages import (
     SetAttitudeTarget,
     SystemTime,
 )
-from vfguide.link.px4 import Px4Mode
 from vfguide.link.tlog import TlogReader
 from vfguide.runs.vehicle_setup import start_us
 from vfguide.scenario.load import load_scenario

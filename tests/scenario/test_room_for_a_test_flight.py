@@ -6,10 +6,10 @@ import pytest
 from conversations import Conversation
 
 from vfguide.aircraft.state import FlightState
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.identification_flight import NEEDED, circuit, least_room
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
-from vfguide.link.px4 import Px4Mode
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 

@@ -15,6 +15,7 @@ from conversations_with_autopilot import (
     setpoint,
 )
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.geometry.so3 import from_euler, to_quaternion
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder
@@ -45,7 +46,6 @@ from vfguide.link.messages import (
     SysStatus,
     Timesync,
 )
-from vfguide.link.px4 import Px4Mode
 from vfguide.sim.autopilot.flight_mode import Mode
 from vfguide.sim.autopilot.parameters import from_bytes, to_bytes
 

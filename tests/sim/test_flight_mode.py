@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.link.px4 import Px4Mode
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.sim.autopilot.flight_mode import ASKED_BY, LOST, NEXT, REPORTED, Event, Mode
 
 ALL = [(mode, event) for mode in Mode for event in Event]

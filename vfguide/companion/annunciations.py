@@ -1,57 +1,61 @@
 """What the operator should read, in plain words."""
 
 from vfguide.aircraft.identification import Identified
+from vfguide.autopilots.autopilot import Autopilot
 from vfguide.companion.engagement import Phase
 from vfguide.companion.loop_report import is_alarmed
 from vfguide.companion.plan import Plan
 from vfguide.estimation.position_resets import settled
 from vfguide.geometry.rows import Row
 from vfguide.link.messages import GpsGlobalOrigin
-from vfguide.link.px4 import Px4Mode
 from vfguide.loop.state import LoopState, state_of_row
 
 SILENT_UNTIL_CHANGE = (
     "the autopilot already follows somebody's setpoints: silent until it flies another mode"
 )
-CHOICE_LEFT = "waiting for the operator to choose OFFBOARD"
+FOUND = "the autopilot is found, it flies {mode}; setpoints go out, "
+CHOICE_COMES = "{follow} will be asked for"
+CHOICE_LEFT = "waiting for the operator to choose {follow}"
 LINK_LOST = "link lost, no heartbeat for 3 s: no setpoints until the autopilot is heard again"
 
 ON_ENTERING = {
     Phase.SEARCHING: LINK_LOST,
-    Phase.ASKING: "asking the autopilot for OFFBOARD",
+    Phase.ASKING: "asking the autopilot for {follow}",
     Phase.FLYING: "the autopilot follows",
     Phase.INTERRUPTED: LINK_LOST,
-    Phase.RETURNING: "handing over: asking the autopilot for HOLD",
+    Phase.RETURNING: "handing over: asking the autopilot for {hold}",
     Phase.RELEASED: "released: the mode was changed to {mode}, no more setpoints",
     Phase.ENDED: "ended: the autopilot flies {mode}",
     Phase.UNCONFIRMED: "ended without a link: what the autopilot flies is up to its failsafe",
 }
 
 
-def mode_name(custom_mode: int | None) -> str:
-    """The autopilot's mode, in PX4's words."""
-    if custom_mode is None:
-        return "nothing known"
-    known = custom_mode in set(Px4Mode)
-    return Px4Mode(custom_mode).name if known else f"mode {custom_mode}"
-
-
-def phase_note(before: Phase, after: Phase, custom_mode: int | None, engage: bool) -> str:
+def phase_note(
+    before: Phase, after: Phase, autopilot: Autopilot, custom_mode: int | None, engage: bool
+) -> str:
     """What a change of phase means.
 
     Args:
         before: the phase that is over.
         after: the one that begins.
-        custom_mode: what the autopilot flies; None: unknown.
-        engage: whether the companion asks for OFFBOARD by itself.
+        autopilot: whose modes they are.
+        custom_mode: what it flies; None: unknown.
+        engage: whether the companion asks for the follow mode by itself.
     """
-    mode = mode_name(custom_mode)
+    return note_on(before, after, engage).format(
+        mode=autopilot.mode_name(custom_mode),
+        follow=autopilot.follow_mode.name,
+        hold=autopilot.hold_mode.name,
+    )
+
+
+def note_on(before: Phase, after: Phase, engage: bool) -> str:
+    """The same, before the modes have their names."""
     if after is not Phase.OFFERING:
-        return ON_ENTERING[after].format(mode=mode)
+        return ON_ENTERING[after]
     if before is Phase.ASKING:
         return CHOICE_LEFT
-    plan = "OFFBOARD will be asked for" if engage else CHOICE_LEFT
-    return f"the autopilot is found, it flies {mode}; setpoints go out, {plan}"
+    return FOUND + (CHOICE_COMES if engage else CHOICE_LEFT)
 
 
 def route_note(goal: int, plan: Plan) -> str:

@@ -13,7 +13,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
-from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType
+from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
@@ -51,8 +51,6 @@ HEEDED = frozenset(
     )
 )
 """Ids of the messages that `Companion.receive` does something with."""
-RATES = int(AttitudeTypeMask.ATTITUDE_IGNORE)
-"""Type mask of a setpoint of body rates."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,
@@ -70,7 +68,7 @@ class Companion:
         Args:
             sysid: MAVLink system of the vehicle, and of the companion.
             plan: what to do.
-            engage: ask for OFFBOARD by itself; else wait for the operator to do it.
+            engage: ask for the follow mode by itself; else wait for the operator to do it.
             step: of the control loop.
         """
         self.sysid = sysid
@@ -150,14 +148,15 @@ class Companion:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
         new = self.phase is Phase.SEARCHING
         self._heard = now
-        self._control.hear_mode(heartbeat.custom_mode)
+        self._control.hear_heartbeat(heartbeat)
         if new and self.phase is Phase.OFFERING:
-            self._known = Knowledge()
+            autopilot = self._control.autopilot
+            self._known = Knowledge(projection=int(autopilot.projection))
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip = RoundTrip()
             self._requests = Requests()
-            self._requests.ask(requested_streams(self.sysid, self.route.plan.rate))
+            self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""
@@ -194,10 +193,10 @@ class Companion:
         return [self._setpoint(attitude.time_boot_ms, setpoint)]
 
     def _setpoint(self, time_boot_ms: int, setpoint: RateSetpoint) -> SetAttitudeTarget:
-        """SET_ATTITUDE_TARGET with body rates and thrust."""
-        p, q, r = setpoint.omega_b
+        """SET_ATTITUDE_TARGET; the autopilot's type mask says what of it counts."""
+        (p, q, r), mask = setpoint.omega_b, self._control.autopilot.type_mask
         return SetAttitudeTarget(
-            time_boot_ms, self.sysid, 1, RATES, setpoint.q_nb, p, q, r, setpoint.thrust
+            time_boot_ms, self.sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
         )
 
     def _own_heartbeat(self) -> Heartbeat:

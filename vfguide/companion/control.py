@@ -1,13 +1,13 @@
 """Who flies: the companion's phase, the mode that it follows from, the mode that it asks for."""
 
-from vfguide.companion.annunciations import SILENT_UNTIL_CHANGE, mode_name, phase_note
+from enum import IntEnum
+
+from vfguide.autopilots.makes import ASSUMED, autopilot_of
+from vfguide.companion.annunciations import SILENT_UNTIL_CHANGE, phase_note
 from vfguide.companion.engagement import NEXT, SENDING, Event, Phase
 from vfguide.companion.requests import ModeRequest
-from vfguide.link.messages import CommandAck, CommandLong
-from vfguide.link.px4 import Px4Mode
+from vfguide.link.messages import CommandAck, CommandLong, Heartbeat
 
-OFFER = 200_000
-"""Setpoints go out for this long before the mode is asked for [us]."""
 WISHING = (Phase.OFFERING, Phase.ASKING, Phase.RETURNING)
 """Phases in which another mode is asked for, or soon will be."""
 
@@ -20,8 +20,10 @@ class Control:
 
         Args:
             sysid: MAVLink system of the vehicle.
-            engage: ask for OFFBOARD by itself; else wait for the operator to do it.
+            engage: ask for the follow mode by itself; else wait for the operator to do it.
         """
+        self.autopilot = ASSUMED
+        """Whose modes they are."""
         self.phase = Phase.SEARCHING
         self.engage = engage
         self.follows = False
@@ -31,20 +33,27 @@ class Control:
         self._sysid = sysid
         self._mode: int | None = None
         self._offered: int | None = None
-        self._request = ModeRequest(sysid, Px4Mode.OFFBOARD)
+        self._request = self._ask_for(self.autopilot.follow_mode)
 
     @property
     def may_send(self) -> bool:
         """Whether setpoints may go out."""
         return self.phase in SENDING
 
+    def hear_heartbeat(self, heartbeat: Heartbeat) -> None:
+        """Follow the mode of an autopilot; while one is searched for its make counts, too."""
+        if self.phase is Phase.SEARCHING:
+            self.autopilot = autopilot_of(heartbeat.autopilot)
+        self.hear_mode(heartbeat.custom_mode)
+
     def hear_mode(self, custom_mode: int) -> None:
         """Follow the autopilot's mode."""
         before, self._mode = self._mode, custom_mode
-        self.follows = custom_mode == Px4Mode.OFFBOARD
+        self.follows = custom_mode == self.autopilot.follow_mode
         if before not in (None, custom_mode) and not self.follows:
-            self._leave_choice(f"the mode was changed to {mode_name(custom_mode)}")
-        self.happen(Event.OFFBOARD_SEEN if self.follows else Event.OTHER_MODE_SEEN)
+            name = self.autopilot.mode_name(custom_mode)
+            self._leave_choice(f"the mode was changed to {name}")
+        self.happen(Event.FOLLOWING_SEEN if self.follows else Event.OTHER_MODE_SEEN)
         if self.follows and self.phase is Phase.SEARCHING and before != custom_mode:
             self.notes.append(SILENT_UNTIL_CHANGE)
 
@@ -62,11 +71,12 @@ class Control:
         """The mode change to ask for at `now` [us], if any."""
         if self.phase not in WISHING:
             return None
-        offered = self._offered is not None and now - self._offered >= OFFER
+        offered = self._offered is not None and now - self._offered >= self.autopilot.offer
         if self.phase is Phase.OFFERING and self.engage and offered:
-            self.happen(Event.OFFBOARD_ASKED)
+            self.happen(Event.FOLLOWING_ASKED)
         if self.phase is Phase.ASKING and self._request.in_vain(now):
-            self._leave_choice("the autopilot accepted OFFBOARD and does not fly it")
+            name = self.autopilot.follow_mode.name
+            self._leave_choice(f"the autopilot accepted {name} and does not fly it")
         return None if self.phase is Phase.OFFERING else self._request.due(now)
 
     def answer(self, ack: CommandAck) -> None:
@@ -80,14 +90,18 @@ class Control:
         if after is before:
             return
         self.phase = after
-        self.notes.append(phase_note(before, after, self._mode, self.engage))
+        self.notes.append(phase_note(before, after, self.autopilot, self._mode, self.engage))
         self._offered = None
-        wanted = {Phase.ASKING: Px4Mode.OFFBOARD, Phase.RETURNING: Px4Mode.HOLD}
-        if after in wanted:
-            self._request = ModeRequest(self._sysid, wanted[after])
+        if after is Phase.ASKING:
+            self._request = self._ask_for(self.autopilot.follow_mode)
+        elif after is Phase.RETURNING:
+            self._request = self._ask_for(self.autopilot.hold_mode)
+
+    def _ask_for(self, mode: IntEnum) -> ModeRequest:
+        return ModeRequest(self._sysid, self.autopilot, mode)
 
     def _leave_choice(self, reason: str) -> None:
-        """Somebody else decides on the mode: do not ask for OFFBOARD any more."""
+        """Somebody else decides on the mode: do not ask for the follow mode any more."""
         if self.engage and self.phase in (Phase.OFFERING, Phase.ASKING):
             self.engage = False
             self.notes.append(f"{reason}: it is not asked again")

@@ -33,13 +33,13 @@ class Phase(Enum):
 class Event(Enum):
     """What can happen."""
 
-    OFFBOARD_SEEN = auto()
+    FOLLOWING_SEEN = auto()
     """The autopilot tells that it follows setpoints."""
     OTHER_MODE_SEEN = auto()
     """It tells of any other mode."""
     LINK_LOST = auto()
     """No heartbeat for three seconds."""
-    OFFBOARD_ASKED = auto()
+    FOLLOWING_ASKED = auto()
     """The companion asks the autopilot to follow."""
     ASKING_GIVEN_UP = auto()
     """It will not ask again: the decision is the operator's."""
@@ -55,18 +55,18 @@ OVER = (Phase.ENDED, Phase.UNCONFIRMED)
 _CHANGES: dict[tuple[Phase, Event], Phase] = {
     (Phase.SEARCHING, Event.OTHER_MODE_SEEN): Phase.OFFERING,
     (Phase.SEARCHING, Event.STOP_ASKED): Phase.ENDED,
-    (Phase.OFFERING, Event.OFFBOARD_SEEN): Phase.FLYING,
+    (Phase.OFFERING, Event.FOLLOWING_SEEN): Phase.FLYING,
     (Phase.OFFERING, Event.LINK_LOST): Phase.SEARCHING,
-    (Phase.OFFERING, Event.OFFBOARD_ASKED): Phase.ASKING,
+    (Phase.OFFERING, Event.FOLLOWING_ASKED): Phase.ASKING,
     (Phase.OFFERING, Event.STOP_ASKED): Phase.ENDED,
-    (Phase.ASKING, Event.OFFBOARD_SEEN): Phase.FLYING,
+    (Phase.ASKING, Event.FOLLOWING_SEEN): Phase.FLYING,
     (Phase.ASKING, Event.LINK_LOST): Phase.SEARCHING,
     (Phase.ASKING, Event.ASKING_GIVEN_UP): Phase.OFFERING,
     (Phase.ASKING, Event.STOP_ASKED): Phase.RETURNING,
     (Phase.FLYING, Event.OTHER_MODE_SEEN): Phase.RELEASED,
     (Phase.FLYING, Event.LINK_LOST): Phase.INTERRUPTED,
     (Phase.FLYING, Event.STOP_ASKED): Phase.RETURNING,
-    (Phase.INTERRUPTED, Event.OFFBOARD_SEEN): Phase.FLYING,
+    (Phase.INTERRUPTED, Event.FOLLOWING_SEEN): Phase.FLYING,
     (Phase.INTERRUPTED, Event.OTHER_MODE_SEEN): Phase.RELEASED,
     (Phase.INTERRUPTED, Event.STOP_ASKED): Phase.UNCONFIRMED,
     (Phase.RETURNING, Event.OTHER_MODE_SEEN): Phase.ENDED,

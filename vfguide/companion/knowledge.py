@@ -3,6 +3,7 @@
 import math
 from typing import Any, NamedTuple
 
+from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.plausibility import is_plausible
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, MM, MS, US
@@ -41,6 +42,8 @@ class Knowledge(NamedTuple):
     wind_time: int = 0
     """The same of the wind."""
     date: SystemTime | None = None
+    projection: int = int(ASSUMED.projection)
+    """The `Projection` of the autopilot's local frame."""
 
 
 _PLACES: dict[type[Message], int] = {
@@ -100,6 +103,7 @@ def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
         UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
         (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
         lead,
+        known.projection,
     )
 
 

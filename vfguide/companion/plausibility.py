@@ -51,7 +51,7 @@ def _position(said: LocalPositionNed) -> bool:
 
 
 def _hud(said: VfrHud) -> bool:
-    """PX4 tells an airspeed that is not a number where it has no sensor that it trusts."""
+    """The airspeed is not a number where the autopilot has no sensor that it trusts."""
     known = 0.0 <= said.airspeed < FASTEST or math.isnan(said.airspeed)
     return known and LOWEST < said.alt < HIGHEST
 

@@ -1,19 +1,11 @@
 """Commands that must be answered: sent one at a time, repeated until they are."""
 
 from collections import deque
-from typing import NamedTuple
+from enum import IntEnum
 
-from vfguide.link.enums import MavCmd, MavResult, ModeFlag
-from vfguide.link.messages import (
-    AttitudeQuaternion,
-    CommandAck,
-    CommandLong,
-    GpsGlobalOrigin,
-    LocalPositionNed,
-    VfrHud,
-    WindCov,
-)
-from vfguide.link.px4 import Px4Mode, main_and_sub
+from vfguide.autopilots.autopilot import Autopilot
+from vfguide.link.enums import MavCmd, MavResult
+from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin
 
 RETRY = 500_000
 """A command without an answer is sent again after this [us]."""
@@ -25,47 +17,34 @@ SEEN_WITHIN = 3_000_000
 """A mode that was accepted shows in the heartbeat within this [us]."""
 
 
-class Stream(NamedTuple):
-    """A message that the companion flies on."""
-
-    msgid: int
-    rate: float
-    """[Hz]."""
-
-
-def streams(rate: float) -> tuple[Stream, ...]:
-    """The messages the companion asks for, when it guides `rate` times a second."""
-    return (
-        Stream(LocalPositionNed.MSGID, rate),
-        Stream(VfrHud.MSGID, min(rate, 10.0)),
-        Stream(WindCov.MSGID, min(rate, 5.0)),
-        Stream(AttitudeQuaternion.MSGID, rate),
-    )
-
-
 def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
     """A COMMAND_LONG to the autopilot of system `target`."""
     p = (*parameters, *(0.0,) * (7 - len(parameters)))
     return CommandLong(target, 1, number, 0, p[0], p[1], p[2], p[3], p[4], p[5], p[6])
 
 
-def set_mode(target: int, mode: Px4Mode) -> CommandLong:
-    """The command that changes PX4's flight mode."""
-    main, sub = main_and_sub(mode)
-    return command(target, MavCmd.DO_SET_MODE, ModeFlag.CUSTOM_MODE_ENABLED, main, sub)
+def set_mode(target: int, autopilot: Autopilot, mode: int) -> CommandLong:
+    """The command that changes the flight mode."""
+    return command(target, MavCmd.DO_SET_MODE, *autopilot.mode_parameters(mode))
 
 
 def request_origin(target: int) -> CommandLong:
-    """The command that makes PX4 tell the origin of its local frame; it does not by itself."""
+    """The command that makes the autopilot tell the origin of its local frame.
+
+    Not every one does so by itself.
+    """
     return command(target, MavCmd.REQUEST_MESSAGE, GpsGlobalOrigin.MSGID)
 
 
-def requested_streams(target: int, rate: float) -> list[CommandLong]:
-    """The commands that make the autopilot send what the companion flies on."""
-    return [
-        command(target, MavCmd.SET_MESSAGE_INTERVAL, stream.msgid, round(1e6 / stream.rate))
-        for stream in streams(rate)
-    ]
+def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[CommandLong]:
+    """The commands that make the autopilot send what the companion flies on.
+
+    It guides `rate` times a second; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
+    """
+    intervals = (
+        (stream.msgid, round(1e6 / min(rate, stream.fastest))) for stream in autopilot.streams
+    )
+    return [command(target, MavCmd.SET_MESSAGE_INTERVAL, *each) for each in intervals]
 
 
 class Requests:
@@ -112,11 +91,11 @@ class ModeRequest:
     """The wish for one mode, asked for again until it is accepted.
 
     After that the autopilot is not asked any more: if it flies something else then, somebody
-    else wants that. PX4 acknowledges twice, the last answer is the real one.
+    else wants that. An autopilot may acknowledge twice, the last answer is the real one.
     """
 
-    def __init__(self, target: int, mode: Px4Mode) -> None:
-        self._command = set_mode(target, mode)
+    def __init__(self, target: int, autopilot: Autopilot, mode: IntEnum) -> None:
+        self._command = set_mode(target, autopilot, mode)
         self._mode = mode
         self._asked_at: int | None = None
         self._result: int | None = None

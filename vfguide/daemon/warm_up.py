@@ -2,12 +2,13 @@
 
 import math
 
+from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import DEG_E7, MM
-from vfguide.link.enums import AdsbFlags, MavAutopilot, MavState, MavType
+from vfguide.link.enums import AdsbFlags, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
@@ -17,7 +18,6 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
-from vfguide.link.px4 import Px4Mode
 
 APART = 100
 """Between two states of the flight [ms]."""
@@ -31,8 +31,8 @@ def warm_up(plan: Plan) -> None:
     goal = plan.goals[0]
     latitude, longitude, altitude = ned_to_geodetic(tangent_plane(*plan.origin), goal.p_n)
     origin = (round(latitude / DEG_E7), round(longitude / DEG_E7), round(altitude / MM))
-    for mode in (Px4Mode.HOLD, Px4Mode.OFFBOARD):
-        beat = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.ACTIVE)
+    for mode in (ASSUMED.hold_mode, ASSUMED.follow_mode):
+        beat = Heartbeat(MavType.FIXED_WING, ASSUMED.make, 0, mode, MavState.ACTIVE)
         companion.receive(0, beat)
     speed = plan.gains.airspeed
     companion.receive(0, GpsGlobalOrigin(*origin))

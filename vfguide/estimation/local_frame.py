@@ -6,7 +6,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.geometry.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, geodetic_to_ned, tangent_plane
-from vfguide.geometry.projection import reproject
+from vfguide.geometry.projection import geodetic_of
 from vfguide.geometry.rows import replacing
 from vfguide.geometry.so3 import exp, from_quaternion
 from vfguide.geometry.units import G0
@@ -23,8 +23,7 @@ class Measurement(NamedTuple):
     time: float
     """Of the attitude [s]."""
     origin: Vec3
-    """Of the autopilot's projection, which is PX4's on a sphere: latitude, longitude [rad] and
-    altitude [m]."""
+    """Of the autopilot's local frame: latitude, longitude [rad] and altitude [m]."""
     p_l: Vec3
     """Position in the local frame [m], down from its origin's altitude."""
     v_l: Vec3
@@ -43,10 +42,12 @@ class Measurement(NamedTuple):
     """Body rates [rad/s]."""
     lead: float
     """The state is wanted so much later than the attitude [s]."""
+    projection: int
+    """The `Projection` of the local frame."""
 
 
 MeasurementTuple = tuple[
-    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, Vec3, Vec3, float
+    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, Vec3, Vec3, float, int
 ]
 """A `Measurement` without its names, as it crosses into compiled code."""
 _at_attitude = replacing(Measurement, "lead")
@@ -57,7 +58,7 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
     """The state in the tangent plane at `origin`: latitude, longitude [rad], altitude [m]."""
     v_then, R_lb = extrapolated(m.v_l, from_quaternion(m.q_lb), m.omega_b, m.lead)
     p = add(m.p_l, add(scale(m.ahead + 0.5 * m.lead, m.v_l), scale(0.5 * m.lead, v_then)))
-    lat, lon = reproject(m.origin[0], m.origin[1], p[0], p[1])
+    lat, lon = geodetic_of(m.projection, m.origin[0], m.origin[1], p[0], p[1])
     plane = tangent_plane(origin[0], origin[1], origin[2])
     R_nl = R_level(plane, lat, lon)
     return FlightState(

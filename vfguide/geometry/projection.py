@@ -1,16 +1,25 @@
-"""PX4's local frame: an azimuthal-equidistant projection of the sphere about an origin.
+"""The local frames of autopilots: projections of the earth about an origin.
 
-An autopilot's LOCAL_POSITION_NED is in here, not in a tangent plane of the ellipsoid: 1 km east
-of an origin at 46.8 degrees the two differ by 3 m.
+LOCAL_POSITION_NED is in such a frame, not in a tangent plane of the ellipsoid. PX4's is an
+azimuthal-equidistant projection of the sphere: 1 km east of an origin at 46.8 degrees the two
+differ by 3 m.
 """
 
 import math
+from enum import IntEnum
 
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
 EARTH_RADIUS = 6_371_000.0
 """Radius of PX4's earth [m]."""
+
+
+class Projection(IntEnum):
+    """Kinds of local frames."""
+
+    AZIMUTHAL_EQUIDISTANT = 0
+    """Of the sphere, as PX4's: `reproject`."""
 
 
 @compiled
@@ -47,3 +56,16 @@ def reproject(origin_lat: float, origin_lon: float, x: float, y: float) -> tuple
     axial = up * c0 - north * s0
     lat = math.atan2(up * s0 + north * c0, math.hypot(axial, east))
     return (lat, wrap(origin_lon + math.atan2(east, axial)))
+
+
+@compiled
+def geodetic_of(
+    projection: int, origin_lat: float, origin_lon: float, x: float, y: float
+) -> tuple[float, float]:
+    """Latitude and longitude in [-pi, pi) [rad] of the point x north, y east [m] of the origin.
+
+    `projection` is a `Projection`; no numbers come out for any other number.
+    """
+    if projection == Projection.AZIMUTHAL_EQUIDISTANT:
+        return reproject(origin_lat, origin_lon, x, y)
+    return (math.nan, math.nan)

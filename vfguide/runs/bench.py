@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from vfguide.companion.plan import Plan
 from vfguide.estimation.local_frame import Measurement
+from vfguide.geometry.projection import Projection
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
@@ -41,6 +42,7 @@ MEASURED = Measurement(
     (1.0, 2.0, 0.0),
     (0.1, 0.02, 0.03),
     0.02,
+    int(Projection.AZIMUTHAL_EQUIDISTANT),
 )
 """What the autopilot says, but for its time and its origin."""
 SETPOINT = SetAttitudeTarget(

@@ -6,6 +6,7 @@ sender its retries.
 
 from collections.abc import Callable
 
+from vfguide.autopilots.px4 import MAIN_MODE, SUB_MODE, Px4Mode
 from vfguide.link.codec import Frame, decode
 from vfguide.link.enums import MavCmd, MavComponent, MavMissionResult, MavResult, ProtocolCapability
 from vfguide.link.messages import (
@@ -28,7 +29,6 @@ from vfguide.link.messages import (
     SetAttitudeTarget,
     Timesync,
 )
-from vfguide.link.px4 import MAIN_MODE, SUB_MODE, Px4Mode
 from vfguide.sim.autopilot.autopilot import Autopilot
 from vfguide.sim.autopilot.flight_mode import ASKED_BY, Event
 from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel

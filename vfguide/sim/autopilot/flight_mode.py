@@ -2,7 +2,7 @@
 
 from enum import Enum, auto
 
-from vfguide.link.px4 import Px4Mode
+from vfguide.autopilots.px4 import Px4Mode
 
 
 class Mode(Enum):
