@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 NEEDED = {
     "vfguide/cli/main.py",
-    "vfguide/scenario/report.html.j2",
+    "vfguide/report/report.html.j2",
     "vfguide/_data/scenarios/first-flight.toml",
     *(f"vfguide/_data/scenarios/paper/example-{number}.toml" for number in (1, 2, 3)),
     "vfguide/_data/scenarios/easystar.toml",

@@ -45,7 +45,7 @@ def render(
 ) -> str:
     """The report as HTML."""
     environment = Environment(
-        loader=PackageLoader("vfguide.scenario", "."),
+        loader=PackageLoader("vfguide.report", "."),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
