@@ -1,6 +1,6 @@
 """The aeroplanes that are flown in tests, as their files describe them.
 
-Rooms below the files need none; `tests/scenario/test_aircraft_file.py` compares these with them.
+Rooms below the files need none; `tests/files/test_aircraft_file.py` compares these with them.
 """
 
 from vfguide.aircraft.performance import Performance

@@ -15,11 +15,11 @@ from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from vfguide.companion.engagement import Phase
+from vfguide.files import aircraft_file, fence, obstacle_entry, scenario_file, traffic_entry
+from vfguide.files.toml_types import Table
 from vfguide.link.messages import RECORDS
 from vfguide.results import interventions, result
 from vfguide.runs.bench import Bench
-from vfguide.scenario import aircraft_file, fence, obstacle_entry, scenario_file, traffic_entry
-from vfguide.scenario.toml_types import Table
 from vfguide.sim.autopilot.mavlink_channel import GROUND, ONBOARD
 from vfguide.sim.autopilot.parameters import Parameters
 

@@ -31,9 +31,9 @@ from manoeuvre_tree import best_escape
 
 from vfguide.aircraft.performance import Gains
 from vfguide.assurance.decision import Assurance, Reason, assurance
+from vfguide.files.aircraft_file import load_aircraft
+from vfguide.files.data import find_aircraft
 from vfguide.geometry.rows import Table, columns
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import find_aircraft
 
 REPEATS = 20
 ENOUGH = 5.0

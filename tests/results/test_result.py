@@ -12,9 +12,9 @@ from flight_samples import moved, record_of, spiral, straight
 from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide import __version__
+from vfguide.files.atomic import write_atomically
 from vfguide.results.record import Decisions, FlightRecord
 from vfguide.results.result import judge, min_separation, write_result
-from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.resolved import Scenario
 
 DOCUMENTED = json.loads(

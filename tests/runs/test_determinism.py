@@ -5,8 +5,8 @@ import json
 import pytest
 from flights import FIRST_FLIGHT, scenario_file, vfguide
 
+from vfguide.files.data import shipped_scenarios
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.data import shipped_scenarios
 from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow

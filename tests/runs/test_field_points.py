@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from programs import VFGUIDE
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 from vfguide.scenario.field_points import fields_at, read_points
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import vehicle_of

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from scenario_samples import loaded_from
 
+from vfguide.files.data import find_aircraft, shipped_scenarios
+from vfguide.files.errors import InputError
 from vfguide.runs.models import model_of, require_models
-from vfguide.scenario.data import find_aircraft, shipped_scenarios
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario, load_scenario
 from vfguide.sim.fdm import stock_root
 

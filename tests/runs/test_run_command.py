@@ -8,8 +8,8 @@ import pytest
 from flights import scenario_file, vfguide
 from programs import Program
 
+from vfguide.files.data import find_aircraft
 from vfguide.link.tlog import TlogReader
-from vfguide.scenario.data import find_aircraft
 
 pytestmark = pytest.mark.slow
 

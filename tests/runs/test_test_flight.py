@@ -8,10 +8,10 @@ import pytest
 import tomli_w
 from flights import vfguide
 
+from vfguide.files.aircraft_file import load_aircraft
+from vfguide.files.data import AircraftFiles, data_folder, find_aircraft
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft
 from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from scenario_samples import MINIMAL, SECOND
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 from vfguide.scenario.load import load_scenario
 
 HEAD = "[[vehicle]]\nid = 1"

@@ -6,7 +6,7 @@ import re
 import pytest
 from scenario_samples import MINIMAL
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.load import load_scenario
 

@@ -7,10 +7,10 @@ import pytest
 from scenario_samples import loaded_from
 
 from vfguide.field.obstacle_arrays import levels
+from vfguide.files.errors import InputError
+from vfguide.files.obstacle_entry import SIZES
 from vfguide.geometry.shapes.shape import SHAPES
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import load_scenario
-from vfguide.scenario.obstacle_entry import SIZES
 from vfguide.scenario.obstacles import rows_of
 
 PAPER = """\

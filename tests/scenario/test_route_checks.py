@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from scenario_samples import MINIMAL, loaded_from
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 
 HEAD = "[[vehicle]]\nid = 1"
 BOX = '\n[[obstacle]]\nname = "{name}"\nshape = "box"\nposition_m = {at}\nsize_m = {size}\n'

@@ -14,7 +14,7 @@ def check(
     Example: vfguide check first-flight
     """
     from vfguide.cli.console import out, warn
-    from vfguide.scenario.data import find_scenario
+    from vfguide.files.data import find_scenario
     from vfguide.scenario.load import check_file
 
     path = file if file.exists() else find_scenario(str(file))

@@ -83,8 +83,8 @@ def open_transport(text: str, sysid: int) -> "Transport":
     """
     from vfguide.daemon.connect import connect
     from vfguide.daemon.transport import ConnectError
+    from vfguide.files.errors import InputError
     from vfguide.link.url import UrlError, parse_url
-    from vfguide.scenario.errors import InputError
 
     try:
         return connect(parse_url(text), sysid)
@@ -107,7 +107,7 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
         InputError: one of the two cannot be written, or something else is there already.
     """
     from vfguide.cli.logs import new_log
-    from vfguide.scenario.errors import InputError
+    from vfguide.files.errors import InputError
 
     folder, scenario = path.parent, path.with_name("scenario.toml")
     if not in_folder:

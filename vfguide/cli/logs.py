@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from vfguide.files.errors import InputError
 from vfguide.link.tlog import TlogError, TlogWriter
-from vfguide.scenario.errors import InputError
 
 
 def new_log(path: Path) -> TlogWriter:

@@ -48,7 +48,7 @@ def options(
 
 def main() -> None:
     """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
-    from vfguide.scenario.errors import InputError
+    from vfguide.files.errors import InputError
 
     try:
         app()

@@ -74,8 +74,8 @@ def open_log(path: Path) -> "TlogReader":
     Raises:
         InputError: it cannot be read.
     """
+    from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError, TlogReader
-    from vfguide.scenario.errors import InputError
 
     if path.suffix != ".tlog":
         raise InputError(f"{path}: not a .tlog; other kinds of logs are not supported yet")
@@ -91,8 +91,8 @@ def only_vehicle(path: Path, reader: "TlogReader") -> int:
     Raises:
         InputError: it is not one.
     """
+    from vfguide.files.errors import InputError
     from vfguide.replay.compare import companions_in
-    from vfguide.scenario.errors import InputError
 
     companions = companions_in(reader)
     if not companions:
@@ -109,7 +109,7 @@ def require_setpoints(path: Path, sysid: int, found: "Comparison") -> None:
     Raises:
         InputError: the log has no setpoint of this vehicle.
     """
-    from vfguide.scenario.errors import InputError
+    from vfguide.files.errors import InputError
 
     if not found.recorded:
         raise InputError(f"{path}: no setpoint of vehicle {sysid} in it")

@@ -37,10 +37,10 @@ def sim(
     """
     from vfguide.cli.console import complain, out
     from vfguide.cli.signals import Signals
+    from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError
     from vfguide.runs.models import require_models
     from vfguide.runs.vehicle_setup import simulate
-    from vfguide.scenario.errors import InputError
     from vfguide.scenario.load import load_scenario
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
@@ -75,7 +75,7 @@ def open_sockets(scenario: "Scenario", stack: ExitStack) -> "list[tuple[socket, 
     Raises:
         InputError: a port is in use.
     """
-    from vfguide.scenario.errors import InputError
+    from vfguide.files.errors import InputError
     from vfguide.sim.udp import PortTakenError, bound_socket, ground_numbers, offboard_numbers
 
     opened: list[tuple[socket, socket]] = []

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Polygon
 
+from vfguide.files.fence import Fence, ZoneEntry
 from vfguide.geometry.vector import Vector, Vectors
-from vfguide.scenario.fence import Fence, ZoneEntry
 
 INSIDE, OUTSIDE = "#00674a", "#a83c00"
 """Borders of what is to be stayed in, and of what is to be stayed out of."""

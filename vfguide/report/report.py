@@ -6,12 +6,12 @@ from pathlib import Path
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from vfguide.files.atomic import write_atomically
 from vfguide.report.drawing import Flights
 from vfguide.report.figures import Picture, draw_figures
 from vfguide.results.closest import closest
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result
-from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.load import LoadedScenario
 
 NONE = "-"

@@ -5,10 +5,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation, Transform
 
+from vfguide.files.scenario_file import Wind
 from vfguide.geometry.units import DEG
 from vfguide.report.drawing import MUTED
 from vfguide.results.record import Array
-from vfguide.scenario.scenario_file import Wind
 
 ROW = 84.0
 """From one arrow to the next below it [pt]."""

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from vfguide.airspace.fence import fence_distance, fences
+from vfguide.files.fence import Fence, zone_of
 from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.results.record import Array, FlightRecord
-from vfguide.scenario.fence import Fence, zone_of
 from vfguide.scenario.resolved import Scenario
 
 

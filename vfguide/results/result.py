@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 
 from vfguide import __version__
+from vfguide.files.atomic import write_atomically
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vectors
 from vfguide.results.clearance import min_clearances, min_levels
@@ -19,7 +20,6 @@ from vfguide.results.goal_passages import Pass
 from vfguide.results.interventions import AssuranceResult, assurance_of
 from vfguide.results.record import Array, FlightRecord
 from vfguide.results.traffic_results import TrafficResult, traffic_reasons, traffic_results
-from vfguide.scenario.atomic import write_atomically
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Scenario
 

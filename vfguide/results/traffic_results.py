@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vfguide.files.scenario_file import Avoidance
 from vfguide.geometry.vector import Series, Vectors
 from vfguide.results.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.scenario_file import Avoidance
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 

@@ -2,8 +2,8 @@
 
 import math
 
+from vfguide.files.scenario_file import Autopilot, Sensors
 from vfguide.geometry.units import DEG
-from vfguide.scenario.scenario_file import Autopilot, Sensors
 from vfguide.sim.autopilot.instruments import AirspeedFault, Errors, Instruments, Reset
 from vfguide.sim.autopilot.motor import Motor
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from vfguide.scenario.data import close_match
-from vfguide.scenario.errors import InputError
+from vfguide.files.data import close_match
+from vfguide.files.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.sim.condition import Model
 from vfguide.sim.fdm import stock_root

@@ -4,13 +4,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from vfguide.files.errors import InputError
 from vfguide.link.tlog import TlogError
 from vfguide.report.report import write_report
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge, write_result
 from vfguide.runs.lockstep import Ending, Progress, fly_scenario
 from vfguide.runs.models import require_models
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 
 EARLY = frozenset({Ending.TIME, Ending.STOPPED})

@@ -4,12 +4,12 @@ import math
 
 import numpy as np
 
+from vfguide.files.errors import InputError
 from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.runs.instruments import instruments_from, motor_from
 from vfguide.runs.models import model_of
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us

@@ -1,1 +1,1 @@
-"""Scenario and aircraft files, runs, results and reports."""
+"""Scenarios: what files say of them made whole, checked before the flight, and made into plans."""

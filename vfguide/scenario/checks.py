@@ -4,11 +4,11 @@ import math
 from collections.abc import Mapping
 from itertools import combinations
 
-from vfguide.scenario.aircraft_file import Aircraft
+from vfguide.files.aircraft_file import Aircraft
+from vfguide.files.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile
+from vfguide.files.source import Location, Source
+from vfguide.files.toml_types import in_words
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile
-from vfguide.scenario.source import Location, Source
-from vfguide.scenario.toml_types import in_words
 
 
 def check_law(entry: ScenarioFile, source: Source) -> None:

@@ -19,13 +19,13 @@ from vfguide.companion.plan import Plan
 from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
+from vfguide.files.errors import InputError
 from vfguide.geometry.rows import Row, Table, columns, python_reader
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale, sub, transpose
 from vfguide.loop.state import fresh_state
 from vfguide.loop.step import step
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of

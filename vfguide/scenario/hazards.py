@@ -14,12 +14,12 @@ from vfguide.airspace.keep_out import (
     polygon,
 )
 from vfguide.field.obstacle import PlacedObstacle, placed
+from vfguide.files.fence import Fence, check_zones, zone_of
+from vfguide.files.source import Source
+from vfguide.files.toml_types import in_words
 from vfguide.geometry.rows import table_of
-from vfguide.scenario.fence import Fence, check_zones, zone_of
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle, Scenario
-from vfguide.scenario.source import Source
-from vfguide.scenario.toml_types import in_words
 from vfguide.scenario.traffic import avoids_traffic
 
 

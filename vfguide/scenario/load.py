@@ -9,20 +9,20 @@ from vfguide import __version__
 from vfguide.aircraft.gain_scheduling import suited
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.performance import Gains, Performance
+from vfguide.files.aircraft_file import Aircraft, load_aircraft
+from vfguide.files.atomic import write_atomically
+from vfguide.files.data import AircraftFiles, data_folder, find_aircraft, find_scenario
+from vfguide.files.errors import InputError
+from vfguide.files.overrides import parse_override
+from vfguide.files.scenario_file import ScenarioFile
+from vfguide.files.source import Source, read_toml
 from vfguide.geometry.units import DEG
 from vfguide.scenario import checks
-from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
-from vfguide.scenario.atomic import write_atomically
-from vfguide.scenario.data import AircraftFiles, data_folder, find_aircraft, find_scenario
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
-from vfguide.scenario.overrides import parse_override
 from vfguide.scenario.resolve import aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.route_checks import Flies, check_routes
-from vfguide.scenario.scenario_file import ScenarioFile
-from vfguide.scenario.source import Source, read_toml
 from vfguide.scenario.traffic import check_traffic
 
 

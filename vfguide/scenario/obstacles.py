@@ -6,14 +6,14 @@ import numpy as np
 
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
 from vfguide.field.obstacle_arrays import levels
+from vfguide.files.obstacle_entry import SIZES
+from vfguide.files.source import Source
 from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.shape import SHAPES
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
-from vfguide.scenario.obstacle_entry import SIZES
 from vfguide.scenario.resolved import Obstacle as ScenarioObstacle
 from vfguide.scenario.resolved import Scenario
-from vfguide.scenario.source import Source
 
 
 def rows_of(obstacles: Sequence[ScenarioObstacle]) -> Rows:

@@ -3,10 +3,10 @@
 from vfguide.aircraft.performance import turn_length
 from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
+from vfguide.files.errors import InputError
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import LAWS_BY_NAME
 from vfguide.loop.legs import Goal
-from vfguide.scenario.errors import InputError
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of

@@ -3,13 +3,9 @@
 import math
 from collections.abc import Mapping
 
-from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
-from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3
-from vfguide.scenario.aircraft_file import Aircraft
-from vfguide.scenario.obstacle_entry import check_sizes
-from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
-from vfguide.scenario.scenario_file import (
+from vfguide.files.aircraft_file import Aircraft
+from vfguide.files.obstacle_entry import check_sizes
+from vfguide.files.scenario_file import (
     DEFAULT_AIRCRAFT,
     KINEMATIC_AIRSPEED,
     GoalEntry,
@@ -18,8 +14,12 @@ from vfguide.scenario.scenario_file import (
     ScenarioHead,
     VehicleEntry,
 )
-from vfguide.scenario.source import Location, Source
-from vfguide.scenario.traffic_entry import TrafficEntry
+from vfguide.files.source import Location, Source
+from vfguide.files.traffic_entry import TrafficEntry
+from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
 
 FARTHEST = 100_000.0
 """A goal may be this far from the origin on each axis [m]."""

@@ -6,12 +6,12 @@ import tomli_w
 from pydantic import Field
 
 from vfguide import __version__
+from vfguide.files.obstacle_entry import ShapeName
+from vfguide.files.scenario_file import ScenarioHead
+from vfguide.files.toml_types import Table, Vector
+from vfguide.files.traffic_entry import TrafficChange
 from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
-from vfguide.scenario.obstacle_entry import ShapeName
-from vfguide.scenario.scenario_file import ScenarioHead
-from vfguide.scenario.toml_types import Table, Vector
-from vfguide.scenario.traffic_entry import TrafficChange
 
 _LIST = re.compile(r"\[\n((?: +[-+.\w]+,\n)+)\]")
 """A list of numbers as tomli_w writes it, one to a line."""

@@ -18,6 +18,9 @@ from vfguide.airspace.footprint import Band
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.assurance.decision import Reason, assurance, assure, no_backup
 from vfguide.field.obstacle import Rows
+from vfguide.files.fence import Fence
+from vfguide.files.source import Location, Source, dotted
+from vfguide.files.toml_types import in_words
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, Vector
@@ -30,12 +33,9 @@ from vfguide.planning.overflight import altitude_plan_by, band_of, left_in_path,
 from vfguide.planning.replanning import LOOK
 from vfguide.planning.route_search import CLEARANCES, find_route
 from vfguide.scenario.enclosure_checks import is_enclosed
-from vfguide.scenario.fence import Fence
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Goal, Scenario, Vehicle
-from vfguide.scenario.source import Location, Source, dotted
-from vfguide.scenario.toml_types import in_words
 from vfguide.scenario.traffic import avoids_traffic
 
 SPACING = 2.0

@@ -1,10 +1,10 @@
 """The other aircraft of a scenario: for the simulation, the companion and the result."""
 
 from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
+from vfguide.files.scenario_file import Avoidance
+from vfguide.files.source import Source
+from vfguide.files.toml_types import in_words
 from vfguide.scenario.resolved import Scenario, Traffic
-from vfguide.scenario.scenario_file import Avoidance
-from vfguide.scenario.source import Source
-from vfguide.scenario.toml_types import in_words
 from vfguide.sim.traffic import Flight, Turn, flight_of
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 
 
 @dataclass(frozen=True)

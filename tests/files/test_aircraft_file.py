@@ -6,10 +6,9 @@ from pathlib import Path
 import pytest
 from aeroplanes import AEROSONDE, EASYSTAR
 
-from vfguide.scenario.aircraft_file import load_aircraft
-from vfguide.scenario.data import AircraftFiles, find_aircraft
-from vfguide.scenario.errors import InputError
-from vfguide.scenario.load import check_file
+from vfguide.files.aircraft_file import load_aircraft
+from vfguide.files.data import AircraftFiles, find_aircraft
+from vfguide.files.errors import InputError
 
 SHIPPED = find_aircraft("aerosonde")
 
@@ -80,13 +79,6 @@ def test_bad_files(tmp_path: Path, old: str, new: str, message: str) -> None:
     with pytest.raises(InputError) as error:
         load_aircraft(AircraftFiles("aerosonde", tmp_path, file, None))
     assert str(error.value).startswith(f"{file}: {message}")
-    with pytest.raises(InputError) as same:
-        check_file(file)
-    assert str(same.value) == str(error.value)
-
-
-def test_a_good_file_is_checked_without_a_word() -> None:
-    check_file(SHIPPED.performance)
 
 
 @pytest.mark.parametrize(("name", "same"), [("aerosonde", AEROSONDE), ("easystar", EASYSTAR)])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
-from vfguide.scenario.errors import InputError
+from vfguide.files.errors import InputError
 
 PACKAGE = Path(__file__).parent.parent
 

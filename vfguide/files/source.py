@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from vfguide.scenario.errors import InputError
-from vfguide.scenario.overrides import Override, apply_override
+from vfguide.files.errors import InputError
+from vfguide.files.overrides import Override, apply_override
 
 Location = tuple[int | str, ...]
 Model = TypeVar("Model", bound=BaseModel)

@@ -10,9 +10,9 @@ from pydantic import AfterValidator
 from vfguide.aircraft.gain_scheduling import airspeed_gains
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.performance import Performance
-from vfguide.scenario.data import AircraftFiles
-from vfguide.scenario.source import Source
-from vfguide.scenario.toml_types import Table, above, between, rule_broken
+from vfguide.files.data import AircraftFiles
+from vfguide.files.source import Source
+from vfguide.files.toml_types import Table, above, between, rule_broken
 
 Speed = Annotated[float, above(0, 150)]
 PathAngle = Annotated[float, above(0, 45)]

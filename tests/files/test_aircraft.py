@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from sim_flights import AIRCRAFT, ALTITUDE, CESSNA, STEPS_PER_S
 
+from vfguide.files.aircraft_file import Aircraft, load_aircraft
+from vfguide.files.data import find_aircraft
 from vfguide.geometry.units import DEG, FT, G0
-from vfguide.scenario.aircraft_file import Aircraft, load_aircraft
-from vfguide.scenario.data import find_aircraft
 from vfguide.sim.autopilot.airframe_model import Airframe, identify
 from vfguide.sim.autopilot.inner_loop import inner_loop
 from vfguide.sim.autopilot.signals import Controls

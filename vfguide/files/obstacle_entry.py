@@ -4,8 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator
 
-from vfguide.scenario.source import Location, Source
-from vfguide.scenario.toml_types import (
+from vfguide.files.source import Location, Source
+from vfguide.files.toml_types import (
     Angle,
     Position,
     Table,

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, model_validator
 from pydantic_core import PydanticCustomError
 
-from vfguide.scenario.data import close_match
+from vfguide.files.data import close_match
 
 
 class Table(BaseModel):

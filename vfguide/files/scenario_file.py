@@ -6,9 +6,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import AfterValidator, AwareDatetime, Field
 
 from vfguide.companion.traffic import SMALL_AIRCRAFT
-from vfguide.scenario.fence import Fence
-from vfguide.scenario.obstacle_entry import ObstacleEntry
-from vfguide.scenario.toml_types import (
+from vfguide.files.fence import Fence
+from vfguide.files.obstacle_entry import ObstacleEntry
+from vfguide.files.toml_types import (
     Angle,
     Attitude,
     Position,
@@ -19,7 +19,7 @@ from vfguide.scenario.toml_types import (
     rule_broken,
     word,
 )
-from vfguide.scenario.traffic_entry import Address, TrafficEntry, TrafficReceiver
+from vfguide.files.traffic_entry import Address, TrafficEntry, TrafficReceiver
 
 Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator, Field
 
-from vfguide.scenario.toml_types import Position, Table, Vector, above, between, rule_broken
+from vfguide.files.toml_types import Position, Table, Vector, above, between, rule_broken
 
 ADDRESSES = 2**24
 """Of transponders; 0 is none."""

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Field
 
 from vfguide.airspace.fence import Zone
-from vfguide.scenario.source import Location, Source
-from vfguide.scenario.toml_types import Table, above, between, rule_broken, word
+from vfguide.files.source import Location, Source
+from vfguide.files.toml_types import Table, above, between, rule_broken, word
 
 Height = Annotated[float, between(-500, 10_000)]
 

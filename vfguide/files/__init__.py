@@ -1,0 +1,1 @@
+"""Scenario and aircraft files: their keys, what each may be, where they are found."""
