@@ -12,7 +12,7 @@ from plans import TEST_FLIGHT
 
 from vfguide.aircraft.state import FlightState
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.identification_flight import CHANGE, SPACING, circuit
+from vfguide.companion.circuit import CHANGE, SPACING, circuit
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
 

@@ -7,7 +7,8 @@ from conversations import Conversation
 
 from vfguide.aircraft.state import FlightState
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.identification_flight import NEEDED, circuit, least_room
+from vfguide.companion.circuit import circuit, least_room
+from vfguide.companion.identification_flight import NEEDED
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
 from vfguide.scenario.load import load_scenario
