@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from vfguide.companion.traffic import SMALL_AIRCRAFT, report_of
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.sim.traffic import Receiver, Transponder, Turn, flight_of, motion_at
+from vfguide.surveillance.report import SMALL_AIRCRAFT, report_of
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 TURNS = [Turn(10.0, 4.0, (0.0, 30.0, -3.0)), Turn(14.0, 2.0, (-20.0, 0.0, 0.0))]

@@ -4,9 +4,9 @@ import math
 from typing import Any, NamedTuple
 
 from vfguide.autopilots.makes import ASSUMED
-from vfguide.companion.plausibility import is_plausible
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, MM, MS, US
+from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import (
     AttitudeQuaternion,
     GpsGlobalOrigin,
@@ -16,6 +16,7 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
+from vfguide.link.plausibility import is_plausible
 
 STALE = 0.5
 """A position, an attitude or an airspeed older than this is not flown on [s]; without an airspeed
@@ -25,8 +26,6 @@ WIND_STALE = 5.0
 FIRST_DATE = 946_684_800_000_000
 """An earlier date than the year 2000 is none [us since 1970]."""
 UNKNOWN = (math.nan, math.nan, math.nan)
-ROLLOVER = 2**32
-"""time_boot_ms counts milliseconds in 32 bits: 49.7 days."""
 
 
 class Knowledge(NamedTuple):
@@ -137,9 +136,3 @@ def lacking(known: Knowledge) -> str | None:
     if abs(elapsed(position.time_boot_ms, attitude.time_boot_ms)) > STALE:
         return "the position is too old (LOCAL_POSITION_NED)"
     return None
-
-
-def elapsed(before_ms: int, after_ms: int) -> float:
-    """Time from one time_boot_ms to another [s], across the rollover."""
-    half = ROLLOVER // 2
-    return ((after_ms - before_ms + half) % ROLLOVER - half) * MS

@@ -9,11 +9,11 @@ from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
 from vfguide.airspace.keep_out import NO_FENCE, KeepOutZones
-from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import FLIGHT, Law
 from vfguide.loop.legs import Goal, Legs, leg_rows
+from vfguide.surveillance.report import SMALL_AIRCRAFT, Volume
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from vfguide.companion.annunciations import (
 )
 from vfguide.companion.hazard_annunciations import HazardAnnunciator
 from vfguide.companion.identification_flight import IdentificationFlight
-from vfguide.companion.knowledge import STALE, Knowledge, elapsed, heard, obstacle_time
+from vfguide.companion.knowledge import STALE, Knowledge, heard, obstacle_time
 from vfguide.companion.loop_report import (
     Noted,
     air_report,
@@ -32,12 +32,11 @@ from vfguide.companion.loop_report import (
     trusts_sensor_of_row,
 )
 from vfguide.companion.plan import Plan
-from vfguide.companion.surveillance import Surveillance
-from vfguide.companion.traffic import Ownship, Picture
 from vfguide.estimation.air_state import AirReport
 from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
+from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.loop.attempts import no_attempts
 from vfguide.loop.rows import step_measured
@@ -51,6 +50,9 @@ from vfguide.loop.state import (
     state_of_row,
     take_over,
 )
+from vfguide.surveillance.picture import Picture
+from vfguide.surveillance.report import Ownship
+from vfguide.surveillance.surveillance import Surveillance
 
 HELD = 1.0
 """A setpoint is made for the state so many of its periods after it begins to act: half of one for

@@ -5,7 +5,6 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, AwareDatetime, Field
 
-from vfguide.companion.traffic import SMALL_AIRCRAFT
 from vfguide.files.fence import Fence
 from vfguide.files.obstacle_entry import ObstacleEntry
 from vfguide.files.toml_types import (
@@ -20,6 +19,7 @@ from vfguide.files.toml_types import (
     word,
 )
 from vfguide.files.traffic_entry import Address, TrafficEntry, TrafficReceiver
+from vfguide.surveillance.report import SMALL_AIRCRAFT
 
 Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]

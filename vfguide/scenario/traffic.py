@@ -1,11 +1,11 @@
 """The other aircraft of a scenario: for the simulation, the companion and the result."""
 
-from vfguide.companion.traffic import SMALL_AIRCRAFT, Volume
 from vfguide.files.scenario_file import Avoidance
 from vfguide.files.source import Source
 from vfguide.files.toml_types import in_words
 from vfguide.scenario.resolved import Scenario, Traffic
 from vfguide.sim.traffic import Flight, Turn, flight_of
+from vfguide.surveillance.report import SMALL_AIRCRAFT, Volume
 
 
 def avoids_traffic(scenario: Scenario) -> bool:

@@ -3,9 +3,9 @@
 import math
 from typing import NamedTuple
 
-from vfguide.companion.knowledge import elapsed
-from vfguide.companion.traffic import Ownship, Report, placed_at
 from vfguide.geometry.vector import Vec3, sub
+from vfguide.link.boot_time import elapsed
+from vfguide.surveillance.report import Ownship, Report, placed_at
 
 HORIZON = 30.0
 """Conflicts are looked for so far ahead [s]."""

@@ -7,26 +7,24 @@ import pytest
 
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
-from vfguide.companion.knowledge import ROLLOVER
-from vfguide.companion.surveillance import NEAREST, Surveillance, rows_of
-from vfguide.companion.traffic import (
-    ANY_HEIGHT,
-    BARO_DOUBT,
-    FASTEST,
-    FORGOTTEN,
-    MOST,
-    SMALL_AIRCRAFT,
-    STEEPEST,
-    Ownship,
-    Picture,
-    report_of,
-)
 from vfguide.field.obstacle import obstacle_rows
 from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.rows import columns, width
 from vfguide.geometry.units import DEG, DEG_E7, MM
+from vfguide.link.boot_time import ROLLOVER
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
+from vfguide.surveillance.picture import FORGOTTEN, MOST, Picture
+from vfguide.surveillance.report import (
+    ANY_HEIGHT,
+    BARO_DOUBT,
+    FASTEST,
+    SMALL_AIRCRAFT,
+    STEEPEST,
+    Ownship,
+    report_of,
+)
+from vfguide.surveillance.surveillance import NEAREST, Surveillance, rows_of
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from vfguide.airspace.hazards import Hazards, traffic_rows
-from vfguide.companion.alerts import Alert, look
-from vfguide.companion.knowledge import elapsed
-from vfguide.companion.traffic import Ownship, Picture, Report, placed_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.vector import norm, sub
+from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
+from vfguide.surveillance.alerts import Alert, look
+from vfguide.surveillance.picture import Picture
+from vfguide.surveillance.report import Ownship, Report, placed_at
 
 LOOK = 0.5
 """Between two looks round [s]."""

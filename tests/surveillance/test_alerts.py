@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.airspace.hazards import Intruder
-from vfguide.companion.alerts import ENOUGH, HORIZON, LOOKS, WIDER, Alert, encounter, look
-from vfguide.companion.traffic import Ownship, Report
+from vfguide.surveillance.alerts import ENOUGH, HORIZON, LOOKS, WIDER, Alert, encounter, look
+from vfguide.surveillance.report import Ownship, Report
 
 OWN = Ownship(1000, (0.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 part = st.floats(-300.0, 300.0)

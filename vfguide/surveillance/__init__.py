@@ -1,0 +1,1 @@
+"""Who else flies: reports of other aircraft, the picture they make, alerts."""

@@ -1,0 +1,107 @@
+"""The traffic picture: whom of the others is heard of, and which of their reports are believed."""
+
+from typing import NamedTuple
+
+from vfguide.geometry.vector import Vec3, norm, sub
+from vfguide.link.boot_time import elapsed
+from vfguide.link.messages import AdsbVehicle
+from vfguide.surveillance.report import Ownship, Report, Volume, placed_at, report_of
+
+FORGOTTEN = 20.0
+"""A report as old as this is dropped [s]: twenty were missed, and its volume is twice as wide."""
+JUMP, SWIFT = 300.0, 100.0
+"""A report farther than this from where the last one is now, and this much a second [m, m/s], is
+believed only when the next one agrees with it."""
+ECHO, ECHO_SPEED = 15.0, 3.0
+"""Nearer than this to the own position [m] and velocity [m/s] it is the own transponder."""
+MOST = 200
+"""Aircraft that are remembered; of more, those heard of last are not."""
+
+
+class Heard(NamedTuple):
+    """What is kept of one aircraft."""
+
+    report: Report
+    odd: Report | None = None
+    """A later one that did not fit; None: none since."""
+
+
+def fits(before: Report, after: Report) -> bool:
+    """Whether one aircraft can have sent both."""
+    apart = norm(sub(placed_at(before, after.time_ms), after.intruder.p_n))
+    return apart <= JUMP + SWIFT * abs(elapsed(before.time_ms, after.time_ms))
+
+
+def is_ownship_echo(report: Report, ownship: Ownship) -> bool:
+    """Whether it is where the own vehicle is and flies as it does."""
+    near = norm(sub(placed_at(report, ownship.time_ms), ownship.p_n)) < ECHO
+    return near and norm(sub(report.intruder.v_n, ownship.v_n)) < ECHO_SPEED
+
+
+class Picture:
+    """Who else flies, by their addresses."""
+
+    def __init__(self, origin: Vec3, volume: Volume, own_icao: int = 0) -> None:
+        """A picture of nobody.
+
+        Args:
+            origin: of the plan's frame.
+            volume: to keep out of.
+            own_icao: address of the own transponder; 0: there is none.
+        """
+        self._origin, self._volume, self._own_icao = origin, volume, own_icao
+        self._heard: dict[int, Heard] = {}
+        self.refused = 0
+        """Number of reports that were not believed."""
+
+    def __len__(self) -> int:
+        return len(self._heard)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nobody is heard of."""
+        return not self._heard
+
+    def hear(self, said: AdsbVehicle, now_ms: int) -> None:
+        """Take a report that arrives at the autopilot's time `now_ms`."""
+        if said.ICAO_address == self._own_icao != 0:
+            return
+        report = report_of(said, now_ms, self._origin, self._volume)
+        if report is None:
+            self.refused += 1
+            return
+        known = self._heard.get(report.icao)
+        if known is None:
+            if len(self._heard) < MOST:
+                self._heard[report.icao] = Heard(report)
+        elif elapsed(known.report.time_ms, report.time_ms) < 0.0:
+            return
+        elif fits(known.report, report) or (known.odd is not None and fits(known.odd, report)):
+            self._heard[report.icao] = Heard(report)
+        else:
+            self.refused += 1
+            self._heard[report.icao] = Heard(known.report, report)
+
+    def forget(self, now_ms: int) -> None:
+        """Drop those not heard of for too long; an autopilot that began anew counts as that."""
+        self._heard = {
+            icao: each
+            for icao, each in self._heard.items()
+            if abs(elapsed(each.report.time_ms, now_ms)) < FORGOTTEN
+        }
+
+    def others(self, ownship: Ownship) -> list[Report]:
+        """All but the own echo, the nearest first."""
+        there = (
+            each.report
+            for each in self._heard.values()
+            if not is_ownship_echo(each.report, ownship)
+        )
+        return sorted(
+            there, key=lambda each: norm(sub(placed_at(each, ownship.time_ms), ownship.p_n))
+        )
+
+    def newest(self, icao: int) -> Report | None:
+        """The newest report of one; None: it is forgotten."""
+        known = self._heard.get(icao)
+        return None if known is None else known.report
