@@ -8,11 +8,11 @@ import jsbsim
 from vfguide.geometry.rows import columns
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
-from vfguide.sim.autopilot.airframe_model import Airframe, identify
-from vfguide.sim.autopilot.inner_loop import inner_loop
-from vfguide.sim.autopilot.rate_loop import Axis, RateTable
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model, Start, Weather
+from vfguide.sim.inner_loop.airframe_model import Airframe, identify
+from vfguide.sim.inner_loop.inner_loop import inner_loop
+from vfguide.sim.inner_loop.rate_loop import Axis, RateTable
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.trim import trim
 from vfguide.sim.truth import Truth

@@ -20,13 +20,13 @@ import numpy as np
 from vfguide.aircraft.gain_scheduling import airspeed_gains
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Series, Vec3, Vectors
-from vfguide.sim.autopilot.airframe_model import identify
-from vfguide.sim.autopilot.inner_loop import inner_loop
-from vfguide.sim.autopilot.signals import Inner
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Model, Start
 from vfguide.sim.fdm import stock_root
+from vfguide.sim.inner_loop.airframe_model import identify
+from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.signals import Inner
 from vfguide.sim.trim import TrimError, trim
 
 STEADY = (0.0, 0.0, 0.0)

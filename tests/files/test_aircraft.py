@@ -12,13 +12,13 @@ from sim_flights import AIRCRAFT, ALTITUDE, CESSNA, STEPS_PER_S
 from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft
 from vfguide.geometry.units import DEG, FT, G0
-from vfguide.sim.autopilot.airframe_model import Airframe, identify
-from vfguide.sim.autopilot.inner_loop import inner_loop
-from vfguide.sim.autopilot.signals import Controls
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model, Start
 from vfguide.sim.fdm import stock_root
+from vfguide.sim.inner_loop.airframe_model import Airframe, identify
+from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
+from vfguide.sim.signals import Controls
 from vfguide.sim.trim import TrimError, trim
 
 NAMES = ["aerosonde", "easystar", "c172p"]

@@ -6,11 +6,11 @@ import pytest
 from sim_flights import AEROSONDE, ALTITUDE, CESSNA, airframe, bench, steady, terms
 
 from vfguide.geometry.units import DEG
-from vfguide.sim.autopilot.airframe_model import Airframe, AirframeModelError, identify, rate_table
-from vfguide.sim.autopilot.signals import Controls
-from vfguide.sim.autopilot.thrust_map import throttle_for
 from vfguide.sim.condition import FlightCondition, Model
 from vfguide.sim.fdm import ModelError
+from vfguide.sim.inner_loop.airframe_model import Airframe, AirframeModelError, identify, rate_table
+from vfguide.sim.inner_loop.thrust_map import throttle_for
+from vfguide.sim.signals import Controls
 from vfguide.sim.trim import TrimError
 
 AREA, SPAN, CHORD, STOP = 0.55, 2.8956, 0.18994, 25.0 * DEG

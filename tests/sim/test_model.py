@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from sim_flights import AIRCRAFT, ALTITUDE, bench
 
 from vfguide.geometry.units import DEG, FT, G0, LBF
-from vfguide.sim.autopilot.signals import Controls
 from vfguide.sim.condition import FlightCondition
+from vfguide.sim.signals import Controls
 
 MASS, AREA, SPAN, CHORD = 11.0, 0.55, 2.8956, 0.18994
 INERTIA = np.array([[0.8244, 0.0, -0.1204], [0.0, 1.135, 0.0], [-0.1204, 0.0, 1.759]])

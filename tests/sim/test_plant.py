@@ -20,11 +20,11 @@ from sim_flights import (
 
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, FT
-from vfguide.sim.autopilot.inner_loop import inner_loop
-from vfguide.sim.autopilot.signals import Controls, Inner
 from vfguide.sim.condition import FlightCondition, Model, Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
+from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.plant import Plant
+from vfguide.sim.signals import Controls, Inner
 
 pytestmark = pytest.mark.slow
 

@@ -14,10 +14,10 @@ from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of
-from vfguide.sim.autopilot.airframe_model import AirframeModelError
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Turbulence, Weather
 from vfguide.sim.fdm import ModelError
+from vfguide.sim.inner_loop.airframe_model import AirframeModelError
 from vfguide.sim.traffic import Transponder
 from vfguide.sim.trim import TrimError, trim
 from vfguide.sim.vehicle import Setup

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from vfguide.geometry.units import KT
 from vfguide.geometry.vector import Vec3
-from vfguide.sim.autopilot.signals import Controls
+from vfguide.sim.signals import Controls
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,9 @@ import numpy as np
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
 from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
-from vfguide.sim.autopilot.signals import ControlTuple, InnerTuple
 from vfguide.sim.condition import Model, Start, Turbulence, Weather
 from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
+from vfguide.sim.signals import ControlTuple, InnerTuple
 from vfguide.sim.truth import Truth
 
 STEP = 1.0 / 200.0

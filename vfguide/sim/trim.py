@@ -10,10 +10,10 @@ from scipy.optimize import least_squares
 from vfguide.geometry.rows import row_of, table_of
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Matrix, Vector
-from vfguide.sim.autopilot.signals import Controls
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
 from vfguide.sim.plant import Accelerations
+from vfguide.sim.signals import Controls
 
 
 class Unknowns(NamedTuple):

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
-from vfguide.sim.autopilot.airframe_model import identify
 from vfguide.sim.autopilot.autopilot import Autopilot
 from vfguide.sim.autopilot.command_server import receive
 from vfguide.sim.autopilot.instruments import EXACT, Instruments
 from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.autopilot.motor import SOUND, Motor
 from vfguide.sim.condition import Model, Start, Weather
+from vfguide.sim.inner_loop.airframe_model import identify
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.traffic import Receiver, Transponder
 from vfguide.sim.truth import Truth

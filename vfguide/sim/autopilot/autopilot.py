@@ -12,18 +12,18 @@ from vfguide.geometry.units import G0, MS
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
-from vfguide.sim.autopilot.airframe_model import Airframe
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
 from vfguide.sim.autopilot.flight_mode import LOST, NEXT, REPORTED, Event, Mode
-from vfguide.sim.autopilot.inner_loop import inner_loop
 from vfguide.sim.autopilot.instruments import Instruments
 from vfguide.sim.autopilot.loiter import Loiter
 from vfguide.sim.autopilot.mavlink_channel import SECOND, MavlinkChannel
 from vfguide.sim.autopilot.motor import SOUND, Motor
 from vfguide.sim.autopilot.noise import RateNoise
 from vfguide.sim.autopilot.parameters import HOLD_ACTION, Parameters
-from vfguide.sim.autopilot.signals import Controls, ControlTuple, Inner, InnerTuple, without_names
 from vfguide.sim.autopilot.telemetry import MAKERS, Report
+from vfguide.sim.inner_loop.airframe_model import Airframe
+from vfguide.sim.inner_loop.inner_loop import inner_loop
+from vfguide.sim.signals import Controls, ControlTuple, Inner, InnerTuple, without_names
 from vfguide.sim.truth import Truth
 
 ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)

@@ -9,7 +9,7 @@ import numpy as np
 
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.autopilot.instruments import Errors
-from vfguide.sim.autopilot.signals import InnerTuple
+from vfguide.sim.signals import InnerTuple
 
 BLOCK = 4096
 """Random numbers are drawn by so many: one at a time costs a microsecond."""

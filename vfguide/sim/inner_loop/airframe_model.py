@@ -9,12 +9,12 @@ import numpy as np
 from vfguide.geometry.rows import place, python_reader, row_of, width
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Matrix, Vec3, Vector
-from vfguide.sim.autopilot.inner_loop import Tables
-from vfguide.sim.autopilot.rate_loop import Axis, RateTable
-from vfguide.sim.autopilot.signals import Controls
-from vfguide.sim.autopilot.thrust_map import ThrustMap, thrust_map
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model
+from vfguide.sim.inner_loop.inner_loop import Tables
+from vfguide.sim.inner_loop.rate_loop import Axis, RateTable
+from vfguide.sim.inner_loop.thrust_map import ThrustMap, thrust_map
+from vfguide.sim.signals import Controls
 from vfguide.sim.trim import trim
 
 

@@ -2,9 +2,9 @@
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
-from vfguide.sim.autopilot.rate_loop import RateTable, rate_loop
-from vfguide.sim.autopilot.signals import ControlTuple, Inner, InnerTuple
-from vfguide.sim.autopilot.thrust_map import Axes, AxesTuple, Throttles, throttle_for
+from vfguide.sim.inner_loop.rate_loop import RateTable, rate_loop
+from vfguide.sim.inner_loop.thrust_map import Axes, AxesTuple, Throttles, throttle_for
+from vfguide.sim.signals import ControlTuple, Inner, InnerTuple
 
 Tables = tuple[RateTable, Throttles, AxesTuple]
 """What the loop knows of its airframe: the table of `rate_loop`, then those of `throttle_for`."""

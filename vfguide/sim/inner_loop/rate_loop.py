@@ -14,7 +14,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, reader
 from vfguide.geometry.vector import Vec3, dot, sub
-from vfguide.sim.autopilot.signals import Inner, Surfaces
+from vfguide.sim.signals import Inner, Surfaces
 
 
 class Axis(NamedTuple):

@@ -11,9 +11,9 @@ import numpy as np
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Matrix, Series
-from vfguide.sim.autopilot.signals import Controls
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
+from vfguide.sim.signals import Controls
 
 Throttles = Matrix
 """Throttle over airspeed (rows) and thrust setpoint (columns, 0 to SETPOINT_MAX)."""

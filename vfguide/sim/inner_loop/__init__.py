@@ -1,0 +1,1 @@
+"""The inner loop: body rates and thrust to surfaces and throttle, by a measured model."""
