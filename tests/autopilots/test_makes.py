@@ -1,6 +1,7 @@
 """What the companion relies on in every autopilot that it can fly with."""
 
 import pytest
+from pages import ROOT
 
 from vfguide.autopilots.makes import ASSUMED, AUTOPILOTS, BY_MAKE, autopilot_of
 from vfguide.geometry.projection import geodetic_of
@@ -69,3 +70,13 @@ def test_its_local_frame_has_an_origin_and_north_ahead(autopilot):
     latitude, longitude = geodetic_of(projection, 0.8, 0.1, 1000.0, 0.0)
     assert latitude - 0.8 == pytest.approx(1000.0 / 6.37e6, rel=0.01)
     assert longitude == pytest.approx(0.1)
+
+
+KNOW_NO_MAKE = ("companion", "surveillance", "daemon", "replay", "loop", "estimation", "control")
+FILES = sorted(file for room in KNOW_NO_MAKE for file in (ROOT / "vfguide" / room).rglob("*.py"))
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
+def test_what_goes_on_with_any_autopilot_names_none(file):
+    words = file.read_text().lower()
+    assert not [name for name in ("px4", "ardu", "offboard") if name in words]
