@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.hazards import AHEAD, Intruder, traffic_rows, traffic_zones
+from vfguide.airspace.hazards import TRAFFIC_LOOKAHEAD, Intruder, traffic_rows, traffic_zones
 from vfguide.airspace.keep_out import KeepOutZone, read_zone_row
 from vfguide.airspace.planar_clearance import zone_row_distance
 from vfguide.geometry.rows import width
@@ -23,7 +23,7 @@ def outlines(v_n=(10.0, -30.0, 0.0), z=-110.0, t=42.0, uncertainty_rate_up=0.0):
 def test_a_circle_that_moves_with_it(t):
     seen = outlines()
     x, y = 100.0 + 10.0 * (t - 40.0), 200.0 - 30.0 * (t - 40.0)
-    radius = 50.0 + 3.0 * (2.0 + AHEAD)
+    radius = 50.0 + 3.0 * (2.0 + TRAFFIC_LOOKAHEAD)
     at = (x + 200.0, y, t, math.inf)
     distance = zone_row_distance(read_zone_row(seen.table[0]), seen.sides, *at)
     assert distance == pytest.approx(200.0 - radius)

@@ -1,1 +1,1 @@
-"""What is in the air and around it: obstacles, traffic, fence."""
+"""Obstacles, traffic and the geofence: detection, and distances from all of them."""

@@ -1,4 +1,4 @@
-"""The stage of detection: which of the obstacles are known by now."""
+"""The stage of detection: which of the obstacles are known."""
 
 from typing import Annotated, Any, NamedTuple
 
@@ -22,11 +22,11 @@ class Airspace(NamedTuple):
     """What to keep clear of at one step."""
 
     hazards: Hazards
-    """Before detection all of the plan, after it those that are known."""
+    """All hazards of the plan before detection, the known ones after it."""
     zones: KeepOutZones
-    """The fence as the search for ways takes it."""
+    """The fence as keep-out zones of the route search."""
     time: float
-    """On the clock of the obstacles [s]."""
+    """Time on the clock of the obstacles [s]."""
     gust: float
     """Speed of the gusts, one standard deviation [m/s]."""
 
@@ -46,16 +46,17 @@ def airspace_of(values: AirspaceTuple | None) -> Airspace | None:
 
 
 class DetectionState(NamedTuple):
-    """What one step leaves for the next."""
+    """What the stage keeps from one step to the next."""
 
     known: Annotated[Known, OPEN]
+    """Which obstacles are known, (M,)."""
 
 
 @compiled
 def update(
     nav: NavState, airspace: Airspace | None, s: DetectionState
 ) -> tuple[Airspace | None, DetectionState]:
-    """The airspace without the obstacles that nobody has seen yet; None compiles to nothing."""
+    """The airspace without undetected obstacles, and what is known; None compiles to nothing."""
     if airspace is None:
         return None, s
     known = s.known.copy()
@@ -65,7 +66,7 @@ def update(
 
 @compiled
 def in_sight(hazards: Hazards, known: Known, p_n: Vec3, t: float) -> Hazards:
-    """The hazards with every obstacle that is not known yet out of the way; once known stays so."""
+    """The hazards with undetected obstacles moved out of sight; updates `known`, which stays 1."""
     obstacles = hazards.obstacles
     if len(obstacles) == 0:
         return hazards
@@ -80,7 +81,7 @@ def in_sight(hazards: Hazards, known: Known, p_n: Vec3, t: float) -> Hazards:
 
 @compiled
 def comes_into_sight(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
-    """Whether obstacle `i` is near enough to be seen from `p_n` (NED)."""
+    """Whether obstacle `i` is near enough to be detected from `p_n` (NED) [m] at time `t` [s]."""
     visible_from = read_obstacle(obstacles[i]).visible_from
     if distance_bound(obstacles, i, p_n, t) > visible_from:
         return False

@@ -1,4 +1,4 @@
-"""Lower bounds of the distance from an obstacle, for what must be asked often and never wrongly.
+"""Lower bounds of the distance from an obstacle: cheap, and never too large.
 
 Two bounds are good in different places, and the larger one is taken. Near the surface it is the
 gauge's: f = U^(1/m), m twice the least exponent, is convex for every shape here (the norm of
@@ -14,7 +14,7 @@ from vfguide.geometry.vector import Vec3
 
 @compiled
 def distance_bound(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
-    """At most the distance of `p_n` (NED) from the surface of row `i` at time `t` [m].
+    """Lower bound of the distance of `p_n` (NED) from the surface of row `i` at time `t` [m].
 
     Exact for spheres from outside, within a few per cent of the size for the other shapes, and
     tight at the surface from outside; negative inside, and there at most a size too low.

@@ -1,7 +1,7 @@
-"""Fences: upright polygons and circles to stay in or out of, between two heights.
+"""Geofence: upright prisms and cylinders to stay in or out of, between two heights.
 
-`fences` packs them into two arrays. Heights are above the guidance frame's origin [m], so
-that z down is minus the height.
+`fences` packs them into two arrays. Heights are above the guidance frame's origin [m], so that z
+(down) is minus the height.
 """
 
 import math
@@ -23,28 +23,32 @@ class Zone(NamedTuple):
     """An upright prism or cylinder."""
 
     inclusion: bool
-    """To be stayed in; else to be stayed out of."""
+    """Whether it must be stayed in; else it must be stayed out of."""
     corners: tuple[Point, ...]
-    """Of a polygon in order, at least three; of a circle its centre alone."""
+    """Corners of a polygon in order, at least three, or the centre of a circle alone."""
     radius: float = 0.0
-    """Of the circle [m]."""
+    """Radius of the circle [m], 0 for a polygon."""
     lowest: float = -math.inf
+    """Least height at which it holds [m]."""
     highest: float = math.inf
-    """Heights between which it holds [m]."""
+    """Greatest height at which it holds [m]."""
 
 
 class PackedZone(NamedTuple):
     """A zone whose corners are among those of all zones."""
 
     inclusion: bool
+    """Whether it must be stayed in."""
     first_corner: int
+    """Row of its first corner among those of all zones."""
     corners: int
-    """How many it has, one for a circle."""
+    """Number of its corners, 1 for a circle."""
     radius: float
-    """Of the circle [m]."""
+    """Radius of the circle [m], 0 for a polygon."""
     lowest: float
+    """Least height at which it holds [m]."""
     highest: float
-    """Heights between which it holds [m]."""
+    """Greatest height at which it holds [m]."""
 
 
 read_zone = reader(PackedZone)
@@ -54,9 +58,9 @@ class Fences(NamedTuple):
     """Zones as arrays."""
 
     zones: Rows
-    """A `PackedZone` a row."""
+    """One `PackedZone` a row."""
     corners: Vectors
-    """(C, 2): north, east [m]."""
+    """Corners of all zones, (C, 2): north, east [m]."""
 
 
 def fences(zones: Sequence[Zone]) -> Fences:
@@ -75,10 +79,10 @@ def fences(zones: Sequence[Zone]) -> Fences:
 
 
 def check_zone(zone: Zone) -> None:
-    """A zone is a polygon or a circle, and upright.
+    """Check that a zone is a polygon or a circle, and that its heights are in order.
 
     Raises:
-        ValueError: it is not.
+        ValueError: it is neither, or the heights are not.
     """
     count = len(zone.corners)
     if not (count >= 3 and zone.radius == 0.0) and not (count == 1 and zone.radius > 0.0):
@@ -89,7 +93,7 @@ def check_zone(zone: Zone) -> None:
 
 @compiled
 def fence_distance(fences: Fences, i: int, p_n: Vec3) -> float:
-    """Distance of `p_n` (NED) to where zone `i` is violated [m], negative where it is."""
+    """Distance of `p_n` (NED) from violating zone `i` [m], negative where it is violated."""
     zone, height = read_zone(fences.zones[i]), -p_n[2]
     flat = zone_distance(zone, fences.corners, p_n[0], p_n[1])
     upright = max(zone.lowest - height, height - zone.highest)

@@ -1,4 +1,7 @@
-"""All that must not be hit, as arrays, and how near a point is to each of it."""
+"""All hazards as arrays, and the distance of a point from each of them.
+
+Hazards are numbered: obstacles, zones of the fence, floor and ceiling together, traffic.
+"""
 
 import math
 from collections.abc import Sequence
@@ -22,64 +25,68 @@ from vfguide.geometry.rows import reader, table_of, width
 from vfguide.geometry.shapes.cylinder import upright_distance
 from vfguide.geometry.vector import Vec3
 
-AHEAD = 5.0
-"""The search for ways takes traffic as large as it is known so much later [s]."""
+TRAFFIC_LOOKAHEAD = 5.0
+"""Time by which the route search grows the volumes of traffic beyond the present [s]; chosen."""
 MOVER_UNCERTAINTY = 0.1
-"""Growth of the doubt where a moving obstacle is, as a part of its speed."""
+"""Growth of the position uncertainty of a moving obstacle, as a ratio to its speed; chosen."""
 
 
 class Intruder(NamedTuple):
     """Another aircraft: an upright cylinder that grows with the age of its report."""
 
     p_n: Vec3
-    """At the time of the report, NED [m]."""
+    """Position at the time of the report, NED [m]."""
     v_n: Vec3
-    """NED [m/s]."""
+    """Velocity, NED [m/s]."""
     time: float
-    """Of the report, on the clock of the obstacles [s]."""
+    """Time of the report on the clock of the obstacles [s]."""
     radius: float
+    """Radius of the volume to keep out of [m]."""
     half_height: float
-    """Of the volume to keep out of [m]."""
+    """Half height of that volume [m]."""
     uncertainty_rate: float
+    """Growth of the radius with the age of the report [m/s]."""
     uncertainty_rate_up: float
-    """Of radius and half height with the report's age [m/s]."""
+    """Growth of the half height with the age of the report [m/s]."""
 
 
 INTRUDER_WIDTH = width(Intruder)
-"""How many numbers the row of an intruder has."""
+"""Number of floats in the row of an `Intruder`."""
 read_intruder = reader(Intruder)
 
 
 class Hazards(NamedTuple):
-    """Everything to keep clear of that is known."""
+    """Everything known that must be kept clear of."""
 
     obstacles: Rows
-    """Of `obstacle_rows`, M rows."""
+    """Table of `obstacle_rows`, M rows."""
     traffic: Rows
-    """An `Intruder` a row."""
+    """One `Intruder` a row."""
     fences: Fences
+    """Zones of the geofence."""
     floor: float
+    """Least height above the guidance frame's origin [m], minus infinity for none."""
     ceiling: float
-    """Heights above the guidance frame's origin to stay between [m]; infinite for none."""
+    """Greatest height above the guidance frame's origin [m], infinite for none."""
 
 
 def traffic_rows(intruders: Sequence[Intruder]) -> Rows:
-    """The intruders as a table, one a row."""
+    """The intruders as a table, one `Intruder` a row."""
     return table_of(Intruder, intruders)
 
 
 @compiled
 def hazard_count(hazards: Hazards) -> int:
-    """How many there are: obstacles, zones of the fence, its heights as one, and traffic.
+    """Number of hazards: obstacles, zones of the fence, its heights as one, and traffic.
 
-    Traffic comes and goes: it is last, so that the numbers of all others stay.
+    Traffic comes last, because it comes and goes: so the numbers of all others stay.
     """
     return len(hazards.obstacles) + len(hazards.traffic) + len(hazards.fences.zones) + 1
 
 
 @compiled
 def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
-    """At most the distance of `p_n` (NED) from hazard `i` at time `t` [m], negative inside."""
+    """Lower bound of the distance of `p_n` (NED) from hazard `i` at `t` [m], negative inside."""
     if i < len(hazards.obstacles):
         return distance_bound(hazards.obstacles, i, p_n, t)
     i -= len(hazards.obstacles)
@@ -108,24 +115,25 @@ def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
 
 @compiled
 def traffic_zones(traffic: Rows, band: Band, margin: float, t: float) -> KeepOutZones:
-    """What traffic covers of a band of heights that is wider by `margin` [m] on both sides.
+    """Keep-out zones of traffic in a band of heights, widened by `margin` [m] on both sides.
 
-    Moving circles for the search of ways, as large as the volumes `AHEAD` seconds after `t`.
+    They are moving circles for the route search, as large as the volumes will be
+    `TRAFFIC_LOOKAHEAD` after `t` [s].
     """
     table, used = np.zeros((len(traffic), ZONE_ROW_WIDTH)), 0
     for row in traffic:
-        outline = traffic_outline(read_intruder(row), band, margin, t)
-        if outline.since <= outline.until:
-            write_zone_row(outline, table[used])
+        zone = traffic_outline(read_intruder(row), band, margin, t)
+        if zone.since <= zone.until:
+            write_zone_row(zone, table[used])
             used += 1
     return KeepOutZones(table[:used], np.zeros((0, SIDE_WIDTH)))
 
 
 @compiled
 def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> KeepOutZone:
-    """The same of one intruder; where it never comes into the band, until before since."""
+    """The keep-out zone of one intruder; it ends before it begins if the band is never reached."""
     (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
-    grown = max(t - time, 0.0) + AHEAD
+    grown = max(t - time, 0.0) + TRAFFIC_LOOKAHEAD
     reach = intruder.half_height + grown * intruder.uncertainty_rate_up + margin
     since, until = stay_in(band.top - reach - down, band.bottom + reach - down, sinking)
     x, y, radius = (
@@ -139,7 +147,7 @@ def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> 
 
 @compiled
 def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
-    """From when until when speed * t is between two numbers; turned round: never."""
+    """First and last time [s] at which `speed` t is in [low, high]; never if the first is later."""
     if speed == 0.0:
         return (-math.inf, math.inf) if low <= 0.0 <= high else (math.inf, -math.inf)
     return min(low / speed, high / speed), max(low / speed, high / speed)
@@ -147,7 +155,7 @@ def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
 
 @compiled
 def hazard_speed(hazards: Hazards, i: int) -> float:
-    """How fast hazard `i` can come nearer to a point that stands still [m/s]."""
+    """Largest closing speed of hazard `i` towards a fixed point [m/s]."""
     if i < len(hazards.obstacles):
         return obstacle_speed(hazards.obstacles, i)
     i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
@@ -158,7 +166,7 @@ def hazard_speed(hazards: Hazards, i: int) -> float:
 
 @compiled
 def intruder_speed(intruder: Intruder) -> float:
-    """How fast its volume can come nearer to a point that stands still [m/s]."""
+    """Largest closing speed of the volume of an intruder towards a fixed point [m/s]."""
     north, east, down = intruder.v_n
     uncertainty_rate = math.hypot(intruder.uncertainty_rate, intruder.uncertainty_rate_up)
     return math.sqrt(north**2 + east**2 + down**2) + uncertainty_rate
@@ -166,7 +174,7 @@ def intruder_speed(intruder: Intruder) -> float:
 
 @compiled
 def hazard_uncertainty_rate(hazards: Hazards, i: int) -> float:
-    """Growth of the doubt where hazard `i` is that is not in its distance [m/s]."""
+    """Growth of the position uncertainty of hazard `i` that its distance does not contain [m/s]."""
     if i >= len(hazards.obstacles):
         return 0.0
     return MOVER_UNCERTAINTY * obstacle_speed(hazards.obstacles, i)
@@ -174,6 +182,6 @@ def hazard_uncertainty_rate(hazards: Hazards, i: int) -> float:
 
 @compiled
 def obstacle_speed(obstacles: Rows, i: int) -> float:
-    """How fast row `i` moves [m/s]."""
+    """Speed of the obstacle of row `i` [m/s]."""
     north, east, down = read_obstacle(obstacles[i]).v_n
     return math.sqrt(north**2 + east**2 + down**2)

@@ -1,4 +1,4 @@
-"""What a coarse search keeps clear of: circles and polygons in the plane that may move.
+"""Keep-out zones of the route search: circles and polygons in the plane that may move.
 
 Obstacles are taken as their footprints in the band of heights that is flown; a fence adds circles
 and polygons of its own, to keep out of or to keep in.
@@ -27,8 +27,10 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, replacing, table_of, width, writer
 from vfguide.geometry.vector import Vectors
 
-KEEP_OUT, KEEP_IN = 1.0, -1.0
-"""Sign of an outline: one may not be inside it, or not outside it."""
+KEEP_OUT = 1.0
+"""Sign of a zone that must be stayed out of."""
+KEEP_IN = -1.0
+"""Sign of a zone that must be stayed in."""
 
 
 class KeepOutZone(NamedTuple):
@@ -37,28 +39,32 @@ class KeepOutZone(NamedTuple):
     sign: float
     """`KEEP_OUT` or `KEEP_IN`."""
     x: float
+    """North coordinate of its centre at t = 0 [m]."""
     y: float
-    """Its place at t = 0, NED [m]."""
+    """East coordinate of its centre at t = 0 [m]."""
     vx: float
+    """Velocity to the north [m/s]."""
     vy: float
-    """Its velocity, NED [m/s]."""
+    """Velocity to the east [m/s]."""
     speed: float
-    """[m/s]."""
+    """Length of the velocity [m/s]."""
     bounding_radius: float
-    """Of the circle about its place that holds it [m]; of a circle its own."""
+    """Radius of the circle around its centre that contains it [m]."""
     first_side: int
     """Row of its first side among the `sides` of all."""
     sides: int
-    """How many sides it has, none for a circle."""
+    """Number of its sides, 0 for a circle."""
     since: float
+    """Time from which on it counts [s]."""
     until: float
-    """When it is there [s]."""
+    """Time up to which it counts [s]."""
     is_convex: bool
-    """Whether its farthest side is its distance, as it is round a footprint but for a fiftieth."""
+    """Whether the distance is taken as that from the farthest side; around a footprint that is up
+    to 2 % too small at the corners."""
 
 
 ZONE_ROW_WIDTH = width(KeepOutZone)
-"""How many numbers the row of an outline has."""
+"""Number of floats in the row of a `KeepOutZone`."""
 read_zone_row, write_zone_row = reader(KeepOutZone), writer(KeepOutZone)
 with_first_side = replacing(KeepOutZone, "first_side")
 
@@ -67,17 +73,17 @@ class KeepOutZones(NamedTuple):
     """Circles and polygons, and the sides of the polygons about their places."""
 
     table: Rows
-    """An `KeepOutZone` a row."""
+    """One `KeepOutZone` a row."""
     sides: Rows
-    """A `Side` a row, about the place of its outline."""
+    """One `Side` a row, relative to the centre of its zone."""
 
 
 @compiled
 def hazards_of(obstacles: Rows, band: Band, margin: float) -> KeepOutZones:
-    """What obstacles cover of a band of heights that is wider by `margin` [m] on both sides.
+    """Keep-out zones of obstacles in a band of heights, widened by `margin` [m] on both sides.
 
-    A point in the band that is farther than `margin` from all of it is farther than that from
-    every obstacle; nearer ones are at least as far from the obstacles as from it.
+    A point in the band that is farther than `margin` from every zone is farther than that from
+    every obstacle; a nearer point is at least as far from the obstacles as from the zones.
     """
     count = len(obstacles)
     table, sides = np.zeros((count, ZONE_ROW_WIDTH)), np.zeros((SIDES * count, SIDE_WIDTH))
@@ -88,9 +94,9 @@ def hazards_of(obstacles: Rows, band: Band, margin: float) -> KeepOutZones:
         if since > until or section.a <= 0.0 or section.b <= 0.0:
             continue
         obstacle = read_obstacle(obstacles[i])
-        outline = footprint_zone(obstacle, section, since, until, sides, first)
-        write_zone_row(outline, table[used])
-        used, first = used + 1, first + outline.sides
+        zone = footprint_zone(obstacle, section, since, until, sides, first)
+        write_zone_row(zone, table[used])
+        used, first = used + 1, first + zone.sides
     return KeepOutZones(table[:used], sides[:first])
 
 
@@ -103,7 +109,7 @@ def footprint_zone(
     sides: Rows,
     first: int,
 ) -> KeepOutZone:
-    """The outline of a section of an obstacle; its sides are written from row `first` on."""
+    """The zone of a section of an obstacle; writes its sides from row `first` on."""
     number, radius = 0, section.a
     if not is_round(section):
         number, there = SIDES, sides[first : first + SIDES]
@@ -116,7 +122,7 @@ def footprint_zone(
 
 @compiled
 def bounding_radius_of(sides: Rows) -> float:
-    """Radius of the circle round the origin that holds the polygon [m]."""
+    """Radius of the circle around the origin that contains the polygon [m]."""
     most = 0.0
     for k in range(len(sides)):
         corner = read_side(sides[k])
@@ -125,13 +131,13 @@ def bounding_radius_of(sides: Rows) -> float:
 
 
 def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> KeepOutZones:
-    """A circle of a fence at (x, y), NED [m]."""
-    outline = KeepOutZone(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
-    return KeepOutZones(table_of(KeepOutZone, (outline,)), table_of(Side, ()))
+    """A circle of a fence around (x, y), north and east [m], that does not move."""
+    zone = KeepOutZone(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
+    return KeepOutZones(table_of(KeepOutZone, (zone,)), table_of(Side, ()))
 
 
 def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> KeepOutZones:
-    """A polygon of a fence by its corners, NED [m], either way round."""
+    """A polygon of a fence by its corners, north and east [m], in either direction of rotation."""
     points: Vectors = np.array(corners, dtype=float)
     following: Vectors = np.roll(points, -1, axis=0)
     area = np.sum(points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0])
@@ -139,12 +145,12 @@ def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> K
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     sides, (x, y) = sides_of(points - centre), centre
     place, radius = (sign, x, y, 0.0, 0.0, 0.0), bounding_radius_of(sides)
-    outline = KeepOutZone(*place, radius, 0, len(sides), -math.inf, math.inf, False)
-    return KeepOutZones(table_of(KeepOutZone, (outline,)), sides)
+    zone = KeepOutZone(*place, radius, 0, len(sides), -math.inf, math.inf, False)
+    return KeepOutZones(table_of(KeepOutZone, (zone,)), sides)
 
 
 def sides_of(corners: Vectors) -> Rows:
-    """Sides of a polygon from its corners (N, 2), a `Side` a row."""
+    """The sides of a polygon, one `Side` a row, from its corners (N, 2) [m], clockwise."""
     along: Vectors = np.roll(corners, -1, axis=0) - corners
     normals = np.column_stack((along[:, 1], -along[:, 0]))
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
@@ -155,13 +161,13 @@ def sides_of(corners: Vectors) -> Rows:
 
 @compiled
 def joined(one: KeepOutZones, other: KeepOutZones) -> KeepOutZones:
-    """The hazards of both."""
+    """The zones of both."""
     table = np.concatenate((one.table, other.table))
     for i in range(len(one.table), len(table)):
-        outline = read_zone_row(table[i])
-        write_zone_row(with_first_side(outline, outline.first_side + len(one.sides)), table[i])
+        zone = read_zone_row(table[i])
+        write_zone_row(with_first_side(zone, zone.first_side + len(one.sides)), table[i])
     return KeepOutZones(table, np.concatenate((one.sides, other.sides)))
 
 
 NO_FENCE = KeepOutZones(table_of(KeepOutZone, ()), table_of(Side, ()))
-"""Nothing to keep clear of."""
+"""The keep-out zones of a scenario without a fence: none."""

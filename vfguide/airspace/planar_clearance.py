@@ -1,4 +1,4 @@
-"""How far places and flown paths are from the hazards."""
+"""Planar clearance: distances of points and flown paths from the keep-out zones."""
 
 import math
 from typing import NamedTuple
@@ -8,19 +8,20 @@ from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, KeepOutZone, KeepOutZon
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 
-NOTHING = -1
-"""No hazard is near."""
-BITS = 62
-"""Of an integer, for a hazard each."""
+NO_HAZARD = -1
+"""Row number that stands for no hazard."""
+MASK_BITS = 62
+"""Number of hazards that have a bit in a mask of nearby hazards: the bits of an integer of 64 that
+are safe to shift."""
 
 
 class Nearest(NamedTuple):
-    """What is nearest."""
+    """The nearest hazard."""
 
     distance: float
-    """[m], negative inside."""
+    """Distance from it [m], negative inside."""
     hazard: int
-    """Its row, or `NOTHING`."""
+    """Row of its zone, or `NO_HAZARD`."""
 
 
 @compiled
@@ -45,7 +46,10 @@ def polygon_distance(sides: Rows, x: float, y: float) -> float:
 
 @compiled
 def sides_distance(sides: Rows, x: float, y: float) -> float:
-    """The same of a convex polygon; off its corners less by up to what half their turn loses."""
+    """Lower bound of the distance of (x, y) from a convex polygon [m], negative inside.
+
+    It is the distance from the farthest side, too small only where a corner is the nearest point.
+    """
     most = -math.inf
     for k in range(len(sides)):
         side = read_side(sides[k])
@@ -55,33 +59,33 @@ def sides_distance(sides: Rows, x: float, y: float) -> float:
 
 @compiled
 def zone_row_distance(
-    outline: KeepOutZone, sides: Rows, x: float, y: float, t: float, enough: float
+    zone: KeepOutZone, sides: Rows, x: float, y: float, t: float, enough: float
 ) -> float:
-    """Distance of (x, y) from an outline at time `t` [m], negative where one may not be.
+    """Distance of (x, y) [m] from a zone at time `t` [s], negative where the zone is violated.
 
-    Where it is more than `enough`, a lower bound of it that is more, too.
+    Where the distance is more than `enough`, a lower bound of it may be returned that also is.
     """
-    dx, dy = x - outline.x - t * outline.vx, y - outline.y - t * outline.vy
-    beyond = math.hypot(dx, dy) - outline.bounding_radius
-    if outline.sides == 0:
-        return outline.sign * beyond
-    if outline.sign == KEEP_OUT and beyond > enough:
+    dx, dy = x - zone.x - t * zone.vx, y - zone.y - t * zone.vy
+    beyond = math.hypot(dx, dy) - zone.bounding_radius
+    if zone.sides == 0:
+        return zone.sign * beyond
+    if zone.sign == KEEP_OUT and beyond > enough:
         return beyond
-    own = sides[outline.first_side : outline.first_side + outline.sides]
-    if outline.is_convex:
-        return outline.sign * sides_distance(own, dx, dy)
-    return outline.sign * polygon_distance(own, dx, dy)
+    own = sides[zone.first_side : zone.first_side + zone.sides]
+    if zone.is_convex:
+        return zone.sign * sides_distance(own, dx, dy)
+    return zone.sign * polygon_distance(own, dx, dy)
 
 
 @compiled
 def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> Nearest:
     """Distance of (x, y), NED [m], from the nearest hazard at time `t` [s]."""
-    least, nearest = math.inf, NOTHING
+    least, nearest = math.inf, NO_HAZARD
     for i in range(len(hazards.table)):
-        outline = read_zone_row(hazards.table[i])
-        if t < outline.since or t > outline.until:
+        zone = read_zone_row(hazards.table[i])
+        if t < zone.since or t > zone.until:
             continue
-        distance = zone_row_distance(outline, hazards.sides, x, y, t, least)
+        distance = zone_row_distance(zone, hazards.sides, x, y, t, least)
         if distance < least:
             least, nearest = distance, i
     return Nearest(least, nearest)
@@ -89,23 +93,26 @@ def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> Nearest
 
 @compiled
 def clearance_at_rest(hazards: KeepOutZones, x: float, y: float) -> float:
-    """Distance from the nearest hazard that does not move [m]."""
+    """Distance of (x, y) from the nearest hazard that does not move [m], negative inside."""
     least = math.inf
     for i in range(len(hazards.table)):
-        outline = read_zone_row(hazards.table[i])
-        if outline.speed == 0.0 and outline.since == -math.inf:
-            least = min(least, zone_row_distance(outline, hazards.sides, x, y, 0.0, least))
+        zone = read_zone_row(hazards.table[i])
+        if zone.speed == 0.0 and zone.since == -math.inf:
+            least = min(least, zone_row_distance(zone, hazards.sides, x, y, 0.0, least))
     return least
 
 
 @compiled
 def near_hazards(hazards: KeepOutZones, x: float, y: float, reach: float) -> int:
-    """Those that can be nearer than `reach` [m] to (x, y), a bit each; all that may move."""
+    """Mask of the hazards that can be nearer than `reach` [m] to (x, y), one bit each.
+
+    Hazards that move and zones to stay in are always among them.
+    """
     near = 0
-    for i in range(min(len(hazards.table), BITS)):
-        outline = read_zone_row(hazards.table[i])
-        away = math.hypot(x - outline.x, y - outline.y) - outline.bounding_radius
-        if away < reach or outline.speed > 0.0 or outline.sign == KEEP_IN:
+    for i in range(min(len(hazards.table), MASK_BITS)):
+        zone = read_zone_row(hazards.table[i])
+        away = math.hypot(x - zone.x, y - zone.y) - zone.bounding_radius
+        if away < reach or zone.speed > 0.0 or zone.sign == KEEP_IN:
             near |= 1 << i
     return near
 
@@ -121,22 +128,31 @@ def free_path(
     speed: float,
     step: float,
 ) -> Nearest:
-    """How far one may fly at `speed` [m/s] before a hazard can be nearer than `wanted` [m].
+    """Length that can be flown from (x, y) before a hazard can be nearer than `wanted` [m].
 
-    Outlines come towards one while one flies. Negative where one is nearer. `near` are those that
-    count, and all that have no bit. What is not there yet leaves at least a `step` [m].
+    Negative where a hazard is nearer already. Zones are taken to approach while the path is flown.
+
+    Args:
+        hazards: the keep-out zones.
+        near: mask of `near_hazards`; zones without a bit always count.
+        x: north coordinate [m].
+        y: east coordinate [m].
+        t: time [s].
+        wanted: clearance to keep [m].
+        speed: speed over ground [m/s].
+        step: least length that a zone leaves free before it begins to count [m].
     """
-    least, nearest = math.inf, NOTHING
+    least, nearest = math.inf, NO_HAZARD
     for i in range(len(hazards.table)):
-        outline = read_zone_row(hazards.table[i])
-        if (i < BITS and (near >> i) & 1 == 0) or t > outline.until:
+        zone = read_zone_row(hazards.table[i])
+        if (i < MASK_BITS and (near >> i) & 1 == 0) or t > zone.until:
             continue
-        closing = 1.0 + outline.speed / speed
+        closing = 1.0 + zone.speed / speed
         enough = least * closing + wanted
-        distance = zone_row_distance(outline, hazards.sides, x, y, t, enough)
+        distance = zone_row_distance(zone, hazards.sides, x, y, t, enough)
         free = (distance - wanted) / closing
-        if t < outline.since:
-            free = max(free, speed * (outline.since - t), step)
+        if t < zone.since:
+            free = max(free, speed * (zone.since - t), step)
         if free < least:
             least, nearest = free, i
     return Nearest(least, nearest)

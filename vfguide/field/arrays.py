@@ -1,4 +1,4 @@
-"""The fields over arrays: NumPy ufuncs on the last axis, from the scalar formulas.
+"""The paper's fields at many points: NumPy ufuncs over the last axis, from the scalar formulas.
 
 Positions (..., 3) [m] and velocities (..., 3) [m/s] are in the goal frame and broadcast against
 each other; one point is an array of shape (3,). For a goal p_d, R_d elsewhere, F~ =
@@ -8,9 +8,7 @@ each other; one point is an array of shape (3,). For a goal p_d, R_d elsewhere, 
 from vfguide.field import navigation
 from vfguide.field.attitude import frame, frame_fields, frame_rate
 from vfguide.geometry.compiled import over_points
-from vfguide.geometry.vector import Matrix, Vector, vec3
-
-AT_REST = (0.0, 0.0, 0.0)
+from vfguide.geometry.vector import ZERO, Matrix, Vector, vec3
 
 
 @over_points("(float64[:], float64[:])", "(n)->(n)")
@@ -34,7 +32,7 @@ def binormal_fields(p: Vector, H: Vector) -> None:
 @over_points("(float64[:], float64[:, :])", "(n)->(n,n)")
 def attitudes(p: Vector, R_ga: Matrix) -> None:
     """R_a of each point, (..., 3, 3): eq_auxi_atti_matrix, defined everywhere."""
-    R_ga[0], R_ga[1], R_ga[2] = frame(frame_fields(vec3(p), AT_REST))
+    R_ga[0], R_ga[1], R_ga[2] = frame(frame_fields(vec3(p), ZERO))
 
 
 @over_points("(float64[:], float64[:], float64[:])", "(n),(n)->(n)")

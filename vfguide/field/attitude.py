@@ -3,10 +3,10 @@
 R_a = [F, H, G], each normalised (eq_auxi_atti_matrix). The paper leaves it undefined where G and
 H vanish, on the whole x-axis of the goal frame, and where F does, at the goal. Here
 
-- on the axis, that is nearer to it than AXIS times the distance to the goal, z is the part of
-  the goal frame's z that is orthogonal to F. So R_a e_x = F/|F| still holds (Lemma 3), R_a is
-  the goal frame's own attitude, and a robot on the axis does not roll;
-- at the goal, R_a is the goal frame's own attitude and stands still.
+- on the axis, nearer to it than AXIS times the distance to the goal, z is the part of the goal
+  frame's z that is orthogonal to F. R_a e_x = F/|F| still holds (Lemma 3), R_a is the attitude of
+  the goal frame, and a robot on the axis does not roll;
+- at the goal, R_a is the attitude of the goal frame and does not turn.
 """
 
 import math
@@ -35,7 +35,8 @@ from vfguide.geometry.vector import (
 )
 
 AXIS = 1e-9
-"""Ratio r / |p| of the distances from the axis and the goal under which a point is on the axis."""
+"""Ratio r / |p| of the distances from the goal's axis and from the goal below which a point counts
+as on the axis, dimensionless; chosen well above rounding."""
 
 
 class Attitude(NamedTuple):
@@ -48,7 +49,10 @@ class Attitude(NamedTuple):
 
 
 class FrameFields(NamedTuple):
-    """Two orthogonal fields that span a frame, and their time derivatives at a moving point."""
+    """Two orthogonal fields that span a frame, and their time derivatives at a moving point.
+
+    All four are in the frame of the fields; only the directions of F and G count.
+    """
 
     F: Vec3
     F_rate: Vec3

@@ -12,15 +12,17 @@ from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.vector import Vec3
 
 COLLINEAR = 1e-9
-"""n and F are collinear where |n x F| is at most this part of |n| |F|."""
+"""Largest sine of the angle between n and F at which the two count as collinear, chosen well above
+rounding; the paper compares with zero (tau_Upsilon_2_case2)."""
 
 
 class FreeField(NamedTuple):
-    """The fields of the empty space at a moving point."""
+    """The fields in free space at a moving point, with their time derivatives."""
 
     F: Dual3
+    """The navigation field (Theorem 1), not normalised."""
     G: Dual3
-    """Zero on the goal's axis."""
+    """The field orthogonal to it (Lemma 1), not normalised; zero on the goal's axis."""
     aside: Vec3
     """Constant unit vector, orthogonal to F wherever G is zero."""
 
@@ -31,6 +33,7 @@ class Barrier(NamedTuple):
     chi: Dual
     """0 where the field has to be tangential, 1 where the barrier has no effect."""
     n: Dual3
+    """Outward normal, the gradient of the level (n_Upsilon, n_Psi), not normalised."""
 
 
 class Deflection(NamedTuple):
@@ -50,14 +53,14 @@ class Deflection(NamedTuple):
 
 @compiled
 def no_deflection() -> Deflection:
-    """Free space."""
+    """The deflection in free space: chi is 1 and all sums are 0."""
     zero = dual.zero3()
     return Deflection(dual.rest(1.0), zero, zero, dual.rest(0.0), 0.0)
 
 
 @compiled
 def deflect(by: Deflection, free: FreeField, barrier: Barrier) -> Deflection:
-    """The same with one more barrier: a factor and a term of eq_F_OA_multi_obs, eq_F_CA_i."""
+    """The deflection with one more barrier: a factor and a term of eq_F_OA_multi_obs, eq_F_CA_i."""
     if barrier.chi.value == 1.0:
         return by
     n, share = barrier.n, dual.complement(barrier.chi)
@@ -73,7 +76,7 @@ def deflect(by: Deflection, free: FreeField, barrier: Barrier) -> Deflection:
 
 @compiled
 def collinear(n: Vec3, F: Vec3) -> bool:
-    """Whether n and F lie on one line."""
+    """Whether n and F are collinear: |n x F| <= COLLINEAR |n| |F|."""
     product = vector.norm(vector.cross(n, F))
     return product <= COLLINEAR * vector.norm(n) * vector.norm(F)
 

@@ -14,7 +14,7 @@ from vfguide.geometry.vector import Matrices, Series, Vectors, vec3
 
 
 class CompositeArrays(NamedTuple):
-    """`Composite` over arrays, NED; the leading axes are those of the points."""
+    """`Composite` at many points, NED; the leading axes are those of the points."""
 
     F: Vectors
     """(..., 3)."""
@@ -56,14 +56,14 @@ def composite_fields(
 
 
 def empty_fields(count: int, obstacles: int) -> CompositeArrays:
-    """Arrays to be filled, for `count` points among a number of obstacles."""
+    """Uninitialised arrays for `count` points among `obstacles` obstacles."""
     F, G, H, Omega_a = np.empty((4, count, 3))
     return CompositeArrays(F, G, H, np.empty((count, 3, 3)), Omega_a, np.empty((count, obstacles)))
 
 
 @compiled
 def store(fields: CompositeArrays, i: int, here: Composite) -> None:
-    """Write what `here` holds into row `i`, but for chi."""
+    """Write `here` into row `i` of the arrays, except chi."""
     for k in range(3):
         fields.F[i, k], fields.G[i, k], fields.H[i, k] = here.F[k], here.G[k], here.H[k]
         fields.Omega_a[i, k] = here.Omega_a[k]

@@ -1,7 +1,7 @@
 """Who is near whom, and who gives way: the paper's sets N_i and N_i^+ of all robots at once.
 
-Robots are rows of arrays in the order of their priority: row 0 is the paper's robot 1, which
-gives way to nobody. So what a robot does never depends on one further down.
+Robots are rows of arrays in the order of their priority (Algorithm 1): row 0 is the paper's robot
+1, which gives way to nobody. What a robot does never depends on a robot in a later row.
 """
 
 from typing import NamedTuple
@@ -25,8 +25,7 @@ class Neighbours(NamedTuple):
 def robots_in_range(p_n: Vectors, detection_range: float) -> Neighbours:
     """N_i of all robots: who is within r_d of whom. Positions (N, 3) [m].
 
-    The paper's set leaves out robots nearer than r_c, of which it says that they have collided.
-    Here they belong to it.
+    The paper excludes robots nearer than r_c, which it regards as collided. Here they are included.
     """
     low, high = _pairs(p_n, detection_range)
     return _sets(np.concatenate((low, high)), np.concatenate((high, low)), len(p_n))

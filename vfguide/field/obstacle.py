@@ -1,8 +1,8 @@
-"""Obstacles in the world, and the array that takes them into compiled code.
+"""Obstacles in the world, and the table that passes them to compiled code.
 
-An obstacle is a shape turned by a heading about the vertical that moves at a constant velocity.
-`obstacle_rows` packs obstacles once into a table, a `PlacedObstacle` a row; what is called often
-takes this table, the number of a row and the time.
+An obstacle is a shape, turned about the vertical by a heading, that moves at a constant velocity.
+`obstacle_rows` packs obstacles into a table once, one `PlacedObstacle` a row. Functions that are
+called often take this table, the number of a row and the time.
 """
 
 import math
@@ -21,15 +21,17 @@ Rows = Table
 """A table of numbers, one thing a row."""
 
 OUT_OF_SIGHT = 1e9
-"""An obstacle that is not known yet counts as so far to the north [m]."""
+"""North coordinate to which an undetected obstacle is moved [m], chosen beyond every flight."""
 HIGHEST_LEVEL = 1e30
-"""Up to this reactive level products of the fields stay finite."""
+"""Largest reactive level (a value of U, dimensionless) that is accepted; chosen so that products of
+the fields stay finite."""
 
 
 class Obstacle(NamedTuple):
-    """A body to keep out of."""
+    """A body to keep clear of."""
 
     shape: Shape
+    """Its shape in its own axes, z down."""
     p_n: Vec3
     """Its centre at t = 0, NED [m]."""
     heading: float = 0.0
@@ -39,11 +41,11 @@ class Obstacle(NamedTuple):
     reactive_level: float = 4.0
     """c-bar of the paper: the obstacle acts on the field where U is below it."""
     visible_from: float = math.inf
-    """Farther than this from its surface a robot does not know of it [m]."""
+    """Distance from its surface beyond which it is not detected [m]."""
 
 
 class PlacedObstacle(NamedTuple):
-    """An obstacle as compiled code takes it: what its row holds."""
+    """The row of an obstacle, as compiled code reads it."""
 
     kind: int
     """A `Kind` of shape."""
@@ -52,19 +54,20 @@ class PlacedObstacle(NamedTuple):
     v_n: Vec3
     """Its velocity, NED [m/s]."""
     heading_cos: float
+    """Cosine of the angle by which its axes are turned about the vertical."""
     heading_sin: float
-    """Of the angle by which its axes are turned about the vertical."""
+    """Sine of that angle."""
     semi_axes: Vec3
-    """Of its shape [m]."""
+    """Half extents of its shape along its axes [m]."""
     exponents: Vec3
-    """Of its shape."""
+    """Exponents of the powers in its level function."""
     reactive_level: float
     """It acts on the field where U is below this."""
     reach: float
-    """Radius of a ball round its centre that holds the reactive area [m]."""
+    """Radius of a ball around its centre that contains the reactive area [m]."""
     visible_from: float
-    """Farther than this from its surface nobody knows of it [m]; infinite where that is beyond the
-    reach."""
+    """Distance from its surface beyond which it is not detected [m]; infinite where that is beyond
+    the reach."""
 
 
 read_obstacle, write_obstacle = reader(PlacedObstacle), writer(PlacedObstacle)
@@ -115,7 +118,7 @@ def placed(obstacle: Obstacle) -> PlacedObstacle:
 
 @compiled
 def put_out_of_sight(row: Row) -> None:
-    """Put the obstacle of a row so far to the north that nothing meets it."""
+    """Move the obstacle of a row north by `OUT_OF_SIGHT`, where nothing meets it."""
     obstacle = read_obstacle(row)
     _, east, down = obstacle.p_n
     write_obstacle(at_place(obstacle, (OUT_OF_SIGHT, east, down)), row)
@@ -123,7 +126,7 @@ def put_out_of_sight(row: Row) -> None:
 
 @compiled
 def shape_of(obstacle: PlacedObstacle) -> Shape:
-    """Its shape."""
+    """The shape of an obstacle in its own axes."""
     return Shape(obstacle.kind, obstacle.semi_axes, obstacle.exponents)
 
 
@@ -173,6 +176,6 @@ def obstacle_distance(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
 
 @compiled
 def is_known(obstacles: Rows, i: int, p_n: Vec3, t: float) -> bool:
-    """Whether a robot at `p_n` (NED) knows of row `i` at time `t`."""
+    """Whether the obstacle of row `i` is detected from `p_n` (NED) [m] at time `t` [s]."""
     visible_from = read_obstacle(obstacles[i]).visible_from
     return visible_from == math.inf or obstacle_distance(obstacles, i, p_n, t) <= visible_from

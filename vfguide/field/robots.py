@@ -1,4 +1,4 @@
-"""Robots that are given way to: the barriers of the paper's F_CA."""
+"""Robots with priority, as barriers of the paper's field F_CA."""
 
 from typing import NamedTuple
 
@@ -12,24 +12,24 @@ from vfguide.geometry.vector import Vec3, norm
 
 
 class Robot(NamedTuple):
-    """Where a robot is and how it moves."""
+    """Position and velocity of a robot."""
 
     p_n: Vec3
-    """NED [m]."""
+    """Position, NED [m]."""
     v_n: Vec3
-    """NED [m/s]."""
+    """Velocity, NED [m/s]."""
 
 
 read_robot, write_robot = reader(Robot), writer(Robot)
 
 
 class Spacing(NamedTuple):
-    """How far robots keep apart and how far they see; r_d must be more than 2 r_c."""
+    """Safety radius and detection range of robots; r_d must be more than 2 r_c."""
 
     safety_radius: float
     """r_c of one robot: centres have to stay 2 r_c apart [m]."""
     detection_range: float
-    """r_d [m]."""
+    """r_d, the distance within which robots react to each other [m]."""
 
 
 @compiled

@@ -23,9 +23,11 @@ from vfguide.geometry.rows import width
 from vfguide.geometry.vector import Matrices, Series, Vectors, mat3, norm, scale, sub, vec3
 
 ROBOT_WIDTH = width(Robot)
-"""How many numbers the row of a robot has."""
-TURN = 0.3
-"""The roll of Omega_a is fed forward up to this turn in one step [rad]."""
+"""Number of floats in the row of a `Robot`."""
+MAX_ROLL_STEP = 0.3
+"""Largest roll of the auxiliary attitude that is fed forward in one step [rad], chosen with
+`tools/measure_kinematics.py`: without the bound, one start in a thousand kept circling the goal's
+axis."""
 
 
 class Swarm(NamedTuple):
@@ -43,16 +45,16 @@ class PaperGains(NamedTuple):
     """The law's gains, and the step over which its outputs are held."""
 
     k_v: float
-    """Speed for each metre from the goal [1/s]."""
+    """Gain from the distance to the goal to the speed [1/s] (eq_vx_design)."""
     k_w: float
-    """Decay of the attitude error [1/s]."""
+    """Decay rate of the attitude error [1/s] (Lemma 4)."""
     dt: float
-    """[s]."""
+    """Time for which speed and body rates are held [s]."""
 
 
 @compiled
 def held_gain(k: float, dt: float) -> float:
-    """(1 - exp(-k dt)) / dt: held for `dt`, it takes away what the gain `k` does meanwhile."""
+    """(1 - exp(-k dt)) / dt: held for `dt`, it reduces an error as the continuous gain `k` does."""
     return -math.expm1(-k * dt) / dt
 
 
@@ -76,7 +78,9 @@ def fly_paper_law(
     """
     robots, speed = velocities(goals, swarm, held_gain(gains.k_v, gains.dt))
     fields = fields_of_robots(goals, robots, t, obstacles, spacing)
-    return speed, body_rates(swarm, fields, held_gain(gains.k_w, gains.dt), TURN / gains.dt)
+    return speed, body_rates(
+        swarm, fields, held_gain(gains.k_w, gains.dt), MAX_ROLL_STEP / gains.dt
+    )
 
 
 @compiled
@@ -97,7 +101,7 @@ def velocities(goals: Rows, swarm: Swarm, k_v: float) -> tuple[Rows, Series]:
 def body_rates(swarm: Swarm, fields: CompositeArrays, k_w: float, most: float) -> Vectors:
     """Lemma 4, eq_Omega_design, towards R_a of the fields, (N, 3) [rad/s].
 
-    The roll of Omega_a is taken as `most` [rad/s] at the most.
+    The roll of Omega_a is limited to `most` [rad/s].
     """
     omega_b: Vectors = np.zeros((len(swarm.p_n), 3))
     for i in range(len(swarm.p_n)):

@@ -5,8 +5,9 @@ import math
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual
 
-STEEPEST = 700.0
-"""Exponents beyond this are taken as infinite; S and all its derivatives vanish there."""
+MAX_EXPONENT = 700.0
+"""Exponent of e beyond which S is 0 or 1 with vanishing derivatives, near the largest number whose
+exponential is finite (709)."""
 
 
 @compiled
@@ -20,7 +21,7 @@ def smooth_step(s: float) -> tuple[float, float]:
     if s >= 1.0:
         return (1.0, 0.0)
     exponent = 1.0 / s - 1.0 / (1.0 - s)
-    if abs(exponent) > STEEPEST:
+    if abs(exponent) > MAX_EXPONENT:
         return (0.0 if exponent > 0.0 else 1.0, 0.0)
     q = math.exp(-abs(exponent))
     slope = q / (1.0 + q) ** 2 * (1.0 / s**2 + 1.0 / (1.0 - s) ** 2)
@@ -29,7 +30,13 @@ def smooth_step(s: float) -> tuple[float, float]:
 
 @compiled
 def transition(level: Dual, closed: float, opened: float) -> Dual:
-    """The transition chi = S((level - closed) / (opened - closed)): eq_chi, eq_chi_j."""
+    """The transition chi = S((level - closed) / (opened - closed)): eq_chi, eq_chi_j.
+
+    Args:
+        level: U of an obstacle or the distance to a robot, with its rate.
+        closed: level up to which chi is 0.
+        opened: level from which on chi is 1.
+    """
     width = opened - closed
     chi, slope = smooth_step((level.value - closed) / width)
     return Dual(chi, slope / width * level.rate)

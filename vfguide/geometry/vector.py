@@ -14,6 +14,8 @@ from vfguide.geometry.compiled import compiled
 Vec3 = tuple[float, float, float]
 Mat3 = tuple[Vec3, Vec3, Vec3]
 """A 3x3 matrix as its three rows."""
+ZERO: Vec3 = (0.0, 0.0, 0.0)
+"""The zero vector, dimensionless or in any unit."""
 
 Vector = NDArray[np.float64]
 """The components of a vector, (n,)."""

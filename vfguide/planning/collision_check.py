@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.airspace.keep_out import KeepOutZones
-from vfguide.airspace.planar_clearance import NOTHING, clearance_at, free_path, near_hazards
+from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at, free_path, near_hazards
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.edge import Edge, RouteEdges, Segment, edge_in, pose_along, segments_of
 from vfguide.paths.path_progress import Pose
@@ -55,7 +55,7 @@ class Check(NamedTuple):
     """What is found along an edge."""
 
     blocker: int
-    """Row of the hazard that is too near, else `NOTHING`."""
+    """Row of the hazard that is too near, else `NO_HAZARD`."""
     t: float
     """At its end, or where it is blocked [s]."""
 
@@ -98,7 +98,7 @@ def check_segment(
         if free < 0.5 * demand.step:  # what is lost until the next look, or since the last one
             return Check(nearest, t)
         if travelled >= segment.length:
-            return Check(NOTHING, t)
+            return Check(NO_HAZARD, t)
         longest = LONGEST_TURN * radius if segment.side != 0.0 else math.inf
         step = min(max(free, demand.step), segment.length - travelled, longest)
         travelled += step
@@ -120,9 +120,9 @@ def check_edge(hazards: KeepOutZones, task: Task, demand: Demand, edge: Edge, t:
     """Whether an edge that begins at `t` is clear."""
     one, two, three = segments_of(edge, task.radius)
     found = check_segment(hazards, task, demand, one, 0.0, t)
-    if found.blocker == NOTHING and two.length > 0.0:
+    if found.blocker == NO_HAZARD and two.length > 0.0:
         found = check_segment(hazards, task, demand, two, 0.0, found.t)
-    if found.blocker == NOTHING and three.length > 0.0:
+    if found.blocker == NO_HAZARD and three.length > 0.0:
         found = check_segment(hazards, task, demand, three, 0.0, found.t)
     return found
 
@@ -167,7 +167,7 @@ def route_is_clear(
                 continue
             begin = travelled if i == first and k == segment else 0.0
             found = check_segment(hazards, task, demand, segments[k], begin, t)
-            if found.blocker != NOTHING:
+            if found.blocker != NO_HAZARD:
                 return False
             t = found.t
     return True

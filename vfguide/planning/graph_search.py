@@ -15,7 +15,7 @@ from heapq import heappop
 import numpy as np
 
 from vfguide.airspace.keep_out import KeepOutZones
-from vfguide.airspace.planar_clearance import NOTHING
+from vfguide.airspace.planar_clearance import NO_HAZARD
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.edge import EDGE_WIDTH, RouteEdges, edge_row
 from vfguide.paths.path_progress import write_pose
@@ -106,7 +106,7 @@ def follow(
     found = check_edge(
         hazards, task, demand, edge_of(tangents, edges, e), float(tangents.times[begin])
     )
-    if found.blocker == NOTHING:
+    if found.blocker == NO_HAZARD:
         settle(tangents, edges, e, task.radius, found.t)
         if end != GOAL and tangents.depth[end] < MAX_ROUTE_EDGES:
             add_edge(tangents, edges, queue, end, GOAL)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
-from vfguide.airspace.planar_clearance import NOTHING, clearance_at
+from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.course_laws import arc_to_goal
@@ -178,7 +178,7 @@ def field_is_clear(
         arc = Segment(entry, 0.0, leg.final_approach)
     demand = demand_of(hazards, task, wanted)
     task = Task(task.start, task.goal, radius, task.air, task.t)
-    return check_segment(hazards, task, demand, arc, 0.0, task.t).blocker == NOTHING
+    return check_segment(hazards, task, demand, arc, 0.0, task.t).blocker == NO_HAZARD
 
 
 @compiled

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from vfguide.airspace.keep_out import KeepOutZones, read_zone_row
-from vfguide.airspace.planar_clearance import NOTHING
+from vfguide.airspace.planar_clearance import NO_HAZARD
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.edge import (
     EDGE_WIDTH,
@@ -80,7 +80,7 @@ def is_better(
     t = task.t
     for i in range(first, last):
         found = check_edge(hazards, task, demand, edge_in(candidate, i), t)
-        if found.blocker != NOTHING:
+        if found.blocker != NO_HAZARD:
             return False
         t = found.t
     return True
