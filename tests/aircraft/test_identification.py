@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
-from vfguide.aircraft.gain_scheduling import BEGIN
+from vfguide.aircraft.gain_scheduling import STEP_DELAY
 from vfguide.aircraft.identification import ParameterEstimate, identify
 from vfguide.aircraft.least_squares import first_order
 from vfguide.aircraft.samples import Sample, Samples, samples_of, sound
@@ -82,7 +82,7 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
         np.array(R_nb),
         flown_n + np.array(wind),
         speed,
-        first_order(time, roll_asked, delays, TRUE["roll_s"] - BEGIN),
+        first_order(time, roll_asked, delays, TRUE["roll_s"] - STEP_DELAY),
         roll_asked,
         np.append(asked[late:], np.full(late, asked[-1])),
         delays,

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.aircraft.command import GuidanceCommand
-from vfguide.aircraft.path_limits import ZOOM
+from vfguide.aircraft.path_limits import ZOOM_RATIO
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
@@ -68,7 +68,7 @@ def test_in_air_that_sinks_fast_escapes_climb_less_and_in_air_that_rises_they_de
     assert in_air(FLOWN, 0.05).limits.descent_max == its.descent_max
     sinking = in_air(FLOWN, 0.4).limits
     assert math.sin(sinking.climb_max) == pytest.approx(
-        ZOOM * math.sin(its.climb_max) - 0.4 * LASTING
+        ZOOM_RATIO * math.sin(its.climb_max) - 0.4 * LASTING
     )
     assert sinking.descent_max == its.descent_max
     rising = in_air(FLOWN, -0.2).limits

@@ -15,7 +15,13 @@ from vfguide.airspace.hazards import (
     traffic_distance,
     traffic_rows,
 )
-from vfguide.assurance.backup_manoeuvre import KINDS, fly_for, fly_out, manoeuvre, remainder
+from vfguide.assurance.backup_manoeuvre import (
+    MANOEUVRE_KINDS,
+    fly_for,
+    fly_out,
+    manoeuvre,
+    remainder,
+)
 from vfguide.assurance.trajectory_clearance import MAX_UNCERTAINTY, clearance_along
 from vfguide.geometry.rows import width
 
@@ -59,7 +65,7 @@ def crowded(seed):
 @pytest.mark.parametrize("uncertainty_rate", [0.0, 0.5])
 def test_nothing_is_missed_between_the_points_looked_at(seed, uncertainty_rate):
     known = crowded(seed)
-    for kind in range(KINDS):
+    for kind in range(MANOEUVRE_KINDS):
         track = flown_out(kind)
         every = at_every_point(known, track, uncertainty_rate)
         seen = clearance_along(known, track, 0.0, STEP, 30.0, uncertainty_rate, 12.0, 1.0, seed)
@@ -83,7 +89,7 @@ def test_a_hazard_without_a_number_is_not_clear():
 
 
 @pytest.mark.parametrize("of", [FLOWN, SMALL], ids=["aerosonde", "easystar"])
-@pytest.mark.parametrize("kind", range(KINDS))
+@pytest.mark.parametrize("kind", range(MANOEUVRE_KINDS))
 def test_a_track_is_its_steps_one_by_one(kind, of):
     at, plan = motion(bank=-0.3, gamma=0.05), manoeuvre(kind, of.scale)
     for p_n in flown_out(kind, of):
@@ -92,7 +98,7 @@ def test_a_track_is_its_steps_one_by_one(kind, of):
 
 
 def test_manoeuvres_are_all_different():
-    assert len({manoeuvre(kind, 1.0) for kind in range(KINDS)}) == KINDS
+    assert len({manoeuvre(kind, 1.0) for kind in range(MANOEUVRE_KINDS)}) == MANOEUVRE_KINDS
 
 
 def test_traffic_grows_with_its_age():

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.control.envelope_protection import (
-    BANK_OVER,
+    BANK_OVERSHOOT,
     BANK_TIME,
+    GUST_LOAD_RATIO,
+    LOAD_RESERVE,
     LOAD_TIME,
-    OUTSIDE,
-    SPARE,
-    STRONGER,
+    MAX_LOAD_EXCESS,
     load_of,
     within_envelope,
 )
@@ -22,7 +22,7 @@ from vfguide.geometry.so3 import IDENTITY, from_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3
 
-LEAST, MOST = AEROSONDE.load_min + SPARE, STRONGER * AEROSONDE.load_max
+LEAST, MOST = AEROSONDE.load_min + LOAD_RESERVE, GUST_LOAD_RATIO * AEROSONDE.load_max
 BANK = 0.87
 SPEEDS = st.floats(18.0, 38.0)
 BANKS = st.floats(-0.8, 0.8)
@@ -56,7 +56,7 @@ def test_the_pitch_rate_of_a_load_inside_the_limits_is_free(load, speed, bank):
     assert within(wanted, R_nb, load, speed) == pytest.approx(wanted, abs=1e-9)
 
 
-@given(st.floats(0.01, OUTSIDE), SPEEDS, BANKS)
+@given(st.floats(0.01, MAX_LOAD_EXCESS), SPEEDS, BANKS)
 def test_a_load_outside_is_taken_back(outside, speed, bank):
     """Beside the rate of the limit itself, the angle of attack changes by what is too much."""
     R_nb = from_euler(bank, 0.05, 0.3)
@@ -68,7 +68,10 @@ def test_a_load_outside_is_taken_back(outside, speed, bank):
 
 
 def test_a_tumble_asks_for_no_more_than_a_large_load():
-    for load, push, most in ((-50.0, -9.0, LEAST - OUTSIDE), (50.0, 9.0, MOST + OUTSIDE)):
+    for load, push, most in (
+        (-50.0, -9.0, LEAST - MAX_LOAD_EXCESS),
+        (50.0, 9.0, MOST + MAX_LOAD_EXCESS),
+    ):
         far = within((0.0, push, 0.0), IDENTITY, load, 25.0)
         assert far == within((0.0, push, 0.0), IDENTITY, most, 25.0)
 
@@ -80,7 +83,7 @@ def test_upside_down_nothing_pulls_toward_the_ground(bank):
 
 @given(st.floats(-math.pi, math.pi), st.floats(-5.0, 5.0))
 def test_the_bank_does_not_run_through_its_limit(bank, rate):
-    limit = BANK + BANK_OVER
+    limit = BANK + BANK_OVERSHOOT
     rolled = within((rate, 0.0, 0.0), from_euler(bank, 0.0, 0.0), 1.0, 25.0)[0]
     assert abs(bank + BANK_TIME * rolled) <= limit + 1e-9
     if abs(bank + BANK_TIME * rate) < limit - 1e-9:

@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 from vfguide.aircraft.path_limits import (
     AIRSPEED_BAND,
     AT_FLOOR,
-    FASTEST_DESCENT,
-    LAST_ROOM,
-    LAST_SAFE,
-    LAST_ZOOM,
+    CLIMB_BAND,
+    DESCENT_RATIO,
+    FLOOR_CLIMB_BAND,
+    FLOOR_LEVEL_RATIO,
+    FLOOR_ZOOM_RATIO,
+    LEVEL_RATIO,
     MAX_RADIUS_FACTOR,
     NEAR_FLOOR,
-    ROOM,
-    SAFE,
-    ZOOM,
+    ZOOM_RATIO,
     allowed_path,
     descent_at_airspeed,
     highest_path,
@@ -131,12 +131,12 @@ def test_on_a_loiter_height_comes_back_over_its_horizon(height):
 def test_no_dive_past_the_fastest_and_no_climb_near_the_slowest_airspeed():
     """With the engine at rest an Aerosonde gains speed in a dive of 10 degrees: 35.5 m/s; where
     the air sinks it would climb into the stall."""
-    fastest = FASTEST_DESCENT * AEROSONDE.airspeed_max
-    safe, room = SAFE * AEROSONDE.airspeed_min, ROOM * SPEED
+    fastest = DESCENT_RATIO * AEROSONDE.airspeed_max
+    safe, room = LEVEL_RATIO * AEROSONDE.airspeed_min, CLIMB_BAND * SPEED
     full = (-AEROSONDE.descent_max, AEROSONDE.climb_max)
     assert path_limits(safe + room, SPEED, math.inf, AEROSONDE) == pytest.approx(full)
-    zoom = math.asin(ZOOM * math.sin(AEROSONDE.climb_max))
-    for airspeed in (safe + ZOOM * room, fastest - BAND):
+    zoom = math.asin(ZOOM_RATIO * math.sin(AEROSONDE.climb_max))
+    for airspeed in (safe + ZOOM_RATIO * room, fastest - BAND):
         assert path_limits(airspeed, SPEED, math.inf, AEROSONDE) == pytest.approx((full[0], zoom))
     assert path_limits(fastest + BAND, SPEED, math.inf, AEROSONDE) == pytest.approx((0.0, zoom))
     assert path_limits(safe, SPEED, math.inf, AEROSONDE) == pytest.approx((full[0], 0.0))
@@ -202,11 +202,11 @@ def test_a_change_of_slope_takes_the_same_acceleration_at_every_airspeed(airspee
 
 
 def test_speed_goes_before_height():
-    safe, room = SAFE * AEROSONDE.airspeed_min, ROOM * SPEED
+    safe, room = LEVEL_RATIO * AEROSONDE.airspeed_min, CLIMB_BAND * SPEED
     climb, glide = math.sin(AEROSONDE.climb_max), math.sin(descent_at_airspeed(AEROSONDE, 0.0))
     for airspeed, sine in (
-        (40.0, ZOOM * climb),
-        (safe + ZOOM * room, ZOOM * climb),
+        (40.0, ZOOM_RATIO * climb),
+        (safe + ZOOM_RATIO * room, ZOOM_RATIO * climb),
         (safe + room, climb),
         (safe + 0.5 * room, 0.5 * climb),
         (safe, 0.0),
@@ -228,11 +228,11 @@ def test_near_the_floor_the_same_airspeed_lets_the_path_be_steeper(airspeed):
 
 def test_at_the_floor_the_airspeed_is_spent_down_to_a_slower_one():
     at, climb = 0.0, math.sin(AEROSONDE.climb_max)
-    safe, room = LAST_SAFE * AEROSONDE.airspeed_min, LAST_ROOM * SPEED
+    safe, room = FLOOR_LEVEL_RATIO * AEROSONDE.airspeed_min, FLOOR_CLIMB_BAND * SPEED
     assert safe > 1.1 * 17.6, "the stall"
     for airspeed, sine in (
-        (safe + 3.0 * room, LAST_ZOOM * climb),
-        (safe + LAST_ZOOM * room, LAST_ZOOM * climb),
+        (safe + 3.0 * room, FLOOR_ZOOM_RATIO * climb),
+        (safe + FLOOR_ZOOM_RATIO * room, FLOOR_ZOOM_RATIO * climb),
         (safe + room, climb),
         (safe, 0.0),
     ):

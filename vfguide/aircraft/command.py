@@ -1,23 +1,26 @@
-"""What a law of guidance commands, and what the assurance makes of it."""
+"""The command of a law of guidance, which the assurance may replace."""
 
 from typing import NamedTuple
 
 
 class GuidanceCommand(NamedTuple):
-    """What control is asked to fly at one step, and what displays and logs show of it."""
+    """What control flies at one step, and what displays and logs show of it."""
 
     course: float
-    """Over ground [rad]."""
+    """Wanted course over ground [rad]."""
     azimuth: float
-    """Of the air velocity [rad]."""
+    """Wanted azimuth of the air velocity [rad]."""
     gamma: float
-    """Path angle through the air [rad]."""
+    """Path angle through the air to fly [rad], up positive."""
     climb: float
-    """The same, or the steeper one that the height asks for: thrust is set for it [rad]."""
+    """Path angle that thrust is set for [rad]: `gamma`, or more where the height asks for more."""
     bank: float
+    """Bank to fly [rad], right wing down positive."""
     load: float
+    """Load factor to fly."""
     remaining: float
     """Path length to the goal [m]."""
     phase: int
+    """Phase of the leg, see `vfguide.paths.leg`."""
     radius: float
     """Turn radius of the approach [m]."""

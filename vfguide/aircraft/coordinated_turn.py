@@ -1,4 +1,8 @@
-"""The attitude that flies a wanted direction: coordinated, with the lift the turn takes."""
+"""Coordinated turn: the lift that a turn takes, and the attitude that gives it.
+
+Without sideslip the lift vector balances gravity and turns the velocity, psi' = g tan(bank) / V in
+level flight (Beard and McLain, Small Unmanned Aircraft, 2012, chapter 5).
+"""
 
 import math
 from typing import NamedTuple
@@ -13,7 +17,7 @@ class Lift(NamedTuple):
     """The lift of a turn."""
 
     bank: float
-    """About the air velocity, right wing down positive [rad]."""
+    """Bank about the air velocity, right wing down positive [rad]."""
     load: float
     """Load factor: lift over weight."""
 
@@ -22,8 +26,8 @@ class Lift(NamedTuple):
 def lift_for_turn(lateral: float, gamma: float, bank_max: float, load_max: float) -> Lift:
     """Bank and load factor for the lateral acceleration [m/s^2] at path angle `gamma`.
 
-    The lift vector is a_n - g across the air velocity; the height comes first: where the
-    two limits forbid the whole turn, the lateral part is cut.
+    The lift vector is the part of a_n - g across the air velocity. Height has priority: where the
+    limits of bank [rad] and load factor forbid the whole turn, the lateral part is cut.
     """
     up = G0 * math.cos(gamma)
     most = min(up * math.tan(bank_max), math.sqrt(max((load_max * G0) ** 2 - up * up, 0.0)))

@@ -1,4 +1,7 @@
-"""What bank and which turns the aircraft flies, at an airspeed and in a wind."""
+"""Turning envelope: the bank that the wing carries, and the turn radius at an airspeed and wind.
+
+A level turn at bank phi has the load factor 1 / cos phi and the radius V^2 / (g tan phi).
+"""
 
 import math
 
@@ -8,15 +11,19 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 
 SLOWEST_TURN = 2.5
-"""No turn is planned tighter than a radian in this time [s]: rolling into it and out of it takes
-the same time for a small aircraft, which could turn faster."""
-SMALLEST = 1e-3
-"""Radius of turns without any speed, or with one that is no number [m]."""
+"""Time that a turn by one radian takes at least [s], measured with the EasyStar in calm air
+(`tools/measure_poses.py`): in tighter turns it could not settle on the final approach."""
+LEAST_RADIUS = 1e-3
+"""Radius of a turn at no airspeed, or at one that is not a number [m]; chosen so that divisions
+stay finite."""
 
 
 @compiled
 def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
-    """Largest bank whose load factor the wing carries at this airspeed [rad]."""
+    """Largest bank that is allowed and whose load factor the wing carries at `airspeed` [rad].
+
+    The wing carries n = (V / V_min)^2.
+    """
     load = min(aircraft.load_max, max(1.05, (airspeed / aircraft.airspeed_min) ** 2))
     return min(gains.bank_max, math.acos(1.0 / load))
 
@@ -39,4 +46,4 @@ def radius_in(wind: float, bank: float, gains: Gains) -> float:
 def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
     """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero."""
     radius = margin * (airspeed + wind) ** 2 / (G0 * math.tan(bank))
-    return radius if radius > SMALLEST else SMALLEST
+    return radius if radius > LEAST_RADIUS else LEAST_RADIUS

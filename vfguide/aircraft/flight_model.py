@@ -1,12 +1,13 @@
-"""How the aircraft flies through the air, from its attitude, thrust and what pushes from the side.
+"""Model of flight through the air: direction and acceleration from attitude, thrust and side force.
 
-The direction of flight is that of the fuselage, less the angle of attack that carries the aircraft,
-less the slip that the side force shows. The acceleration along it is
+The direction of flight is that of the fuselage, less the angle of attack of the lift and the
+sideslip that the side force shows. The acceleration along it is
 
     V' = g ((thrust - drag) / weight - sin(path angle))
 
-with drag in proportion to V^2 and, for the lift, to n^2 / V^2. The path angle is pitch less angle
-of attack: this needs no vertical wind, since gusts move pitch and path alike.
+with a parasitic drag in proportion to V^2 and an induced drag in proportion to n^2 / V^2 (Beard and
+McLain, Small Unmanned Aircraft, 2012, chapter 4). The path angle is pitch less angle of attack. No
+vertical wind enters, since gusts move pitch and path alike.
 """
 
 import math
@@ -18,24 +19,25 @@ from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
 
 STEEPEST_BANK = 60.0 * DEG
-"""Banks beyond this count as this [rad]: the load factor of a level turn grows without bound."""
+"""Bank above which the load factor of a level turn is taken as that at this bank [rad]; chosen,
+because 1 / cos grows without bound."""
 SIDE_FORCE_RATIO = 0.12
-"""Side force for each radian of slip over lift for each radian of angle of attack, without unit:
-0.15 for the Aerosonde of Beard and McLain (CY_beta -0.83, CL_alpha 5.61), 0.06 for a Cessna 172.
-Where it is half of this, half of the slip goes unseen."""
+"""Ratio of the side force per radian of sideslip to the lift per radian of angle of attack, chosen
+between 0.15 of the Aerosonde in Beard and McLain (CY_beta -0.83, CL_alpha 5.61) and 0.06 of the
+Cessna 172. For an aircraft with half of it, half of the sideslip goes unnoticed."""
 SLIP_MAX = 15.0 * DEG
-"""No more slip than this is taken from the side force [rad]."""
+"""Largest sideslip that is derived from the side force [rad]; chosen."""
 SIDE_FORCE_TIME = 0.5
-"""The side force is smoothed with this time constant [s]."""
+"""Time constant with which the side force is smoothed [s]; chosen."""
 
 
 class ModelledFlight(NamedTuple):
     """Flight through the air by the model of the aircraft."""
 
     d_n: Vec3
-    """Direction of flight through the air, NED, of length 1."""
+    """Direction of flight through the air, NED unit vector."""
     acceleration: float
-    """Along it [m/s^2]."""
+    """Acceleration along it [m/s^2]."""
     slope: float
     """Derivative of the acceleration with respect to the airspeed [1/s]."""
 
@@ -51,7 +53,7 @@ def modelled_flight(
         airspeed: true airspeed [m/s].
         thrust: setpoint, 0 to 1.
         side_force: specific force to the right across the fuselage [m/s^2].
-        aircraft: what flies.
+        aircraft: its lift and drag.
     """
     cosine = max(math.cos(STEEPEST_BANK), R_nb[2][2] / math.hypot(R_nb[2][1], R_nb[2][2]))
     load, speed = 1.0 / cosine, max(airspeed, 0.5 * aircraft.airspeed_min)
@@ -94,6 +96,6 @@ def specific_force(before_n: Vec3, v_n: Vec3, dt: float) -> Vec3:
 
 @compiled
 def smoothed_side_force(side_force: float, force_n: Vec3, R_nb: Mat3, dt: float) -> float:
-    """The side force [m/s^2] after `dt` [s] more: that across the fuselage is (v' - g) . y_b."""
+    """The smoothed side force [m/s^2] `dt` [s] later; its present value is (v' - g) . y_b."""
     across = dot(force_n, (R_nb[0][1], R_nb[1][1], R_nb[2][1]))
     return side_force + dt / (SIDE_FORCE_TIME + dt) * (across - side_force)

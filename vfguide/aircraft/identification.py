@@ -1,15 +1,15 @@
-"""What an aircraft is like, from a flight: lift, thrust and roll response.
+"""Identification of an aircraft from a flight: lift, thrust and roll response.
 
-Least squares on what the autopilot told and what it was asked for. The models are those that the
-flight law flies by:
+Least squares on what was measured and what was commanded (R. V. Jategaonkar, Flight Vehicle System
+Identification, 2006: the equation-error method). The models are those of the flight law:
 
     angle of attack = alpha_zero + alpha_load n / V^2
     thrust setpoint = trim + per_climb f + per_load (n^2 - 1) + its slope over the airspeed
     roll rate       = the setpoint of the roll rate, 63 % of a step after roll_time
 
 where n is the load factor, V the true airspeed and f the specific force along the flight over g:
-sin(path angle) + acceleration / g. The air counts as level and the wind as steady: gusts are noise,
-which the standard errors show.
+sin(path angle) + acceleration / g. The air is taken as level and the wind as steady: gusts are
+noise, which the standard errors show.
 """
 
 import math
@@ -17,55 +17,65 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.aircraft.gain_scheduling import BEGIN, airspeed_gains
+from vfguide.aircraft.gain_scheduling import STEP_DELAY, airspeed_gains
 from vfguide.aircraft.least_squares import Array, best_time, first_order, fitted, with_constant
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.samples import Means, Samples, halfway, mean, means_of, sound, with_airspeed
 from vfguide.geometry.units import DEG
 
 SETTLED = 1.5
-"""So much of the beginning does not count for the roll response [s]: it is to what came before."""
-ENOUGH = 20
-"""With fewer samples, or means, nothing is looked for."""
+"""Time at the start that is left out of the roll response [s], because it answers earlier
+setpoints; chosen."""
+MIN_SAMPLES = 20
+"""Least number of samples, or of means, from which something is estimated; chosen."""
 LARGEST_RELATIVE_SIGMA = 0.2
-"""A slope or a time is used with a standard error of less than this part of it."""
-TRIM_WORTH = 0.1
-"""The thrust setpoint of level flight is used with a standard error of less than this, of 1."""
-LOAD_WORTH = 0.05
-"""The thrust setpoint for each unit of n^2 is used with a standard error of less than this, not
-with one in proportion to it: it is small where drag is."""
-LAG_WORTH = 0.5
-"""The response time of thrust is used with a standard error of less than this part of it."""
+"""Largest ratio of the standard error of a slope or time to its value with which it is used;
+chosen."""
+TRIM_SIGMA = 0.1
+"""Largest standard error of the thrust setpoint of level flight with which it is used, as a share
+of full thrust; chosen."""
+LOAD_SIGMA = 0.05
+"""Largest standard error of the thrust setpoint per unit of n^2 with which it is used, as a share
+of full thrust; chosen, and not in proportion to the value, which is small where the drag is."""
+LAG_SIGMA = 0.5
+"""Largest ratio of the standard error of the response time of thrust to its value with which it is
+used; chosen."""
 SLOW_ENGINE = 1.0
-"""An engine whose response time is not seen is taken for so slow [s]."""
-ALPHA_WORTH = 1.0 * DEG
-"""The lift is used with a standard error of the angle of attack at cruise of less than this
-[rad]."""
+"""Response time that is assumed of an engine whose own is not seen [s]; chosen on the slow side,
+which makes the gains small."""
+ALPHA_SIGMA = 1.0 * DEG
+"""Largest standard error of the angle of attack at cruise with which the lift is used [rad];
+chosen."""
 ALPHA_UNKNOWN = 1.0 * DEG
-"""Standard error of the angle of attack of an aircraft file, if it is not seen in flight [rad]."""
-VARIED = 0.2
-"""n / V^2 has to change by this part of it, or a flight shows no slope over it."""
-FOLLOWED = 0.5
-"""A response is one if this part of the roll rate's variance follows the setpoint."""
-MOST_ALPHA = 20.0
-"""An aircraft file takes no larger angle of attack of zero lift [deg]."""
-MOST_LOAD = 1e5
-"""An aircraft file takes no larger slope of the angle of attack over n / V^2 [deg m^2/s^2]."""
-MOST_WEIGHT = 20.0
-"""An aircraft file takes no larger weight over full thrust, without unit."""
+"""Standard error that is assumed of the angle of attack of an aircraft file where the flight does
+not show it [rad]; chosen."""
+MIN_LOAD_RANGE = 0.2
+"""Least range of n / V^2 as a share of its mean with which a slope over it is estimated; chosen."""
+MIN_FOLLOWED = 0.5
+"""Least share of the variance of the roll rate that follows the setpoint in a usable response;
+chosen."""
+MAX_ALPHA_ZERO = 20.0
+"""Largest angle of attack of zero lift that an aircraft file accepts, see
+`vfguide.scenario.aircraft_file` [deg]."""
+MAX_ALPHA_LOAD = 1e5
+"""Largest slope of the angle of attack over n / V^2 that an aircraft file accepts [deg m^2/s^2]."""
+MAX_PER_CLIMB = 20.0
+"""Largest ratio of the weight to the full thrust that an aircraft file accepts."""
 
 
 class ParameterEstimate(NamedTuple):
-    """A number that was looked for."""
+    """An estimate of one number of an aircraft file."""
 
     table: str
+    """The table of the file that has it."""
     key: str
-    """Where an aircraft file has it."""
+    """Its key in that table."""
     value: float
+    """The estimate in the unit of the file; not a number where there is none."""
     sigma: float
-    """What was found and its standard error, in the unit of the file; no number: nothing was."""
+    """Its standard error in the unit of the file; not a number where there is none."""
     used: bool
-    """Whether it is flown by; else what was known before is."""
+    """Whether it is used; else what was known before is kept."""
 
     def __str__(self) -> str:
         """Key, value and standard error, as in "trim 0.296 +- 0.001"."""
@@ -76,7 +86,7 @@ class ParameterEstimate(NamedTuple):
 
 
 class LiftEstimates(NamedTuple):
-    """What was looked for of the lift."""
+    """Estimates of the lift."""
 
     alpha_zero: ParameterEstimate
     """Angle of attack of zero lift [deg]."""
@@ -85,15 +95,16 @@ class LiftEstimates(NamedTuple):
 
 
 class ThrustEstimates(NamedTuple):
-    """What was looked for of the thrust."""
+    """Estimates of the thrust."""
 
     trim: ParameterEstimate
-    """Setpoint of level flight at cruise."""
+    """Setpoint of level flight at cruise, 0 to 1."""
     per_climb: ParameterEstimate
+    """Its slope over f."""
     per_load: ParameterEstimate
-    """Its slopes over f and n^2."""
+    """Its slope over n^2."""
     response_time: ParameterEstimate
-    """63 % of a step of the thrust [s]."""
+    """Time to 63 % of a step of the thrust [s]."""
 
 
 class Identified(NamedTuple):
@@ -101,24 +112,25 @@ class Identified(NamedTuple):
 
     aircraft: Performance
     roll_time: float
-    """63 % of a step of the roll rate [s]."""
+    """Time to 63 % of a step of the roll rate [s]."""
     estimates: tuple[ParameterEstimate, ...]
+    """All estimates, used or not."""
 
 
 def identify(samples: Samples, before: Performance, roll_time: float) -> Identified:
-    """The aircraft of a flight.
+    """The aircraft that a flight shows.
 
     Args:
-        samples: of it, with turns, climbs and changes of airspeed; those that have something that
-            is no number do not count.
-        before: what is known of it; what the flight does not show well is taken from there.
-        roll_time: the same of its roll response [s].
+        samples: the flight, with turns, climbs and changes of airspeed; samples with values that
+            are not finite are ignored.
+        before: what is known of the aircraft; it stays where the flight does not show better.
+        roll_time: roll response time that is known [s], which stays likewise.
     """
     flown = sound(samples)
     told = with_airspeed(flown)
-    with np.errstate(all="ignore"):  # what comes of it is no number and not used
+    with np.errstate(all="ignore"):  # the results are not numbers then, and not used
         roll = find_roll(flown)
-        means = means_of(told) if len(told.time) >= ENOUGH else Means(*np.zeros((5, 0)))
+        means = means_of(told) if len(told.time) >= MIN_SAMPLES else Means(*np.zeros((5, 0)))
         lift = find_lift(means)
         aircraft = with_lift(before, lift)
         thrust = find_thrust(aircraft, flown, means, 0.0 if lift.alpha_zero.used else ALPHA_UNKNOWN)
@@ -127,10 +139,10 @@ def identify(samples: Samples, before: Performance, roll_time: float) -> Identif
 
 
 def find_roll(samples: Samples) -> ParameterEstimate:
-    """63 % of a step of the roll rate [s], the link's delay apart."""
+    """Roll response time [s]: 63 % of a step of the roll rate, without the delay of the link."""
     late = samples.time > samples.time[:1] + SETTLED
     rate = samples.roll_rate[late]
-    if len(rate) < ENOUGH:
+    if len(rate) < MIN_SAMPLES:
         return unseen("response", "roll_s")
 
     def regressors(lag: float) -> Array:
@@ -138,30 +150,33 @@ def find_roll(samples: Samples) -> ParameterEstimate:
         return with_constant(asked[late])
 
     lag, sigma, fit = best_time(regressors, rate)
-    follows = fit.squares < (1.0 - FOLLOWED) * float(np.sum((rate - np.mean(rate)) ** 2))
+    follows = fit.squares < (1.0 - MIN_FOLLOWED) * float(np.sum((rate - np.mean(rate)) ** 2))
     return found(
-        "response", "roll_s", BEGIN + lag, sigma, follows and sigma < LARGEST_RELATIVE_SIGMA * lag
+        "response",
+        "roll_s",
+        STEP_DELAY + lag,
+        sigma,
+        follows and sigma < LARGEST_RELATIVE_SIGMA * lag,
     )
 
 
 def find_lift(means: Means) -> LiftEstimates:
     """Angle of attack of zero lift, and its slope over n / V^2.
 
-    A gust changes the load factor and not the angle told of it, or the reverse. The bank asks for
-    load whatever the gusts do: it stands in for the load factor where the fit looks for what
-    belongs together (instrumental variables).
+    A gust changes the load factor but not the measured angle of attack, or the reverse. The bank is
+    independent of gusts: it is the instrumental variable for the load factor.
     """
     zero_key, load_key = "alpha_zero_deg", "alpha_load_deg_m2ps2"
-    if len(means.load) < ENOUGH:
+    if len(means.load) < MIN_SAMPLES:
         return LiftEstimates(unseen("lift", zero_key), unseen("lift", load_key))
     loaded = means.load / means.airspeed**2
     instruments = with_constant(means.banked / means.airspeed**2)
     fit = fitted(with_constant(loaded), means.alpha / DEG, instruments)
     zero, load = fit.x.tolist()
     sigma_alpha, sigma_load = fit.sigma(1.0, float(np.mean(loaded))), fit.sigma(0.0, 1.0)
-    varied = float(np.ptp(loaded)) > VARIED * abs(float(np.mean(loaded)))
-    used = varied and abs(zero) < MOST_ALPHA and 0.0 < load < MOST_LOAD
-    used = used and sigma_load < LARGEST_RELATIVE_SIGMA * load and sigma_alpha < ALPHA_WORTH / DEG
+    varied = float(np.ptp(loaded)) > MIN_LOAD_RANGE * abs(float(np.mean(loaded)))
+    used = varied and abs(zero) < MAX_ALPHA_ZERO and 0.0 < load < MAX_ALPHA_LOAD
+    used = used and sigma_load < LARGEST_RELATIVE_SIGMA * load and sigma_alpha < ALPHA_SIGMA / DEG
     return LiftEstimates(
         found("lift", zero_key, zero, fit.sigma(1.0, 0.0), used),
         found("lift", load_key, load, sigma_load, used),
@@ -173,9 +188,9 @@ def find_thrust(
 ) -> ThrustEstimates:
     """Thrust setpoint of level flight, its slopes over f and n^2, and its response time [s].
 
-    The force along the flight is that along the fuselage, turned by the angle of attack of the
-    load, which is known to `alpha_sigma` [rad]: a gust that the velocity does not show yet changes
-    both.
+    The force along the flight is that along the fuselage, turned by the angle of attack that
+    belongs to the load factor, whose standard error is `alpha_sigma` [rad]. The measured angle of
+    attack is not used: a gust that the velocity does not show yet changes it.
     """
     nothing = ThrustEstimates(
         unseen("thrust", "trim"),
@@ -183,7 +198,7 @@ def find_thrust(
         unseen("thrust", "per_load"),
         unseen("response", "thrust_s"),
     )
-    if len(means.load) < ENOUGH:
+    if len(means.load) < MIN_SAMPLES:
         return nothing
     alpha = aircraft.alpha_zero + aircraft.alpha_load * means.load / means.airspeed**2
     force = means.along * np.cos(alpha) - means.load * np.sin(alpha)
@@ -198,24 +213,24 @@ def find_thrust(
     drag, per_thrust, _, drag_of_load = fit.x.tolist()
     if not per_thrust > 0.0:
         return nothing
-    # What makes the force nothing at cruise with n = 1, and the slopes over force and n^2.
+    # The setpoint of zero force at cruise with n = 1, and its slopes over force and n^2.
     trim, per_climb, per_load = -drag / per_thrust, 1.0 / per_thrust, -drag_of_load / per_thrust
     sigma_trim = math.hypot(fit.sigma(1.0, trim, 0.0, 0.0), alpha_sigma) / per_thrust
     sigma_climb = fit.sigma(0.0, 1.0, 0.0, 0.0) / per_thrust**2
     sigma_load = fit.sigma(0.0, per_load, 0.0, 1.0) / per_thrust
-    used = 0.0 < trim < 1.0 and sigma_trim < TRIM_WORTH
-    used = used and per_climb < MOST_WEIGHT and sigma_climb < LARGEST_RELATIVE_SIGMA * per_climb
-    loads = used and per_load < 1.0 and sigma_load < LOAD_WORTH
+    used = 0.0 < trim < 1.0 and sigma_trim < TRIM_SIGMA
+    used = used and per_climb < MAX_PER_CLIMB and sigma_climb < LARGEST_RELATIVE_SIGMA * per_climb
+    loads = used and per_load < 1.0 and sigma_load < LOAD_SIGMA
     return ThrustEstimates(
         found("thrust", "trim", trim, sigma_trim, used),
         found("thrust", "per_climb", per_climb, sigma_climb, used),
         found("thrust", "per_load", max(0.0, per_load), sigma_load, loads),
-        found("response", "thrust_s", lag, sigma_lag, used and sigma_lag < LAG_WORTH * lag),
+        found("response", "thrust_s", lag, sigma_lag, used and sigma_lag < LAG_SIGMA * lag),
     )
 
 
 def with_lift(before: Performance, lift: LiftEstimates) -> Performance:
-    """The aircraft with the lift that was found."""
+    """The aircraft with the estimates of the lift, where they are used."""
     zero, load = lift
     if not zero.used:
         return before
@@ -223,7 +238,7 @@ def with_lift(before: Performance, lift: LiftEstimates) -> Performance:
 
 
 def with_thrust(before: Performance, thrust: ThrustEstimates) -> Performance:
-    """The aircraft with the thrust that was found, and the gains of the airspeed that suit it."""
+    """The aircraft with the estimates of the thrust that are used, and airspeed gains to suit."""
     trim, per_climb, per_load, lag = thrust
     if not trim.used:
         return before
@@ -238,15 +253,15 @@ def with_thrust(before: Performance, thrust: ThrustEstimates) -> Performance:
 
 
 def found(table: str, key: str, value: float, sigma: float, used: bool) -> ParameterEstimate:
-    """A number as an aircraft file writes it: what is flown by is what is written."""
+    """An estimate, rounded as an aircraft file writes it, so that both are the same."""
     return ParameterEstimate(table, key, written(value), sigma, used)
 
 
 def unseen(table: str, key: str) -> ParameterEstimate:
-    """A number that is not seen at all."""
+    """An estimate that the flight does not allow."""
     return ParameterEstimate(table, key, math.nan, math.nan, False)
 
 
 def written(value: float) -> float:
-    """With four digits."""
+    """A number rounded to four significant digits."""
     return float(f"{value:.4g}")

@@ -1,7 +1,7 @@
-"""Least squares with standard errors, for errors that last.
+"""Least squares and instrumental variables, with standard errors for correlated noise.
 
-In loops of its own, not by LAPACK: setpoints follow from the result, and a replay on another
-machine has to find the same.
+It uses loops of its own instead of LAPACK: setpoints follow from the result, and a replay on
+another machine must give the same.
 """
 
 import math
@@ -16,25 +16,27 @@ from vfguide.geometry.vector import Series
 
 Array = NDArray[np.float64]
 
-TIMES: Series = np.geomspace(0.01, 2.0, 54)
-"""Response times that are tried, (54,), 10 % apart [s]."""
+RESPONSE_TIMES: Series = np.geomspace(0.01, 2.0, 54)
+"""Response times that are tried, (54,) [s]: 0.01 to 2 s in steps of 10 %; chosen to enclose those
+of small aircraft."""
 SINGULAR = 1e-9
-"""Regressors of length 1 with less than this of their own, squared, are not told apart."""
-FADED = 0.05
-"""Errors are correlated until the autocorrelation falls below this part of their power."""
+"""Least square of the part of a normalised regressor that is independent of the others,
+dimensionless; chosen well above rounding."""
+LEAST_CORRELATION = 0.05
+"""Autocorrelation, as a share of the power, below which later lags are ignored; chosen."""
 
 
 class Fit(NamedTuple):
-    """y = A x by least squares."""
+    """Solution of y = A x by least squares."""
 
     x: Array
-    """(n,)."""
+    """Estimates, (n,)."""
     covariance: Array
-    """(n, n); no numbers where the regressors cannot be told apart."""
+    """Their covariance, (n, n); not numbers where the regressors are linearly dependent."""
     squares: float
-    """Sum of what is left, squared."""
+    """Sum of the squared residuals."""
     variance: float
-    """Of one sample of it, as if all were independent."""
+    """Variance of a residual, times the number of samples that count as one."""
 
     def sigma(self, *weights: float) -> float:
         """Standard error of a sum of the estimates, so weighted."""
@@ -48,12 +50,13 @@ class Fit(NamedTuple):
 
 
 def fitted(A: Array, y: Array, instruments: Array | None = None) -> Fit:
-    """Least squares, or what the instruments make of y = A x.
+    """Solution of y = A x by least squares, or by instrumental variables.
 
     Args:
         A: (N, n) regressors.
-        y: (N,).
-        instruments: (N, n), what the regressors go with that no error does; None: they themselves.
+        y: (N,) observations.
+        instruments: (N, n), correlated with the regressors but not with the noise; None for the
+            regressors themselves.
     """
     x, spread, left = solved(A, y, A if instruments is None else instruments)
     squares = float(np.sum(left**2))
@@ -62,23 +65,23 @@ def fitted(A: Array, y: Array, instruments: Array | None = None) -> Fit:
 
 
 def best_time(regressors: Callable[[float], Array], y: Array) -> tuple[float, float, Fit]:
-    """The response time [s] that leaves least, its standard error, and the fit with it.
+    """The response time with the least residuals [s], its standard error [s], and the fit with it.
 
     Args:
-        regressors: (N, n) for a response time [s].
-        y: (N,).
+        regressors: gives the regressors (N, n) for a response time [s].
+        y: (N,) observations.
     """
     squares: list[float] = []
-    for time in TIMES.tolist():
+    for time in RESPONSE_TIMES.tolist():
         A = regressors(time)
         squares.append(float(np.sum(solved(A, y, A)[2] ** 2)))
     best = int(np.argmin(squares))
-    time, fit = float(TIMES[best]), fitted(regressors(float(TIMES[best])), y)
-    if not 0 < best < len(TIMES) - 1:
+    time, fit = float(RESPONSE_TIMES[best]), fitted(regressors(float(RESPONSE_TIMES[best])), y)
+    if not 0 < best < len(RESPONSE_TIMES) - 1:
         return time, math.inf, fit
     # The parabola through three sums, over the logarithm of the time.
     before, least, after = squares[best - 1 : best + 2]
-    step, bend = math.log(TIMES[1] / TIMES[0]), before - 2.0 * least + after
+    step, bend = math.log(RESPONSE_TIMES[1] / RESPONSE_TIMES[0]), before - 2.0 * least + after
     if not bend > 0.0:
         return time, math.inf, fit
     time *= math.exp(0.5 * (before - after) / bend * step)
@@ -93,7 +96,7 @@ def with_constant(*regressors: Array) -> Array:
 
 @compiled
 def solved(A: Array, y: Array, Z: Array) -> tuple[Array, Array, Array]:
-    """Solution x of Z^T A x = Z^T y, its covariance for errors of size 1, what is left of y."""
+    """Solution x of Z^T A x = Z^T y, its covariance for unit variance, and the residuals of y."""
     N, n = A.shape
     lengths, Z_lengths = column_lengths(A), column_lengths(Z)
     M, ZZ, b = np.zeros((n, n)), np.zeros((n, n)), np.zeros(n)
@@ -132,7 +135,7 @@ def column_lengths(A: Array) -> Array:
 
 @compiled
 def inverted(M: Array) -> Array:
-    """The inverse by Gauss and Jordan with pivots, no numbers where there is none."""
+    """The inverse by Gauss-Jordan elimination with pivots; not numbers where there is none."""
     n = len(M)
     left, right = M.copy(), np.eye(n)
     for i in range(n):
@@ -157,7 +160,7 @@ def inverted(M: Array) -> Array:
 
 @compiled
 def noise_correlation(left: Array) -> float:
-    """How many samples in a row tell the same: 1 and twice the sum of the autocorrelations."""
+    """Number of samples that count as one: 1 plus twice the sum of the autocorrelations."""
     power, total = 0.0, 1.0
     for value in left:
         power += value * value
@@ -165,7 +168,7 @@ def noise_correlation(left: Array) -> float:
         together = 0.0
         for k in range(lag, len(left)):
             together += left[k] * left[k - lag]
-        if not together > FADED * power:
+        if not together > LEAST_CORRELATION * power:
             break
         total += 2.0 * together / power
     return total
@@ -173,13 +176,13 @@ def noise_correlation(left: Array) -> float:
 
 @compiled
 def first_order(time: Series, asked: Series, delay: Series, response_time: float) -> Series:
-    """What follows setpoints with a lag of first order, at the times of the samples, (N,).
+    """Response to setpoints with a first-order lag, at the times of the samples, (N,).
 
     Args:
-        time: (N,) of the samples [s].
+        time: (N,) times of the samples [s].
         asked: (N,) setpoints, each held from `delay` after its sample until the next one acts.
-        delay: (N,) [s].
-        response_time: 63 % of a step [s].
+        delay: (N,) delays from a sample until its setpoint acts [s].
+        response_time: time to 63 % of a step [s].
     """
     follows = np.empty(len(time))
     now, acts, value = time[0], 0, asked[0]

@@ -1,58 +1,67 @@
-"""How steep a path the aircraft flies: airspeed comes before height."""
+"""Limits of the path angle: airspeed has priority over height, except near the floor."""
 
 import math
 
 from vfguide.aircraft.performance import Performance, turn_length
 from vfguide.geometry.compiled import compiled
 
-SAFE = 1.165
-"""Below this times the slowest airspeed height is given up for airspeed; measured on the shipped
-aircraft in turbulence."""
-ROOM = 0.12
-"""The steepest climb is flown from so much above SAFE on, as a share of the airspeed to fly."""
-ZOOM = 1.4
-"""Through air that sinks a climb may be steeper than the steepest by this factor, while the
-airspeed lasts."""
-LAST_SAFE = 1.12
-"""What SAFE becomes at the floor, where airspeed is spent for height."""
-LAST_ROOM = 0.056
-"""What ROOM becomes at the floor."""
-LAST_ZOOM = 1.8
-"""What ZOOM becomes at the floor."""
+LEVEL_RATIO = 1.165
+"""Ratio of the airspeed at which the path is level at full thrust to the slowest airspeed;
+tuned with `tools/measure_poses.py` in moderate turbulence, where it keeps 1.10 of the slowest
+airspeed."""
+CLIMB_BAND = 0.12
+"""Airspeed above `LEVEL_RATIO` at which the steepest climb is flown, as a share of the airspeed to
+fly; chosen."""
+ZOOM_RATIO = 1.4
+"""Ratio of the steepest path through sinking air, while the airspeed lasts, to the steepest climb;
+tuned with `tools/measure_poses.py` in moderate turbulence."""
+FLOOR_LEVEL_RATIO = 1.12
+"""Value of `LEVEL_RATIO` at the floor, where airspeed is spent for height, dimensionless; tuned
+with `tools/measure_avoidance.py` in sinking air."""
+FLOOR_CLIMB_BAND = 0.056
+"""Value of `CLIMB_BAND` at the floor, as a share of the airspeed to fly; tuned with
+`tools/measure_avoidance.py`."""
+FLOOR_ZOOM_RATIO = 1.8
+"""Value of `ZOOM_RATIO` at the floor, dimensionless; tuned with `tools/measure_avoidance.py`."""
 NEAR_FLOOR = 1.2
-"""From this height above the floor on, in turn lengths, the three change towards their values at
-the floor."""
+"""Height above the floor below which the three values begin to change [turn lengths]; 76 m at 25
+m/s, tuned with `tools/measure_avoidance.py`."""
 AT_FLOOR = 0.6
-"""At this height above the floor, in turn lengths, the three have their values at the floor."""
-FASTEST_DESCENT = 0.98
-"""At this times the fastest airspeed half of the steepest descent is given up."""
+"""Height above the floor at which they have reached their values at the floor [turn lengths]; 38 m
+at 25 m/s, tuned with `tools/measure_avoidance.py`."""
+DESCENT_RATIO = 0.98
+"""Ratio of the airspeed at which half of the steepest descent is allowed to the fastest airspeed;
+chosen."""
 AIRSPEED_BAND = 0.12
-"""All of the descent is given up so much above that airspeed, as a share of the cruise airspeed."""
-IDLE = 1.2
-"""A descent in a turn is steeper than the straight glide without thrust by this factor: a turn
-takes more drag, and the descent is flown a little faster."""
+"""Airspeed above that at which no descent is allowed any more, as a share of the cruise airspeed;
+chosen wide, since a narrow band answered every gust."""
+TURN_GLIDE_RATIO = 1.2
+"""Ratio of the sine of the descent in a turn to that of the straight glide without thrust: a turn
+has more drag, and the descent is flown a little faster. Tuned with `tools/measure_poses.py`; with
+1.36, turns of the ordinary radius were left."""
 MAX_RADIUS_FACTOR = 1.15
-"""Turns are made wider by no more than this, for a faster and steeper descent."""
+"""Largest factor by which turns are widened for a faster and steeper descent; tuned with
+`tools/measure_poses.py --height 80`."""
 
 
 @compiled
 def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
-    """Steepest angle of a descent that hardly gains airspeed, or the goal's own [rad].
+    """Steepest angle of a descent that hardly gains airspeed, or that of the goal [rad], positive.
 
     Without thrust the aeroplane glides at the angle whose sine is trim / per_climb; in a turn,
-    which takes more drag, and a little faster it sinks IDLE times as steeply.
+    which takes more drag, and a little faster it sinks TURN_GLIDE_RATIO times as steeply.
     """
-    glide = IDLE * aircraft.thrust_trim / aircraft.thrust_per_climb
+    glide = TURN_GLIDE_RATIO * aircraft.thrust_trim / aircraft.thrust_per_climb
     angle = max(math.asin(min(glide, 1.0)), math.atan(-goal_slope))
     return min(aircraft.descent_max, angle)
 
 
 @compiled
 def steepest_descent(aircraft: Performance, radius_factor: float, goal_slope: float) -> float:
-    """The same where turns are wider by a factor [rad].
+    """Steepest angle of a descent in turns that are wider by `radius_factor` [rad], positive.
 
-    They are flown at a larger airspeed then. Its square is in proportion to both the radius, at the
-    same bank, and the drag.
+    Wider turns are flown at a larger airspeed. Its square is in proportion to the radius, at the
+    same bank, and to the drag.
     """
     faster = math.asin(min(radius_factor * math.sin(descent_at_airspeed(aircraft, 0.0)), 1.0))
     return min(aircraft.descent_max, max(faster, descent_at_airspeed(aircraft, goal_slope)))
@@ -60,10 +69,12 @@ def steepest_descent(aircraft: Performance, radius_factor: float, goal_slope: fl
 
 @compiled
 def largest_radius_factor(aircraft: Performance) -> float:
-    """By which turns are widened for a steeper descent: not for more than the aircraft flies."""
+    """Factor by which turns are widened for a steeper descent, within the aircraft's limits."""
     angle = max(descent_at_airspeed(aircraft, 0.0), 1e-3)
-    fastest = FASTEST_DESCENT * aircraft.airspeed_max / max(aircraft.airspeed_cruise, 1e-3)
-    most = min(math.sin(aircraft.descent_max) / math.sin(angle), fastest * fastest / IDLE)
+    fastest = DESCENT_RATIO * aircraft.airspeed_max / max(aircraft.airspeed_cruise, 1e-3)
+    most = min(
+        math.sin(aircraft.descent_max) / math.sin(angle), fastest * fastest / TURN_GLIDE_RATIO
+    )
     return max(1.0, min(MAX_RADIUS_FACTOR, most))
 
 
@@ -72,34 +83,40 @@ def highest_path(airspeed: float, flown: float, above: float, aircraft: Performa
     """Largest sine of the path angle that the airspeed allows: speed goes before height.
 
     It falls with the airspeed from more than the steepest climb, which `plan_slope` asks for only
-    where the air sinks, to the glide without thrust: the climb is the steepest ROOM above SAFE
-    times the slowest airspeed, the glide ROOM below, and there the path is level; near the floor,
-    `above` it [m], LAST_ROOM and LAST_SAFE. An airspeed to fly, `flown` [m/s], that leaves no such
-    room puts it lower.
+    where the air sinks, to the glide without thrust: the climb is the steepest CLIMB_BAND above
+    LEVEL_RATIO times the slowest airspeed, the glide CLIMB_BAND below, and there the path is level;
+    near the floor, `above` it [m], FLOOR_CLIMB_BAND and FLOOR_LEVEL_RATIO. Where the airspeed to
+    fly, `flown` [m/s], is slower than that, the airspeed of level flight is lower.
     """
     last = floor_share(above, turn_length(flown))
-    room = blended(ROOM, LAST_ROOM, last) * flown
-    safe = min(blended(SAFE, LAST_SAFE, last) * aircraft.airspeed_min, (1.0 - ROOM) * flown)
-    part = max(-1.0, min(blended(ZOOM, LAST_ZOOM, last), (airspeed - safe) / room))
+    room = blended(CLIMB_BAND, FLOOR_CLIMB_BAND, last) * flown
+    safe = min(
+        blended(LEVEL_RATIO, FLOOR_LEVEL_RATIO, last) * aircraft.airspeed_min,
+        (1.0 - CLIMB_BAND) * flown,
+    )
+    part = max(-1.0, min(blended(ZOOM_RATIO, FLOOR_ZOOM_RATIO, last), (airspeed - safe) / room))
     steepest = aircraft.climb_max if part > 0.0 else descent_at_airspeed(aircraft, 0.0)
     return part * math.sin(steepest)
 
 
 @compiled
 def floor_share(above: float, unit: float) -> float:
-    """How near the floor is: 0 NEAR_FLOOR above it and higher, 1 AT_FLOOR and lower."""
+    """Share of the values at the floor: 0 from NEAR_FLOOR above it on, 1 up to AT_FLOOR.
+
+    `above` is the height above the floor [m], `unit` the turn length [m].
+    """
     return max(0.0, min(1.0, (NEAR_FLOOR - above / unit) / (NEAR_FLOOR - AT_FLOOR)))
 
 
 @compiled
 def blended(first: float, second: float, part: float) -> float:
-    """The first at part 0, the second at part 1."""
+    """Linear interpolation: the first at part 0, the second at part 1."""
     return first + part * (second - first)
 
 
 @compiled
 def share(margin: float, band: float) -> float:
-    """Part of the path angle that is flown with the airspeed `margin` inside its limit [m/s]."""
+    """Share of the steepest path allowed with the airspeed `margin` inside its limit [m/s]."""
     return max(0.0, min(1.0, 0.5 + 0.5 * margin / band))
 
 
@@ -112,13 +129,13 @@ def path_limits(
     The airspeed comes before the height, also where it is the air that sinks or rises.
 
     Args:
-        airspeed: [m/s].
-        flown: the one to fly [m/s].
+        airspeed: true airspeed [m/s].
+        flown: true airspeed to fly [m/s].
         above: height above the floor, infinite where there is none [m].
         aircraft: its limits.
     """
     band = AIRSPEED_BAND * aircraft.airspeed_cruise
-    down = share(FASTEST_DESCENT * aircraft.airspeed_max - airspeed, band)
+    down = share(DESCENT_RATIO * aircraft.airspeed_max - airspeed, band)
     return -down * aircraft.descent_max, math.asin(highest_path(airspeed, flown, above, aircraft))
 
 
@@ -139,9 +156,9 @@ def path_angle(
 
 @compiled
 def allowed_path(asked: float, limits: tuple[float, float]) -> tuple[float, float]:
-    """The part of a path angle that is within the limits, and what thrust is set for [rad].
+    """The path angle within the limits, and the one that thrust is set for, no smaller [rad].
 
-    That is no less: the airspeed that a climb lacks comes from the thrust for it.
+    Thrust is set for the whole climb, so that the airspeed soon allows more of it.
     """
     gamma = max(limits[0], min(limits[1], asked))
     return gamma, max(gamma, asked)

@@ -1,4 +1,4 @@
-"""What the guidance must know of an aircraft, and the gains it flies with."""
+"""Performance of an aircraft as the guidance knows it, and the gains of the guidance."""
 
 from typing import NamedTuple
 
@@ -18,16 +18,19 @@ class Performance(NamedTuple):
     bank_max: float
     """Largest bank the guidance asks for [rad]."""
     load_max: float
+    """Largest load factor n = lift / weight the guidance asks for."""
     load_min: float
-    """Load factors n = lift / weight the guidance asks for."""
+    """Least load factor the guidance asks for."""
     climb_max: float
+    """Steepest path angle of a climb through the air [rad], positive."""
     descent_max: float
-    """Steepest air-relative path angles, both positive [rad]."""
+    """Steepest path angle of a descent through the air [rad], positive."""
     rate_max: tuple[float, float, float]
     """Largest body rates p, q, r [rad/s]."""
     alpha_zero: float
+    """Angle of attack of zero lift [rad]: alpha = alpha_zero + alpha_load n / V^2."""
     alpha_load: float
-    """alpha = alpha_zero + alpha_load * n / V^2 [rad], [rad m^2/s^2], the latter above 0."""
+    """Slope of the angle of attack over n / V^2 [rad m^2/s^2], positive."""
     thrust_trim: float
     """Thrust setpoint of level flight at cruise, 0 to 1."""
     thrust_per_climb: float

@@ -1,7 +1,8 @@
-"""How the guided aircraft moves when it is given a bank and a path angle: a point with lags.
+"""Point-mass model of the guided aircraft, commanded by bank and path angle, with lags.
 
-The bank follows the commanded one with a first-order lag inside a largest roll rate, the path
-angle with a lag, the airspeed stays, and the air azimuth turns at g tan(bank) / V.
+The bank follows its command with a first-order lag and a largest roll rate, the path angle with a
+first-order lag; the airspeed is constant, and the azimuth turns at g tan(bank) / V (Beard and
+McLain, Small Unmanned Aircraft, 2012, chapter 9: the kinematic guidance models).
 """
 
 import math
@@ -15,46 +16,50 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
 
 RATE_LAG = 0.08
-"""Of the body rates behind their setpoints, as in the guidance's default gains [s]."""
+"""Time constant of the body rates behind their setpoints [s], the roll response for which the
+default gains are made."""
 ROLL_SHARE = 0.8
-"""Part of the largest roll rate that a roll of the guided aircraft reaches."""
+"""Share of the largest roll rate that a roll of the guided aircraft reaches; chosen below 1, so
+that predicted turns are no quicker than flown ones."""
 PATH_LAG = 0.03
-"""Lag of the path angle behind the wanted one over the airspeed [s^2/m]: 0.75 s at 25 m/s."""
+"""Time constant of the path angle over the airspeed [s^2/m], chosen: 0.75 s at 25 m/s."""
 
 
 class PointMass(NamedTuple):
     """An aircraft moving through the air."""
 
     p_n: Vec3
-    """NED [m]."""
+    """Position, NED [m]."""
     azimuth: float
-    """Of the air velocity [rad]."""
+    """Azimuth of the air velocity [rad]."""
     bank: float
-    """Right wing down positive [rad]."""
+    """Bank, right wing down positive [rad]."""
     gamma: float
     """Path angle through the air, up positive [rad]."""
     airspeed: float
-    """True [m/s]."""
+    """True airspeed [m/s]."""
 
 
 class Dynamics(NamedTuple):
     """What limits and delays the motion."""
 
     bank_max: float
-    """[rad]"""
+    """Largest bank [rad]."""
     climb_max: float
+    """Steepest path angle of a climb [rad], positive."""
     descent_max: float
-    """Both positive [rad]."""
+    """Steepest path angle of a descent [rad], positive."""
     roll_rate: float
     """Fastest change of the bank [rad/s]."""
     bank_lag: float
+    """Time constant of the bank [s]."""
     path_lag: float
-    """Time constants [s]."""
+    """Time constant of the path angle [s]."""
 
 
 @compiled
 def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
-    """Those of an aircraft under the flight law at the airspeed that it is to fly."""
+    """Limits and lags of an aircraft under the flight law, at the airspeed to fly."""
     return Dynamics(
         usable_bank(aircraft, gains, gains.airspeed),
         aircraft.climb_max,
@@ -69,10 +74,10 @@ def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
 def advance(
     motion: PointMass, bank: float, gamma: float, wind_n: Vec3, limits: Dynamics, dt: float
 ) -> PointMass:
-    """The motion `dt` later [s], under a commanded bank and path angle [rad], in wind [m/s].
+    """The point mass `dt` [s] later, under a commanded bank and path angle [rad].
 
-    Bank and path angle are exact; the turn is integrated by Simpson's rule, the way flown in the
-    direction of the middle of the step.
+    Bank and path angle are exact. The turn is integrated by Simpson's rule, the position with the
+    direction in the middle of the step. `wind_n` blows toward, NED [m/s].
     """
     half = lagged(motion.bank, bank, limits.bank_lag, limits.roll_rate, 0.5 * dt)
     after = lagged(half, bank, limits.bank_lag, limits.roll_rate, 0.5 * dt)
@@ -93,7 +98,7 @@ def advance(
 
 @compiled
 def lagged(value: float, wanted: float, lag: float, rate: float, dt: float) -> float:
-    """Solution after `dt` [s] of x' = (wanted - x) / lag, no faster than `rate`."""
+    """Solution after `dt` [s] of x' = (wanted - x) / lag with |x'| <= `rate`."""
     error, reach = value - wanted, rate * lag
     if abs(error) > reach:
         limited = (abs(error) - reach) / rate

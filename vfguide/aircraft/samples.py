@@ -1,4 +1,4 @@
-"""A recorded flight: what the autopilot told, what it was asked for, and means of both."""
+"""A recorded flight for identification: measurements, setpoints, and means of both."""
 
 import math
 from collections.abc import Iterable
@@ -13,7 +13,8 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mask, Mat3, Matrices, Series, Vec3, Vectors
 
 WINDOW = 1.0
-"""Lift and thrust are compared in means over this time [s]."""
+"""Time over which lift and thrust are averaged before they are compared [s]; chosen longer than
+most gusts."""
 
 
 class Sample(NamedTuple):

@@ -1,4 +1,4 @@
-"""What the guidance knows of the aircraft and what it asks of it."""
+"""The state of an aircraft, and the setpoint that is sent to its autopilot."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ class FlightState(NamedTuple):
     """One aircraft at one instant, all in SI units."""
 
     time: float
-    """The aircraft's own clock [s]."""
+    """Time on the aircraft's own clock [s]."""
     p_n: Vec3
     """Position in the guidance frame, NED [m]."""
     v_n: Vec3
@@ -23,7 +23,7 @@ class FlightState(NamedTuple):
 
 
 class RateSetpoint(NamedTuple):
-    """What a rate-controlled autopilot is asked to fly."""
+    """Body rates and thrust for a rate-controlled autopilot."""
 
     omega_b: Vec3
     """Body rates p, q, r [rad/s], FRD."""

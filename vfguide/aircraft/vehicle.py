@@ -1,4 +1,4 @@
-"""What the loop knows of the vehicle that it flies."""
+"""The vehicle that the control loop flies: aircraft and gains."""
 
 from typing import NamedTuple
 
@@ -7,11 +7,11 @@ from vfguide.geometry.rows import flattener, reader
 
 
 class Vehicle(NamedTuple):
-    """An aircraft, and how it is to be flown."""
+    """An aircraft and the gains with which it is flown."""
 
     aircraft: Performance
     gains: Gains
-    """As they suit its roll response."""
+    """Gains that suit its roll response."""
     is_point: bool = False
     """Whether it is the paper's rigid body without weight, which flies where its nose points."""
 

@@ -1,1 +1,1 @@
-"""Run-time assurance: what is flown leaves a way out; it knows nothing of what it guards."""
+"""Run-time assurance (ASTM F3269): after each command an escape remains."""

@@ -1,7 +1,7 @@
-"""The stage of assurance: what guidance commands is flown only if a way out remains after it.
+"""The stage of assurance: a command of guidance is flown only if an escape remains after it.
 
-It knows nothing of the law that it stands above: the command, what is known to be in the way, and
-how the aircraft moves are all that it looks at.
+It is the monitor and the recovery function of a run-time assurance (ASTM F3269). It knows nothing
+of the law that it guards: it sees the command, the known hazards and the motion of the aircraft.
 """
 
 import math
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
-from vfguide.aircraft.path_limits import ZOOM, allowed_path, path_limits
+from vfguide.aircraft.path_limits import ZOOM_RATIO, allowed_path, path_limits
 from vfguide.aircraft.point_mass import Dynamics, PointMass
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
@@ -29,11 +29,15 @@ from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import norm, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
 
-NARROW, LEAST_ROOM = 1.25, 4.0
-"""Where the way has less room than the margin times the first, the margin is less in proportion,
-down to the second [m]."""
+NARROW_ROUTE = 1.25
+"""Ratio of the clearance of a route to the margin below which the margin becomes smaller in
+proportion; tuned with `tools/measure_avoidance.py`: with the whole margin, narrow routes were
+planned and left in turn."""
+LEAST_ROOM = 4.0
+"""Least margin on a narrow route [m]; tuned with `tools/measure_avoidance.py`."""
 LASTING = 0.5
-"""Part of the present rise or sink of the air that is expected to last while an escape is flown."""
+"""Share of the present vertical wind that is taken to last during an escape; tuned with
+`tools/measure_avoidance.py`: with all of it nothing improved."""
 
 with_flown = replacing(GuidanceCommand, "gamma", "climb", "bank", "load")
 with_margin = replacing(Assurance, "margin")
@@ -42,15 +46,17 @@ with_paths = replacing(Dynamics, "climb_max", "descent_max")
 
 
 class AssuranceState(NamedTuple):
-    """What one step leaves for the next."""
+    """What the assurance keeps from one step to the next."""
 
     backup: BackupManoeuvre
+    """The escape that the last decision stored."""
     decision: Decision
+    """The last decision, for displays and logs."""
 
 
 @compiled
 def fresh_assurance() -> AssuranceState:
-    """Nothing was decided yet."""
+    """The state of the assurance before the first decision."""
     return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.NOMINAL.value, 0.0, 0.0, 0))
 
 
@@ -64,15 +70,15 @@ def update(
     s: AssuranceState,
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, AssuranceState]:
-    """The command, or what is flown instead.
+    """The command, or the escape that is flown instead, and the next state.
 
     Args:
-        nav: the vehicle.
-        command: of guidance.
-        airspace: what is known; None compiles to a stage that lets everything pass.
-        is_on: whether it may decide; else everything passes.
-        room: clearance with which the way was found [m], not above zero where none was.
-        s: what the step before left.
+        nav: state of the vehicle.
+        command: the command of guidance.
+        airspace: the known hazards; None compiles to a stage that passes every command.
+        is_on: whether it decides; else every command passes.
+        room: clearance with which the route was found [m], 0 or less where none was.
+        s: state of the step before.
         vehicle: its aircraft and gains.
     """
     if airspace is None:
@@ -102,22 +108,24 @@ def update(
 
 @compiled
 def in_room(aircraft: Assurance, room: float) -> Assurance:
-    """The assurance with a smaller margin on a way that has little room: else it forbids it."""
-    part = min(1.0, room / (NARROW * aircraft.margin)) if room > 0.0 else 1.0
+    """The assurance with a smaller margin on a narrow route, which it would forbid otherwise."""
+    part = min(1.0, room / (NARROW_ROUTE * aircraft.margin)) if room > 0.0 else 1.0
     margin = min(aircraft.margin, max(LEAST_ROOM, part * aircraft.margin))
     return with_margin(aircraft, margin)
 
 
 @compiled
 def in_air(aircraft: Assurance, sinking: float) -> Assurance:
-    """The assurance in air that sinks: what the steepest climb there makes good over the ground.
+    """The assurance with the path angles over ground that remain in air that sinks.
 
-    `sinking` is the speed of the air down over the airspeed, negative where it rises.
+    `sinking` is the ratio of the downward wind to the airspeed, negative where the air rises.
     """
     limits = aircraft.limits
     up = min(
         limits.climb_max,
-        raised(limits.climb_max, (ZOOM - 1.0) * math.sin(limits.climb_max) - LASTING * sinking),
+        raised(
+            limits.climb_max, (ZOOM_RATIO - 1.0) * math.sin(limits.climb_max) - LASTING * sinking
+        ),
     )
     down = min(limits.descent_max, raised(limits.descent_max, LASTING * sinking))
     return with_dynamics(aircraft, with_paths(limits, up, down))
@@ -125,13 +133,13 @@ def in_air(aircraft: Assurance, sinking: float) -> Assurance:
 
 @compiled
 def raised(gamma: float, sine: float) -> float:
-    """A path angle whose sine is larger by `sine` [rad]."""
+    """The path angle [rad] whose sine is that of `gamma` plus `sine`."""
     return math.asin(max(-1.0, min(1.0, math.sin(gamma) + sine)))
 
 
 @compiled
 def point_mass_of(state: FlightState) -> PointMass:
-    """The motion from which trajectories are predicted: its path angle is that over the ground."""
+    """The point mass from which trajectories are predicted; its path angle is that over ground."""
     air, R = sub(state.v_n, state.wind_n), state.R_nb
     speed = max(state.airspeed, 1.0)
     bank = math.atan2(R[2][1], R[2][2])
@@ -142,11 +150,14 @@ def point_mass_of(state: FlightState) -> PointMass:
 def as_decided(
     command: GuidanceCommand, decision: Decision, path: tuple[float, float], bank_max: float
 ) -> GuidanceCommand:
-    """The command, or what is flown instead: the lift carries the weight in the bank decided on.
+    """The command, or the command of the escape: the lift carries the weight in its bank.
 
-    `path` has the path angle through the air that makes good the decision's, and the one that
-    thrust is set for [rad]; the bank is no larger than `bank_max` [rad], which the wing carries
-    now.
+    Args:
+        command: the command of guidance.
+        decision: what the assurance decided.
+        path: path angle through the air that makes good the decision's, and the one that thrust is
+            set for [rad].
+        bank_max: largest bank that the wing carries now [rad].
     """
     if decision.reason == Reason.NOMINAL.value:
         return command

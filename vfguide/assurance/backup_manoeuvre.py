@@ -9,31 +9,39 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, Vectors
 
 TURN_TIME = 13.44
-"""Of a full turn at 25 m/s and 50 degrees of bank, for which the times below are made [s]."""
-TURNS = (1.2, 2.2, 3.4, 5.0, 1e9)
-"""How long a hard turn goes on before the aircraft flies straight [s]."""
-HORIZON, STEP = 15.2, 0.2
-"""Length and step of a trajectory [s]."""
-KINDS = 33
-"""Straight, and the turns to either side; each level, climbing and descending."""
+"""Time of a full turn at 25 m/s and 50 degrees of bank, to which all times of manoeuvres are scaled
+[s]: 2 pi V / (g tan bank)."""
+TURN_DURATIONS = (1.2, 2.2, 3.4, 5.0, 1e9)
+"""Times for which an escape turns at the largest bank before it flies straight [s], chosen: from a
+swerve to an endless turn."""
+HORIZON = 15.2
+"""Duration of a predicted trajectory at 25 m/s and 50 degrees of bank [s]; chosen longer than a
+full turn."""
+TRAJECTORY_STEP = 0.2
+"""Time between two points of a predicted trajectory at 25 m/s and 50 degrees of bank [s]; chosen,
+5 m of flight."""
+MANOEUVRE_KINDS = 33
+"""Number of escapes: straight, and five turns to either side, each level, climbing and
+descending."""
 STEADY = 5e-3
-"""A bank or path angle this near to the commanded one is there [rad]."""
+"""Sum of the errors of bank and path angle below which a manoeuvre is flown with both constant
+[rad]; chosen."""
 
 
 class Manoeuvre(NamedTuple):
-    """A hard turn for some time, then straight; a path angle throughout."""
+    """A turn at the largest bank for some time, then straight, with one path angle throughout."""
 
     side: float
     """+1 right, -1 left, 0 straight."""
     turning: float
-    """How long the turn goes on [s]."""
+    """Time for which the turn lasts from now on [s]."""
     climb: float
     """+1 the steepest climb, -1 the steepest descent, 0 level."""
 
 
 @compiled
 def time_scale(limits: Dynamics, airspeed: float) -> float:
-    """The aircraft's full turn over that for which the times here are made."""
+    """Ratio of the time of the aircraft's full turn to TURN_TIME."""
     return 2.0 * math.pi * airspeed / (G0 * math.tan(limits.bank_max)) / TURN_TIME
 
 
@@ -44,25 +52,25 @@ def manoeuvre(kind: int, scale: float) -> Manoeuvre:
     climb = -1.0 if climb == 2.0 else climb
     if turn == 0:
         return Manoeuvre(0.0, 0.0, climb)
-    return Manoeuvre(1.0 if turn % 2 == 1 else -1.0, scale * TURNS[(turn - 1) // 2], climb)
+    return Manoeuvre(1.0 if turn % 2 == 1 else -1.0, scale * TURN_DURATIONS[(turn - 1) // 2], climb)
 
 
 @compiled
 def bank_of(flown: Manoeuvre, limits: Dynamics) -> float:
-    """The bank it asks for now [rad]."""
+    """The bank that a manoeuvre commands now [rad]."""
     return flown.side * limits.bank_max if flown.turning > 0.0 else 0.0
 
 
 @compiled
 def climb_of(flown: Manoeuvre, limits: Dynamics) -> float:
-    """The path angle it asks for [rad]; level where the air lets it."""
+    """The path angle that a manoeuvre commands [rad]; level only within the limits."""
     asked = flown.climb * (limits.climb_max if flown.climb > 0.0 else limits.descent_max)
     return max(-limits.descent_max, min(limits.climb_max, asked))
 
 
 @compiled
 def remainder(flown: Manoeuvre, dt: float) -> Manoeuvre:
-    """What is left of it `dt` later [s]."""
+    """The rest of a manoeuvre after `dt` [s]."""
     return Manoeuvre(flown.side, max(0.0, flown.turning - dt), flown.climb)
 
 
@@ -70,7 +78,7 @@ def remainder(flown: Manoeuvre, dt: float) -> Manoeuvre:
 def fly_for(
     point_mass: PointMass, flown: Manoeuvre, wind_n: Vec3, limits: Dynamics, dt: float
 ) -> PointMass:
-    """The motion `dt` later [s], the end of the turn to the instant."""
+    """The point mass after `dt` [s] of a manoeuvre; a turn ends at its exact time."""
     climb = climb_of(flown, limits)
     if 0.0 < flown.turning < dt:
         point_mass = advance(
@@ -120,7 +128,7 @@ def fly_out(
 
 @compiled
 def fly_steadily(point_mass: PointMass, wind_n: Vec3, dt: float, trajectory: Vectors) -> PointMass:
-    """The same while neither bank nor path angle changes: every chord turned by one angle."""
+    """As `fly_out` while bank and path angle are constant: each chord is turned by one angle."""
     turn = dt * G0 * math.tan(point_mass.bank) / point_mass.airspeed
     c, s = math.cos(turn), math.sin(turn)
     along, flat = (

@@ -1,4 +1,4 @@
-"""The search for a way out: which manoeuvre stays clear, or the least bad one."""
+"""Escape search: the manoeuvre that stays clear, or the one with the shallowest conflict."""
 
 import math
 from typing import NamedTuple
@@ -9,8 +9,8 @@ from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.backup_manoeuvre import (
     HORIZON,
-    KINDS,
-    STEP,
+    MANOEUVRE_KINDS,
+    TRAJECTORY_STEP,
     Manoeuvre,
     bank_of,
     climb_of,
@@ -21,15 +21,17 @@ from vfguide.assurance.trajectory_clearance import Clearance, clearance_along
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series, Vec3, Vectors, norm
 
-LENGTH = round(HORIZON / STEP) + 1
-"""Points of a trajectory."""
+TRAJECTORY_POINTS = round(HORIZON / TRAJECTORY_STEP) + 1
+"""Number of points of a predicted trajectory."""
 CONTACT = 1.0
-"""Nearer than this a hazard is hit [m]."""
-KEPT, NO_CONTACT = 1.0, 1e6
-"""What the stored manoeuvre, and any without contact, has ahead of others [m]."""
-AFTER = 15
-"""The least bad of several manoeuvres without contact is judged from this point on: where it
-is too near already, the one that gets away."""
+"""Clearance below which a hazard counts as hit [m]; chosen."""
+BACKUP_ADVANTAGE = 1.0
+"""Merit that the stored escape has ahead of others [m]; chosen as hysteresis."""
+NO_CONTACT = 1e6
+"""Merit that an escape without contact has ahead of others [m]; chosen above every clearance."""
+SETTLED_POINT = 15
+"""Index of the trajectory point from which on escapes without contact are compared, 3 s ahead;
+chosen so that, where all are too near now, the one that moves away is taken."""
 
 
 Command = tuple[float, float]
@@ -54,7 +56,7 @@ class World(NamedTuple):
 
 
 class Found(NamedTuple):
-    """A manoeuvre, and how clear it stays."""
+    """A manoeuvre and the clearance along it."""
 
     plan: Manoeuvre
     seen: Clearance
@@ -69,8 +71,17 @@ def follow(
     least: tuple[float, float],
     suspect: int,
 ) -> Clearance:
-    """Clearance along the manoeuvre from here at time `t`: `least` is (enough, too little)."""
-    dt = STEP * world.scale
+    """Clearance along a manoeuvre that begins at time `t` [s].
+
+    Args:
+        world: hazards, wind and limits.
+        point_mass: the aircraft at that time.
+        plan: the manoeuvre.
+        t: time on the clock of the obstacles [s].
+        least: clearance that is enough, and one that is too little [m].
+        suspect: number of the hazard to look at first.
+    """
+    dt = TRAJECTORY_STEP * world.scale
     fly_out(point_mass, plan, world.wind_n, world.limits, dt, world.trajectory)
     return clear(world, point_mass, t, 0, least, suspect)
 
@@ -79,8 +90,8 @@ def follow(
 def clear(
     world: World, point_mass: PointMass, t: float, first: int, least: Limits, suspect: int
 ) -> Clearance:
-    """Clearance along the trajectory as it was flown last, from point `first` on."""
-    dt, speed = STEP * world.scale, point_mass.airspeed + norm(world.wind_n)
+    """Clearance along the trajectory in `world.trajectory`, from point `first` on."""
+    dt, speed = TRAJECTORY_STEP * world.scale, point_mass.airspeed + norm(world.wind_n)
     trajectory, t = world.trajectory[first:], t + first * dt
     return clearance_along(
         world.hazards, trajectory, t, dt, speed, world.uncertainty_rate, least[0], least[1], suspect
@@ -97,9 +108,9 @@ def find_escape(
     margin: float,
     level_only: bool,
 ) -> Found:
-    """A manoeuvre that stays clear from `point_mass` on, the backup or the nearest to the command.
+    """A manoeuvre that stays clear from `point_mass` on: the backup, or the nearest to the command.
 
-    What is found has `seen.hazard` -1; if nothing is, it is the backup. With `level_only` climbs
+    Where one is found, `seen.hazard` is -1; else the backup is returned. With `level_only`, climbs
     and descents are not tried.
     """
     seen = follow(world, point_mass, backup, t, (margin, margin), 0)
@@ -120,10 +131,12 @@ def find_escape(
 @compiled
 def distances_from_command(world: World, command: Command) -> Series:
     """How far each manoeuvre's first command is from the command, shorter turns first: (KINDS,)."""
-    far = np.empty(KINDS)
+    far = np.empty(MANOEUVRE_KINDS)
     limits = world.limits
-    climbs = max(limits.climb_max + limits.descent_max, 1e-3)  # the air may leave none
-    for kind in range(KINDS):
+    climbs = max(
+        limits.climb_max + limits.descent_max, 1e-3
+    )  # sinking or rising air may leave none
+    for kind in range(MANOEUVRE_KINDS):
         plan = manoeuvre(kind, 1.0)
         bank = abs(bank_of(plan, limits) - command[0]) / limits.bank_max
         climb = abs(climb_of(plan, limits) - command[1]) / climbs
@@ -140,13 +153,13 @@ def best_from(
     backup: Manoeuvre,
     margin: float,
 ) -> Found:
-    """The clear manoeuvre nearest to the command, or the least bad one.
+    """The clear manoeuvre nearest to the command, or the one with the most merit.
 
-    That goes least deep; of several without contact it is the one that gets away. The stored one
-    is kept unless another is better by a metre.
+    That is the one with the shallowest conflict, or, of several without contact, the one that moves
+    away. The backup is kept unless another is better by BACKUP_ADVANTAGE.
     """
     seen, merit = judged(world, point_mass, t, backup, margin, -math.inf, 0)
-    best, merit = Found(backup, seen), merit + KEPT
+    best, merit = Found(backup, seen), merit + BACKUP_ADVANTAGE
     for kind in np.argsort(distances_from_command(world, command)):
         plan = manoeuvre(kind, world.scale)
         seen, other = judged(world, point_mass, t, plan, margin, merit, max(best.seen.hazard, 0))
@@ -169,14 +182,14 @@ def judged(
 ) -> tuple[Clearance, float]:
     """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact.
 
-    The merit of one that is found not to reach `beat` is minus infinity.
+    The merit is minus infinity as soon as it cannot exceed `beat`.
     """
     if beat == math.inf:
         seen = follow(world, point_mass, plan, t, (margin, margin), suspect)
         return seen, -math.inf
     seen = follow(world, point_mass, plan, t, (CONTACT, CONTACT), suspect)
     if seen.hazard >= 0:
-        if beat >= CONTACT + KEPT:
+        if beat >= CONTACT + BACKUP_ADVANTAGE:
             return seen, -math.inf
         deepest = clear(world, point_mass, t, 0, (CONTACT, beat), seen.hazard)
         merit = deepest.least if deepest.lost == math.inf else -math.inf
@@ -184,15 +197,15 @@ def judged(
     seen = clear(world, point_mass, t, 0, (margin, CONTACT), suspect)
     if seen.hazard < 0:
         return seen, math.inf
-    away = clear(world, point_mass, t, AFTER, (margin, CONTACT), seen.hazard)
+    away = clear(world, point_mass, t, SETTLED_POINT, (margin, CONTACT), seen.hazard)
     return seen, NO_CONTACT + seen.least + away.least
 
 
 @compiled
 def time_to_conflict(world: World, point_mass: PointMass, t: float, command: Command) -> Clearance:
-    """Clearance if the command were held: when contact is made, and with what."""
-    dt = STEP * world.scale
-    for k in range(LENGTH):
+    """Clearance if the command were held: the time of contact, and the hazard."""
+    dt = TRAJECTORY_STEP * world.scale
+    for k in range(TRAJECTORY_POINTS):
         world.trajectory[k, 0], world.trajectory[k, 1], world.trajectory[k, 2] = point_mass.p_n
         point_mass = advance(point_mass, command[0], command[1], world.wind_n, world.limits, dt)
     return clear(world, point_mass, t, 0, (2.0 * CONTACT, CONTACT), 0)

@@ -1,7 +1,7 @@
-"""How clear a trajectory stays of all hazards, looked at only where it can matter.
+"""Clearance of a trajectory from all hazards, by conservative advancement.
 
-Between two points of the trajectory the distance from a hazard shrinks no faster than both move, so
-the points in between are left out: conservative advancement.
+The distance from a hazard shrinks no faster than aircraft and hazard move, so that points within
+the distance found are skipped (B. Mirtich, Impulse-based Dynamic Simulation, 1996).
 """
 
 import math
@@ -18,18 +18,20 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vectors
 
 MAX_UNCERTAINTY = 12.0
-"""The doubt about a position grows no further than this [m]."""
+"""Largest uncertainty of a position along a trajectory [m]; chosen, so that distant hazards do not
+forbid everything."""
 
 
 class Clearance(NamedTuple):
-    """What was found along a trajectory."""
+    """Clearance along a trajectory."""
 
     least: float
-    """Least clearance, not looked for above what was called enough [m]."""
+    """Least clearance [m]; not searched for above what is enough."""
     lost: float
-    """Time from the start of the trajectory until too little is left [s]; infinite if never."""
+    """Time from the start of the trajectory until the clearance is too little [s]; infinite if
+    never."""
     hazard: int
-    """The one that is nearest, or lost to; -1 if all leave enough."""
+    """Number of the nearest hazard, or of the one too near; -1 if all leave enough."""
 
 
 @compiled
@@ -47,16 +49,16 @@ def clearance_along(
     """Least clearance along a trajectory, and when it falls below a limit.
 
     Args:
-        hazards: what to keep clear of.
+        hazards: the known hazards.
         trajectory: positions (N, 3), NED [m].
-        t: time of the first one, on the clock of the obstacles [s].
-        dt: time between two [s].
-        speed: largest over ground along the trajectory [m/s].
-        uncertainty_rate: of the doubt about the own position [m/s].
-        enough: a clearance above this is as good as any [m].
-        too_little: the trajectory is lost below this [m]; if it is `enough`, the first loss that is
-            found ends the search, and may not be the earliest.
-        suspect: the hazard to look at first.
+        t: time of the first position, on the clock of the obstacles [s].
+        dt: time between two positions [s].
+        speed: largest speed over ground along the trajectory [m/s].
+        uncertainty_rate: growth of the uncertainty of the own position [m/s].
+        enough: clearance above which no difference is made [m].
+        too_little: clearance below which the trajectory is not flown [m]; if it equals `enough`,
+            the search ends at the first place that is found, which may not be the earliest.
+        suspect: number of the hazard to look at first.
     """
     count, end = hazard_count(hazards), len(trajectory)
     least, hazard = enough, -1

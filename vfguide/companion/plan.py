@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from vfguide.aircraft.gain_scheduling import FAST, suited
+from vfguide.aircraft.gain_scheduling import FAST_ROLL, suited
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
@@ -33,7 +33,7 @@ class Plan:
     aircraft: Performance
     gains: Gains
     """For an aircraft that follows at once."""
-    roll_time: float = FAST
+    roll_time: float = FAST_ROLL
     """How fast this one does, 63 % of a step of the roll rate [s]."""
     identify: bool = False
     """Whether a test flight before the first goal has to show what the aircraft is like."""

@@ -1,1 +1,1 @@
-"""From a command of guidance to body rates and thrust, within the limits of the aircraft."""
+"""Control: from a command of guidance to body rates and thrust, within the aircraft's limits."""

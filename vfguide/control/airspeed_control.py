@@ -1,4 +1,7 @@
-"""Thrust: what the climb, the turn and the airspeed take."""
+"""Airspeed control: thrust by feed-forward of climb and turn, and PI feedback of the airspeed.
+
+It is no total-energy control: path angle and airspeed are controlled apart.
+"""
 
 import math
 
@@ -10,14 +13,14 @@ from vfguide.geometry.compiled import compiled
 def thrust_for(
     aircraft: Performance, error: float, gamma: float, load: float, integral: float
 ) -> float:
-    """Thrust setpoint, not limited.
+    """Thrust setpoint, not limited: trim + climb + induced drag of the turn + feedback.
 
     Args:
         aircraft: its trim and slopes.
-        error: airspeed missing [m/s].
+        error: airspeed to fly less true airspeed [m/s].
         gamma: wanted path angle through the air [rad].
-        load: load factor flown.
-        integral: of the airspeed error, in setpoint.
+        load: load factor that is flown.
+        integral: integral of the airspeed error, as thrust setpoint.
     """
     return (
         aircraft.thrust_trim
@@ -32,7 +35,7 @@ def thrust_for(
 def integrate_error(
     aircraft: Performance, error: float, thrust: float, integral: float, dt: float
 ) -> float:
-    """Next value of the integral; it rests while the thrust is at a limit."""
+    """The integral `dt` [s] later, as thrust setpoint; held while the thrust is at a limit."""
     if thrust <= 0.0 or thrust >= 1.0:
         return integral
     return max(-0.3, min(0.3, integral + aircraft.thrust_integral * error * dt))

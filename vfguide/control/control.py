@@ -20,26 +20,27 @@ from vfguide.geometry.so3 import from_euler, log, to_quaternion
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, norm, scale, sub, transpose
 from vfguide.geometry.velocity import azimuth_of, path_of
 
-REFERENCE_RATE = 1.5
-"""The reference attitude's angular velocity is not taken above this [rad/s]."""
+MAX_REFERENCE_RATE = 1.5
+"""Largest angular velocity of the reference attitude that is fed forward [rad/s]; chosen, so that a
+jump of the reference is not."""
 
 
 class ControlState(NamedTuple):
-    """What one step leaves for the next."""
+    """What control keeps from one step to the next."""
 
     R_na: Mat3
-    """Reference attitude of the last step."""
+    """Reference attitude of the last step, to NED."""
     omega_a: Vec3
-    """Its angular velocity, smoothed [rad/s]."""
+    """Its angular velocity in its own axes, smoothed [rad/s]."""
     thrust_integral: float
-    """Of the error of the airspeed, in setpoint of thrust."""
+    """Integral of the airspeed error, as thrust setpoint."""
     alpha_bias: float
     """Learned correction of the angle of attack [rad]."""
 
 
 @compiled
 def fresh_control() -> ControlState:
-    """Memory before the first step."""
+    """The state of control before the first step."""
     level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     return ControlState(level, (0.0, 0.0, 0.0), 0.0, 0.0)
 
@@ -48,7 +49,12 @@ def fresh_control() -> ControlState:
 def update(
     nav: NavState, command: GuidanceCommand, s: ControlState, vehicle: Vehicle
 ) -> tuple[RateSetpoint, ControlState]:
-    """Body rates and thrust for a command, not limited yet."""
+    """Body rates and thrust that fly a command, before the last limits, and the next state.
+
+    The reference attitude has the elevation gamma + k_elevation (gamma - path angle), the command's
+    bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction; Omega is
+    that of Lemma 4 (`rate_law`).
+    """
     if vehicle.is_point:
         return point_nose(nav, command, s, vehicle)
     state, (aircraft, gains, _) = nav.state, vehicle
@@ -77,10 +83,10 @@ def update(
 def point_nose(
     nav: NavState, command: GuidanceCommand, s: ControlState, vehicle: Vehicle
 ) -> tuple[RateSetpoint, ControlState]:
-    """The same for a body without weight: its x axis leads, R_na = Rz(azimuth) Ry(gamma) Rx(bank).
+    """Body rates for the paper's rigid body: R_na = Rz(azimuth) Ry(gamma) Rx(bank), no thrust.
 
-    An aeroplane turns because its lift is tilted, so that its attitude follows from the turn. Here
-    it is the other way round; the body is banked as the aeroplane would be.
+    An aeroplane turns because its lift is tilted; this body flies where its nose points. It is
+    banked only as the aeroplane would be.
     """
     gains = vehicle.gains
     R_na = from_euler(command.bank, command.gamma, command.azimuth)
@@ -103,7 +109,7 @@ def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> 
     """Angular velocity of the reference attitude, body axes, smoothed [rad/s]."""
     turned = scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na)))
     size = norm(turned)
-    if size > REFERENCE_RATE:
-        turned = scale(REFERENCE_RATE / size, turned)
+    if size > MAX_REFERENCE_RATE:
+        turned = scale(MAX_REFERENCE_RATE / size, turned)
     blend = dt / (smoothing + dt)
     return add(s.omega_a, scale(blend, sub(turned, s.omega_a)))

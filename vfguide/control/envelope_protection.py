@@ -1,8 +1,7 @@
-"""Body rates that lead to no bank and no load factor outside their limits, also in gusts.
+"""Envelope protection: body rates that keep bank and load factor inside limits, also in gusts.
 
-The attitude that flies a path knows nothing of the gust that bends it: a push in air that stops
-rising takes the wing through zero lift. A gust that is faster than the body turns is felt all the
-same.
+The reference attitude does not take gusts into account: pitching down where rising air ends takes
+the wing through zero lift. A gust that is faster than the pitch rate still exceeds the limits.
 """
 
 import math
@@ -14,19 +13,23 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3
 
 LOAD_TIME = 0.3
-"""A load factor outside the limits is taken back in this time [s]."""
-OUTSIDE = 1.0
-"""A load factor farther outside than this counts as so far outside: the air meets the wing from
-behind, as in a tumble."""
-SPARE = 0.3
-"""So much above the least load factor, but not above halfway to 1, nothing is pushed any more: the
-next gust takes the rest."""
-STRONGER = 1.2
-"""A gust in a turn may pull more than the turn is planned with, by this factor."""
+"""Time in which a load factor outside its limits is taken back [s]; chosen with
+`tools/measure_poses.py` in turbulence."""
+MAX_LOAD_EXCESS = 1.0
+"""Largest excess of the load factor over its limit, as a number of g, that is answered; chosen,
+since beyond it the air meets the wing from behind, as in a tumble."""
+LOAD_RESERVE = 0.3
+"""Load factor above the least one, dimensionless and at most half of the distance to 1, below which
+the nose is not pushed down any more; chosen, since the next gust takes the rest."""
+GUST_LOAD_RATIO = 1.2
+"""Ratio of the load factor that a gust in a turn may reach to the largest with which turns are
+planned; chosen."""
 BANK_TIME = 0.3
-"""The bank comes no nearer to its limit than would take it there in this time [s], ..."""
-BANK_OVER = 0.035
-"""... and the limit is so much beyond the largest that is asked for [rad]."""
+"""Least time in which the roll rate may take the bank to its limit [s]; chosen with
+`tools/measure_poses.py` in turbulence."""
+BANK_OVERSHOOT = 0.035
+"""Limit of the bank beyond the largest that is commanded [rad], two degrees; tuned: with one degree
+less, loiters and escapes were flown worse."""
 
 
 @compiled
@@ -50,8 +53,8 @@ def within_envelope(
     """Body rates [rad/s] that lead to no bank and no load factor outside the limits.
 
     At a steady load factor n the nose follows the path, q = g (n - cos pitch cos bank) / V; a
-    load that is outside is taken back in LOAD_TIME by a change of the angle of attack. In a steep
-    bank the least load asks for no pull.
+    load factor that is outside is taken back in LOAD_TIME by a change of the angle of attack. In a
+    steep bank the least load factor asks for no pull.
 
     Args:
         omega: wanted.
@@ -63,11 +66,11 @@ def within_envelope(
     """
     upright, bank = R[2][2], math.atan2(R[2][1], R[2][2])
     steady, back = G0 / speed, aircraft.alpha_load / (speed * speed * LOAD_TIME)
-    least = aircraft.load_min + min(SPARE, 0.5 * (1.0 - aircraft.load_min))
-    most = STRONGER * aircraft.load_max
-    load = max(least - OUTSIDE, min(most + OUTSIDE, load))
+    least = aircraft.load_min + min(LOAD_RESERVE, 0.5 * (1.0 - aircraft.load_min))
+    most = GUST_LOAD_RATIO * aircraft.load_max
+    load = max(least - MAX_LOAD_EXCESS, min(most + MAX_LOAD_EXCESS, load))
     down = min(least - upright, 0.0) * steady + (least - load) * back
     up = (most - upright) * steady + (most - load) * back
-    limit = bank_max + BANK_OVER
+    limit = bank_max + BANK_OVERSHOOT
     left, right = (-limit - bank) / BANK_TIME, (limit - bank) / BANK_TIME
     return max(left, min(right, omega[0])), max(down, min(up, omega[1])), omega[2]

@@ -1,4 +1,4 @@
-"""The last stage: no value outside the aircraft's limits leaves the loop."""
+"""Setpoint limits: no value outside the aircraft's limits leaves the control loop."""
 
 import math
 
