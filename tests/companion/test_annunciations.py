@@ -11,7 +11,7 @@ from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.companion.annunciations import passage_note, progress_notes
-from vfguide.geometry.angles import TURN
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
@@ -69,6 +69,6 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
         for note in progress_notes(before, after)
     ]
     ((time, note),) = notes
-    period = TURN * 80.0 / 25.0
+    period = FULL_TURN * 80.0 / 25.0
     assert period < time < 3.0 * period
     assert note.startswith("no progress to goal 1: flown a full circle more than its way has")

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.geometry.angles import TURN, wrap
+from vfguide.geometry.angles import FULL_TURN, wrap
 
 BELOW_PI = math.nextafter(math.pi, 0.0)
 
@@ -13,7 +13,7 @@ BELOW_PI = math.nextafter(math.pi, 0.0)
 def test_wrap_is_the_same_direction_within_half_a_turn(angle):
     wrapped = wrap(angle)
     assert -math.pi <= wrapped < math.pi
-    assert math.remainder(angle - wrapped, TURN) == pytest.approx(0.0, abs=1e-9)
+    assert math.remainder(angle - wrapped, FULL_TURN) == pytest.approx(0.0, abs=1e-9)
 
 
 @given(st.floats(-1e6, 1e6))
@@ -31,7 +31,7 @@ def test_wrapping_twice_changes_nothing(angle):
         (-BELOW_PI, -BELOW_PI),
         (-1e-300, -1e-300),
         (3.0 * math.pi, -math.pi),
-        (TURN, 0.0),
+        (FULL_TURN, 0.0),
         (1.5 * math.pi, -0.5 * math.pi),
     ],
 )

@@ -9,7 +9,7 @@ from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import known_state
-from vfguide.geometry.angles import TURN
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
@@ -22,7 +22,7 @@ from vfguide.planning.objective import objective_at
 STEP = 0.5
 """Flown in one step [m]."""
 RADIUS = 100.0
-CIRCLE = TURN * RADIUS
+CIRCLE = FULL_TURN * RADIUS
 VEHICLE = row_of(Vehicle(AEROSONDE, Gains(25.0)))
 LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 

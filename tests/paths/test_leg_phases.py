@@ -8,13 +8,14 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from vfguide.aircraft.envelope import turn_radius
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.units import DEG, G0
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import FULL, is_hasty, length_of, shortest_path
+from vfguide.paths.dubins import is_hasty, length_of, shortest_path
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, keep_radius, new_leg
 from vfguide.paths.leg_phases import BREAK_OFF, fly_leg, leg_course
 from vfguide.paths.leg_start import (
-    ENDS,
+    APPROACH_STEPS,
     HASTY_FINAL_APPROACH,
     LEAP,
     SHORTEST_FINAL_APPROACH,
@@ -56,7 +57,7 @@ def begun_end(here, course):
     final_approach, path = FINAL, shortest_path(*ahead(here, FINAL), course, RADIUS)
     ends = [max(FINAL, HASTY_FINAL_APPROACH * RADIUS) if is_hasty(path) else FINAL]
     brief = min(SHORTEST_FINAL_APPROACH * RADIUS, FINAL)
-    ends += [ends[0] + (brief - ends[0]) * k / ENDS for k in range(1, ENDS + 1)]
+    ends += [ends[0] + (brief - ends[0]) * k / APPROACH_STEPS for k in range(1, APPROACH_STEPS + 1)]
     least = math.inf
     for end in ends:
         tried = shortest_path(*ahead(here, end), course, RADIUS)
@@ -124,8 +125,8 @@ def longest_way(x, y, course, distance_for_altitude):
     if shortest + final_approach >= distance_for_altitude:
         return shortest + final_approach
     circles = (
-        math.floor((distance_for_altitude - final_approach - shortest) / (FULL * RADIUS))
-        * FULL
+        math.floor((distance_for_altitude - final_approach - shortest) / (FULL_TURN * RADIUS))
+        * FULL_TURN
         * RADIUS
     )
     begin, needed = (
@@ -147,7 +148,7 @@ def test_a_way_is_long_enough_for_the_height_or_the_vehicle_flies_away_first(
     remaining = leg_course(after, here, CORE).remaining
     if after.phase == OUTBOUND:
         begin = at(*ahead(here, after.final_approach), course)
-        needed = distance_for_altitude - after.final_approach - after.circles * FULL * RADIUS
+        needed = distance_for_altitude - after.final_approach - after.circles * FULL_TURN * RADIUS
         chosen, length = best_outbound(begin, RADIUS, needed)
         assert after.outbound == chosen
         assert needed <= length < best_end(begin, RADIUS, needed)[1]
@@ -161,15 +162,15 @@ def test_a_way_is_long_enough_for_the_height_or_the_vehicle_flies_away_first(
 def test_of_the_missing_path_only_what_is_no_full_circle_is_flown_away_from_the_goal():
     here = at(-500.0, 0.0)
     path = length_of(shortest_path(*ahead(here, FINAL), 0.0, RADIUS)) * RADIUS
-    needed = FINAL + path + 1.5 * FULL * RADIUS
+    needed = FINAL + path + 1.5 * FULL_TURN * RADIUS
     outbound = begun(-500.0, 0.0, 0.0, needed)
     assert (outbound.phase, outbound.circles) == (OUTBOUND, 1.0)
-    short = 0.4 * FULL * RADIUS
+    short = 0.4 * FULL_TURN * RADIUS
     assert fly_leg(outbound, here, needing(needed - short), GAINS).phase == OUTBOUND
-    short = 0.6 * FULL * RADIUS
+    short = 0.6 * FULL_TURN * RADIUS
     after = fly_leg(outbound, here, needing(needed - short), GAINS)
     assert after.phase == ON_PATH
-    assert after.progress.path.arc >= FULL
+    assert after.progress.path.arc >= FULL_TURN
 
 
 def test_a_path_that_became_too_short_for_the_height_is_planned_anew_but_not_close_to_the_goal():

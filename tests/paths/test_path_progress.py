@@ -7,9 +7,9 @@ from dubins import dubins_length
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from vfguide.geometry.angles import wrap
+from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import CLOSED, FULL, length_of, shortest_path, turn_of
+from vfguide.paths.dubins import CLOSED_TURN, length_of, shortest_path, turn_of
 from vfguide.paths.path_progress import (
     FIRST_TURN,
     LAST_TURN,
@@ -36,12 +36,12 @@ def at(x, y, course):
 
 def way_from(x, y, course, circles=0):
     path = shortest_path(x, y, course, RADIUS)
-    return begin_path(at(x, y, course), path._replace(arc=path.arc + FULL * circles), RADIUS)
+    return begin_path(at(x, y, course), path._replace(arc=path.arc + FULL_TURN * circles), RADIUS)
 
 
 def is_exact(path):
     """Whether no turn of it was taken as none for being nearly a full circle."""
-    return all(abs(turn - FULL) > 1.1 * CLOSED for turn in (path.arc, path.end))
+    return all(abs(turn - FULL_TURN) > 1.1 * CLOSED_TURN for turn in (path.arc, path.end))
 
 
 @given(PLACE, PLACE, COURSE)
@@ -49,7 +49,7 @@ def test_a_word_is_as_long_as_dubins_path_or_shorter_by_turns_that_are_nearly_cl
     path = shortest_path(x, y, course, RADIUS)
     expected = dubins_length((x, y, course), (0.0, 0.0, 0.0), RADIUS) / RADIUS
     assert length_of(path) <= expected + 1e-6
-    assert length_of(path) >= expected - 2.0 * FULL - 1e-6
+    assert length_of(path) >= expected - 2.0 * FULL_TURN - 1e-6
 
 
 @given(PLACE, PLACE, COURSE)
@@ -63,14 +63,14 @@ def test_the_three_pieces_of_a_word_lead_to_the_origin_along_x(x, y, course):
     else:
         last = after_turn(middle, path.middle, path.reach, RADIUS)
     end = after_turn(last, path.last, path.end, RADIUS)
-    closed = 2.5 * CLOSED * max(RADIUS, math.hypot(x, y))
+    closed = 2.5 * CLOSED_TURN * max(RADIUS, math.hypot(x, y))
     exact = math.isclose(
         length_of(path) * RADIUS,
         dubins_length((x, y, course), (0.0, 0.0, 0.0), RADIUS),
         abs_tol=1e-6,
     )
     assert math.hypot(end.x, end.y) < (1e-5 if exact else closed)
-    assert abs(wrap(end.course)) < (1e-6 if exact else 2.5 * CLOSED)
+    assert abs(wrap(end.course)) < (1e-6 if exact else 2.5 * CLOSED_TURN)
 
 
 @given(PLACE, PLACE, COURSE, st.integers(0, 2))
@@ -94,7 +94,7 @@ def test_a_way_is_followed_to_its_end(x, y, course, circles):
 @given(st.sampled_from([1.0, -1.0]), st.floats(0.8, 5.5), st.integers(0, 3))
 def test_whole_circles_are_counted_down(side, arc, circles):
     progress = way_from(-500.0, 30.0, 0.0)
-    path = progress.path._replace(first=side, arc=arc + FULL * circles)
+    path = progress.path._replace(first=side, arc=arc + FULL_TURN * circles)
     progress = progress._replace(path=path, left=path.arc)
     for gone in (0.05, 0.2, 0.4):
         pose = after_turn(begin_of(progress), side, gone, RADIUS)
@@ -117,7 +117,7 @@ def test_the_roll_from_turn_to_turn_sets_in_twice_as_early_as_from_a_turn_to_a_s
 
 
 def test_a_turn_that_is_nearly_a_full_circle_is_none():
-    assert turn_of(FULL - 0.5 * CLOSED) == 0.0
-    assert turn_of(-0.5 * CLOSED) == 0.0
-    assert turn_of(FULL - 2.0 * CLOSED) == pytest.approx(FULL - 2.0 * CLOSED)
-    assert turn_of(0.5 * CLOSED) == 0.5 * CLOSED
+    assert turn_of(FULL_TURN - 0.5 * CLOSED_TURN) == 0.0
+    assert turn_of(-0.5 * CLOSED_TURN) == 0.0
+    assert turn_of(FULL_TURN - 2.0 * CLOSED_TURN) == pytest.approx(FULL_TURN - 2.0 * CLOSED_TURN)
+    assert turn_of(0.5 * CLOSED_TURN) == 0.5 * CLOSED_TURN

@@ -6,12 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import FULL, length_of, shortest_path
+from vfguide.paths.dubins import length_of, shortest_path
 from vfguide.paths.path_progress import Pose, after_turn
 from vfguide.paths.path_stretching import (
+    LEAST_GAIN,
     LENGTH_SLACK,
-    SHORTER,
     STRIDES,
     TURN,
     TURNS,
@@ -38,7 +39,7 @@ def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
     x, y, course, needed
 ):
     progress = shortest(x, y, course)
-    needed = min(needed, progress + FULL * RADIUS)
+    needed = min(needed, progress + FULL_TURN * RADIUS)
     farther, length = best_end(at(x, y, course), RADIUS, needed)
     if math.isinf(length):
         ends = [0.1 * RADIUS * k for k in range(STRIDES)]
@@ -55,7 +56,7 @@ def test_a_longer_end_makes_the_path_as_long_as_needed_and_no_shorter_end_does(
 
 @given(PLACE, PLACE, COURSE, NEEDED)
 def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course, needed):
-    needed = min(needed, shortest(x, y, course) + FULL * RADIUS)
+    needed = min(needed, shortest(x, y, course) + FULL_TURN * RADIUS)
     chosen, length = best_outbound(at(x, y, course), RADIUS, needed)
     assert needed <= length < math.inf
     lengths = {}
@@ -66,10 +67,10 @@ def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course
             arc + outbound_length(pose, RADIUS, needed + slack * RADIUS - arc)
             for slack in (0.0, LENGTH_SLACK)
         )
-    nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL)))
+    nearest = min(lengths, key=lambda other: abs(math.remainder(other - chosen, FULL_TURN)))
     plain, with_slack = lengths[nearest]
     assert length == pytest.approx(plain)
-    assert with_slack <= min(its[1] for its in lengths.values()) + SHORTER * RADIUS + 1e-6
+    assert with_slack <= min(its[1] for its in lengths.values()) + LEAST_GAIN * RADIUS + 1e-6
 
 
 def test_a_course_on_which_a_metre_more_leaps_by_most_of_a_circle_is_not_taken():

@@ -27,10 +27,10 @@ INTEGRAL_RATIO = 0.24
 
 
 def suited(gains: Gains, roll_time: float, roll_rate: float) -> Gains:
-    """Gains for an aircraft that follows, of those for one that follows at once.
+    """Gains for a slower roll response than the one that the default gains are made for.
 
     Args:
-        gains: for a roll response within FAST.
+        gains: for a roll response within FAST_ROLL.
         roll_time: time to 63 % of a step of the roll rate [s].
         roll_rate: the largest that is commanded [rad/s].
     """

@@ -47,7 +47,7 @@ def time_scale(limits: Dynamics, airspeed: float) -> float:
 
 @compiled
 def manoeuvre(kind: int, scale: float) -> Manoeuvre:
-    """One of the KINDS, its times scaled."""
+    """Escape number `kind` of the MANOEUVRE_KINDS, its times multiplied by `scale`."""
     turn, climb = kind // 3, float(kind % 3)
     climb = -1.0 if climb == 2.0 else climb
     if turn == 0:

@@ -41,18 +41,20 @@ Limits = tuple[float, float]
 
 
 class World(NamedTuple):
-    """Everything but the motion that a search needs."""
+    """Everything that a search needs but the motion itself."""
 
     hazards: Hazards
+    """The known hazards."""
     wind_n: Vec3
-    """NED, blowing toward [m/s]."""
+    """Wind, NED, blowing toward [m/s]."""
     uncertainty_rate: float
-    """Of the doubt about the own position [m/s]."""
+    """Growth of the uncertainty of the own position [m/s]."""
     limits: Dynamics
+    """Limits and lags of the aircraft's motion."""
     scale: float
-    """Of all times of manoeuvres."""
+    """Factor of all times of manoeuvres."""
     trajectory: Vectors
-    """Room for one trajectory (LENGTH, 3)."""
+    """Memory for one trajectory (TRAJECTORY_POINTS, 3), NED [m]."""
 
 
 class Found(NamedTuple):
@@ -130,12 +132,13 @@ def find_escape(
 
 @compiled
 def distances_from_command(world: World, command: Command) -> Series:
-    """How far each manoeuvre's first command is from the command, shorter turns first: (KINDS,)."""
+    """Distance of each manoeuvre's command from `command`, dimensionless, (MANOEUVRE_KINDS,).
+
+    Of equal ones the shorter turn is nearer.
+    """
     far = np.empty(MANOEUVRE_KINDS)
     limits = world.limits
-    climbs = max(
-        limits.climb_max + limits.descent_max, 1e-3
-    )  # sinking or rising air may leave none
+    climbs = max(limits.climb_max + limits.descent_max, 1e-3)  # the wind may leave none
     for kind in range(MANOEUVRE_KINDS):
         plan = manoeuvre(kind, 1.0)
         bank = abs(bank_of(plan, limits) - command[0]) / limits.bank_max

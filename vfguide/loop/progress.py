@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.estimation.estimation import NavState
-from vfguide.geometry.angles import TURN
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.leg import OUTBOUND, Leg
 from vfguide.planning.objective import Objective
@@ -67,5 +67,5 @@ def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> 
     if leg.phase != OUTBOUND:
         longest = max(longest, remaining)
     flown += progress.flown
-    enough = TURN * leg.radius + longest - progress.least
+    enough = FULL_TURN * leg.radius + longest - progress.least
     return Progress(progress.least, longest, flown, progress.alarmed or flown > enough > 0.0)

@@ -1,1 +1,1 @@
-"""Paths of bounded curvature, and the leg along one to a goal."""
+"""Dubins paths, the leg to a goal along one, and path stretching for changes of height."""

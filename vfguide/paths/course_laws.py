@@ -1,10 +1,13 @@
-"""The plane of the approach: which path to fly over ground, and how far it still is.
+"""Course laws: the course over ground along the paper's field, a line or a circle.
 
-Everything here is in the horizontal plane of the goal frame: x along the goal's course,
-y to its right, courses measured from the goal's. The paper's field leads through the goal
-along circles that are tangent to the x axis there; within the two circles of the smallest
-flyable radius it turns too tightly, and beyond the goal it leads far away. There the
-vehicle flies along a path of turns and straights instead (`path_progress`).
+Everything here is in the horizontal plane of the goal frame: x along the goal's course, y to its
+right, courses measured from the goal's. The paper's field leads through the goal along circles
+that are tangent to the x axis there. Within the two circles of the smallest flyable radius it turns
+too tightly, and beyond the goal it leads far away: there the vehicle flies along a Dubins path
+instead (`path_progress`).
+
+Lines and circles are followed by the vector fields of D. R. Nelson, D. B. Barber, T. W. McLain and
+R. W. Beard, Vector Field Path Following for Miniature Air Vehicles, 2007.
 """
 
 import math
@@ -14,17 +17,23 @@ from vfguide.field.navigation import navigation_field, navigation_field_rate
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
-CONVERGENCE = 1.25
-"""Slope of the course onto a circle or a line, per radius of distance from it."""
+CONVERGENCE_GAIN = 1.25
+"""Gain from the distance beside a circle or line, in radii, to the tangent of the course angle
+towards it, dimensionless: k of Beard and McLain (2012, chapter 10), whose value was chosen with
+point-mass flights."""
 
 
 class Planar(NamedTuple):
     """Position [m] and ground velocity [m/s] in the horizontal plane of the goal frame."""
 
     x: float
+    """Position along the goal's course [m]."""
     y: float
+    """Position to its right [m]."""
     vx: float
+    """Velocity along the goal's course [m/s]."""
     vy: float
+    """Velocity to its right [m/s]."""
 
 
 class Course(NamedTuple):
@@ -42,8 +51,8 @@ class Course(NamedTuple):
 def field_course(at: Planar, core: float) -> Course:
     """Direction of the navigation field, eq_VF_xyz, restricted to the plane z = 0.
 
-    Closer than `core` [m] before the goal the field is that of a line: the angle falls
-    with y alone, so that the course stays calm where the field's circles become small.
+    Closer than `core` [m] before the goal the field is that of a line: there the course depends on
+    y alone, so that it stays steady where the field's circles become small.
     """
     p = (min(at.x, -core), at.y, 0.0)
     v = (at.vx if at.x < -core else 0.0, at.vy, 0.0)
@@ -67,21 +76,27 @@ def arc_to_goal(x: float, y: float) -> float:
 
 @compiled
 def line_course(at: Planar, p: tuple[float, float], course: float, width: float) -> Course:
-    """Course onto the line through `p` [m] along `course` [rad], over about `width` [m]."""
+    """Course onto the line through `p` [m] along `course` [rad], chi = course - atan(k e / width).
+
+    e is the distance to the right of the line [m], `width` the scale of the approach to it [m].
+    """
     c, s = math.cos(course), math.sin(course)
-    u = CONVERGENCE * (c * (at.y - p[1]) - s * (at.x - p[0])) / width
-    u_rate = CONVERGENCE * (c * at.vy - s * at.vx) / width
+    u = CONVERGENCE_GAIN * (c * (at.y - p[1]) - s * (at.x - p[0])) / width
+    u_rate = CONVERGENCE_GAIN * (c * at.vy - s * at.vx) / width
     return Course(wrap(course - math.atan(u)), -u_rate / (1.0 + u * u), math.inf)
 
 
 @compiled
 def loiter_course(at: Planar, side: float, radius: float) -> Course:
-    """Course round a circle about the origin: converges smoothly and never tighter than it."""
+    """Course onto a circle around the origin, which converges without turning more tightly.
+
+    `side` is +1 for a circle to the right, -1 to the left; `radius` is in m.
+    """
     distance = max(math.hypot(at.x, at.y), 1e-3)
     distance_rate = (at.x * at.vx + at.y * at.vy) / distance
     bearing = math.atan2(-at.y, -at.x)
     bearing_rate = (at.x * at.vy - at.y * at.vx) / (distance * distance)
-    u = CONVERGENCE * (distance - radius) / radius
-    u_rate = CONVERGENCE * distance_rate / radius
+    u = CONVERGENCE_GAIN * (distance - radius) / radius
+    u_rate = CONVERGENCE_GAIN * distance_rate / radius
     chi = wrap(bearing - side * (0.5 * math.pi - math.atan(u)))
     return Course(chi, bearing_rate + side * u_rate / (1.0 + u * u), math.inf)

@@ -1,41 +1,45 @@
 """The shortest path of bounded curvature to a pose: Dubins' six candidates.
 
-Each has three pieces: two turns, and a straight or a third turn between them (L. E. Dubins, On
-curves of minimal length with a constraint on average curvature, 1957; in the normalised form of
-Shkel and Lumelsky, Classification of the Dubins set, 2001). Goal frame; lengths in turn radii.
+Each has three segments: two turns, and a straight or a third turn between them (CSC, CCC).
+
+L. E. Dubins, On Curves of Minimal Length with a Constraint on Average Curvature, and with
+Prescribed Initial and Terminal Positions and Tangents, 1957; the equations are in the normalised
+form of A. M. Shkel and V. Lumelsky, Classification of the Dubins Set, 2001. Everything is in the
+goal frame; lengths are in turn radii.
 """
 
 import math
 from typing import NamedTuple
 
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, writer
 
-FULL = 2.0 * math.pi
-CLOSED = 0.1
-"""A turn that lacks no more than this to a full circle is none: a step earlier it was [rad]."""
+CLOSED_TURN = 0.1
+"""Largest angle missing to a full circle at which a turn counts as none [rad], chosen: a step
+earlier the turn was none."""
 
 SHORT_LAST_TURN = 1.1
-"""A last turn of less than this is short [rad]."""
+"""Angle below which a last turn is too short for the course to settle [rad]; chosen."""
 SHORT_STRAIGHT = 1.0
-"""A straight of less than this is short [turn radii]."""
+"""Length below which a straight is too short for the bank to settle [turn radii]; chosen."""
 
 
 class DubinsPath(NamedTuple):
-    """A turn, a straight or a turn, and a turn."""
+    """A turn, a straight or a turn, and a turn; sides are +1 right and -1 left."""
 
     first: float
     """Side of the first turn: +1 right, -1 left."""
     arc: float
-    """Of the first turn [rad]."""
+    """Angle of the first turn [rad]."""
     middle: float
-    """Side of the turn in the middle, 0 where it is straight."""
+    """Side of the turn in the middle, 0 for a straight."""
     reach: float
-    """Of the middle segment [turn radii, or rad]."""
+    """Length of the middle segment [turn radii], which is the angle of a turn [rad]."""
     last: float
     """Side of the last turn."""
     end: float
-    """Arc of the last turn [rad]."""
+    """Angle of the last turn [rad]."""
 
 
 read_dubins_path, write_dubins_path = reader(DubinsPath), writer(DubinsPath)
@@ -43,26 +47,26 @@ read_dubins_path, write_dubins_path = reader(DubinsPath), writer(DubinsPath)
 
 @compiled
 def length_of(path: DubinsPath) -> float:
-    """[turn radii]."""
+    """Length of a Dubins path [turn radii]."""
     return path.arc + path.reach + path.end
 
 
 @compiled
 def turn_of(angle: float) -> float:
-    """A turn by `angle` as 0 to a full circle [rad]."""
-    turned = angle % FULL
-    return 0.0 if turned > FULL - CLOSED else turned
+    """The angle of a turn, taken between 0 and a full circle [rad]."""
+    turned = angle % FULL_TURN
+    return 0.0 if turned > FULL_TURN - CLOSED_TURN else turned
 
 
 @compiled
 def same_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
-    """Both turns to the same side; there always is one.
+    """The path LSL or RSR, which always exists.
 
     Args:
         d: distance of the goal [turn radii].
-        alpha: course, from the direction towards the goal [rad].
-        beta: the goal's course, from the same direction [rad].
-        side: of the first turn.
+        alpha: course at the start, measured from the direction towards the goal [rad].
+        beta: course at the goal, measured from the same direction [rad].
+        side: side of the first turn, +1 right, -1 left.
     """
     lever = side * (math.sin(alpha) - math.sin(beta))
     square = 2.0 + d * d - 2.0 * math.cos(alpha - beta) + 2.0 * d * lever
@@ -73,9 +77,9 @@ def same_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
 
 @compiled
 def opposite_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
-    """The second turn to the other side; infinitely long where the circles overlap.
+    """The path LSR or RSL; infinitely long where the circles overlap.
 
-    Arguments of `same_turns`.
+    The arguments are those of `same_turns`.
     """
     lever = side * (math.sin(alpha) + math.sin(beta))
     square = d * d - 2.0 + 2.0 * math.cos(alpha - beta) + 2.0 * d * lever
@@ -90,15 +94,15 @@ def opposite_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPa
 
 @compiled
 def three_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
-    """To one side, to the other by more than half a circle, and back; only close to the goal.
+    """The path LRL or RLR, the middle turn by more than half a circle; only close to the goal.
 
-    Arguments of `same_turns`.
+    Infinitely long where there is none. The arguments are those of `same_turns`.
     """
     lever = side * (math.sin(alpha) - math.sin(beta))
     cosine = (6.0 - d * d + 2.0 * math.cos(alpha - beta) - 2.0 * d * lever) / 8.0
     if abs(cosine) > 1.0:
         return DubinsPath(side, 0.0, -side, math.inf, side, 0.0)
-    middle = FULL - math.acos(cosine)
+    middle = FULL_TURN - math.acos(cosine)
     turned = math.atan2(-side * (math.cos(alpha) - math.cos(beta)), d + lever)
     arc = turn_of(0.5 * middle - side * (alpha - turned))
     end = turn_of(side * (beta - alpha) - arc + middle)
@@ -107,7 +111,7 @@ def three_turns(d: float, alpha: float, beta: float, side: float) -> DubinsPath:
 
 @compiled
 def is_hasty(path: DubinsPath) -> bool:
-    """Whether a short last turn follows at once on one to the other side: no time to settle."""
+    """Whether a short last turn follows at once on one to the other side, too soon to settle."""
     swings = path.middle == -path.last
     crosses = path.middle == 0.0 and path.first == -path.last and path.reach < SHORT_STRAIGHT
     return path.end < SHORT_LAST_TURN and (swings or crosses)
@@ -121,7 +125,7 @@ def shorter(path: DubinsPath, other: DubinsPath) -> DubinsPath:
 
 @compiled
 def shortest_path(x: float, y: float, course: float, radius: float) -> DubinsPath:
-    """The shortest Dubins path from (x, y) [m] and a course [rad] to the origin along x."""
+    """The shortest Dubins path from (x, y) [m] and a course [rad] to the origin, course 0."""
     d, bearing = math.hypot(x, y) / radius, math.atan2(-y, -x)
     alpha, beta = course - bearing, -bearing
     path = same_turns(d, alpha, beta, 1.0)

@@ -1,4 +1,4 @@
-"""Edges: Dubins paths that join poses of the horizontal plane, and places along them."""
+"""Edges of a route: Dubins paths that join poses of the horizontal plane, NED."""
 
 import math
 from typing import NamedTuple
@@ -11,42 +11,46 @@ from vfguide.geometry.rows import Row, Table, reader, width, writer
 from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_turns, three_turns
 from vfguide.paths.path_progress import Pose, after_turn
 
-KINDS = 6
-"""Of Dubins paths: three, each with its first turn to either side."""
-FARTHEST_THREE = 4.0
-"""Apart at most for three turns [radii]."""
-JOINS = 1e-10
-"""A Dubins path ends where it should when it is off by no more than this [radii, or rad]."""
+PATH_KINDS = 6
+"""Number of Dubins paths: three kinds, each with its first turn to either side."""
+FARTHEST_THREE_TURNS = 4.0
+"""Largest distance of two poses that three turns can join [turn radii] (Shkel and Lumelsky,
+2001)."""
+JOIN_TOLERANCE = 1e-10
+"""Largest distance from its end pose at which a Dubins path counts as joined [turn radii, or rad];
+chosen above rounding."""
 
 RouteEdges = Table
-"""A `Edge` a row."""
+"""A table with one `Edge` a row."""
 
 
 class Edge(NamedTuple):
     """A Dubins path from a pose."""
 
     begin: Pose
+    """Pose at its start."""
     path: DubinsPath
 
 
 EDGE_WIDTH = width(Edge)
-"""How many numbers the row of an edge has."""
+"""Number of floats in the row of an `Edge`."""
 read_edge, write_edge = reader(Edge), writer(Edge)
 
 
 class Segment(NamedTuple):
-    """A turn, or a straight."""
+    """A turn or a straight."""
 
     begin: Pose
+    """Pose at its start."""
     side: float
-    """Of a turn, 0 for a straight."""
+    """Side of a turn, +1 right, -1 left; 0 for a straight."""
     length: float
-    """[m]."""
+    """Length along the path [m]."""
 
 
 @compiled
 def segments_of(edge: Edge, radius: float) -> tuple[Segment, Segment, Segment]:
-    """The three segments of an edge."""
+    """The three segments of an edge with turns of `radius` [m]."""
     path, begin = edge.path, edge.begin
     first = Segment(begin, path.first, radius * path.arc)
     second = Segment(segment_end(first, radius), path.middle, radius * path.reach)
@@ -55,7 +59,7 @@ def segments_of(edge: Edge, radius: float) -> tuple[Segment, Segment, Segment]:
 
 @compiled
 def pose_along(segment: Segment, travelled: float, radius: float) -> Pose:
-    """Where one is `travelled` [m] after the beginning of a segment."""
+    """Pose after `travelled` [m] of a segment."""
     begin = segment.begin
     if segment.side != 0.0:
         return after_turn(begin, segment.side, travelled / radius, radius)
@@ -65,19 +69,19 @@ def pose_along(segment: Segment, travelled: float, radius: float) -> Pose:
 
 @compiled
 def segment_end(segment: Segment, radius: float) -> Pose:
-    """Where a segment ends."""
+    """Pose at the end of a segment."""
     return pose_along(segment, segment.length, radius)
 
 
 @compiled
 def edge_end(edge: Edge, radius: float) -> Pose:
-    """Where an edge ends."""
+    """Pose at the end of an edge."""
     return segment_end(segments_of(edge, radius)[2], radius)
 
 
 @compiled
 def dubins_path_of(kind: int, d: float, alpha: float, beta: float) -> DubinsPath:
-    """One of the KINDS of Dubins paths; arguments of `same_turns`."""
+    """Dubins path number `kind` of PATH_KINDS; the other arguments are those of `same_turns`."""
     side = 1.0 if kind % 2 == 0 else -1.0
     if kind < 2:
         return same_turns(d, alpha, beta, side)
@@ -90,18 +94,18 @@ def dubins_path_of(kind: int, d: float, alpha: float, beta: float) -> DubinsPath
 def is_joined(edge: Edge, end: Pose, radius: float) -> bool:
     """Whether the edge ends at `end`.
 
-    It does not where a turn was taken as none because it nearly was a full circle.
+    It does not where a turn of nearly a full circle was taken as none.
     """
     there = edge_end(edge, radius)
     off = math.hypot(there.x - end.x, there.y - end.y) / radius
-    return off <= JOINS and abs(wrap(there.course - end.course)) <= JOINS
+    return off <= JOIN_TOLERANCE and abs(wrap(there.course - end.course)) <= JOIN_TOLERANCE
 
 
 @compiled
 def next_path(begin: Pose, end: Pose, radius: float, above: float) -> DubinsPath:
     """The shortest Dubins path from one pose to the other that is longer than `above` [radii].
 
-    Infinitely long where there is none.
+    It is infinitely long where there is none. `radius` is that of the turns [m].
     """
     x, y = end.x - begin.x, end.y - begin.y
     d, bearing = math.hypot(x, y) / radius, math.atan2(y, x)
@@ -117,7 +121,7 @@ def next_path(begin: Pose, end: Pose, radius: float, above: float) -> DubinsPath
 def least_path(d: float, alpha: float, beta: float, above: float) -> DubinsPath:
     """The shortest Dubins path longer than `above` [radii]; other arguments of `same_turns`."""
     least, best = math.inf, DubinsPath(1.0, 0.0, 0.0, math.inf, 1.0, 0.0)
-    for kind in range(KINDS if d <= FARTHEST_THREE else KINDS - 2):
+    for kind in range(PATH_KINDS if d <= FARTHEST_THREE_TURNS else PATH_KINDS - 2):
         path = dubins_path_of(kind, d, alpha, beta)
         length = length_of(path)
         if above < length < least:
@@ -141,7 +145,7 @@ def edge_in(rows: RouteEdges, i: int) -> Edge:
 
 @compiled
 def route_length(route_edges: RouteEdges, radius: float) -> float:
-    """Length of all edges [m]."""
+    """Length of all edges with turns of `radius` [m]."""
     length = 0.0
     for i in range(len(route_edges)):
         length += radius * length_of(edge_in(route_edges, i).path)

@@ -1,4 +1,4 @@
-"""The leg to one goal: what is remembered of how it is flown."""
+"""The leg to one goal: its phase, its turns and its path."""
 
 from typing import NamedTuple
 
@@ -7,39 +7,46 @@ from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import DubinsPath
 from vfguide.paths.path_progress import LAST_TURN, PathProgress
 
-NEW, FIELD, ON_PATH, OUTBOUND = 0, 1, 2, 3
-"""Phases: nothing flown yet; along the paper's field; along a path; away from the goal."""
+NEW = 0
+"""Number of the phase before anything has been flown."""
+FIELD = 1
+"""Number of the phase along the paper's field."""
+ON_PATH = 2
+"""Number of the phase along a Dubins path."""
+OUTBOUND = 3
+"""Number of the phase away from the goal, which makes the leg longer."""
 
 
 class Leg(NamedTuple):
-    """Memory of the leg to one goal."""
+    """State of the leg to one goal."""
 
     phase: int
+    """One of NEW, FIELD, ON_PATH and OUTBOUND."""
     radius: float
-    """Of the turns [m]: kept, so that the path does not move during the approach."""
+    """Radius of the turns over ground [m], kept so that the path does not move during a leg."""
     final_approach: float
-    """Length of the straight end [m]."""
+    """Length of the final approach [m]."""
     outbound: float
-    """Course in phase OUTBOUND, from the goal's [rad]."""
+    """Course in phase OUTBOUND, relative to the goal's [rad]."""
     circles: float
-    """Full circles that the path will have when it is flown after that."""
+    """Number of full circles of the path that follows phase OUTBOUND."""
     progress: PathProgress
-    """That is flown in phase ON_PATH."""
+    """Path of phase ON_PATH, and the progress along it."""
 
 
 @compiled
 def new_leg() -> Leg:
-    """A leg of which nothing has been flown."""
+    """A leg in phase NEW."""
     path = DubinsPath(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
     return Leg(NEW, 0.0, 0.0, 0.0, 0.0, PathProgress(0.0, 0.0, 0.0, path, 1.0, LAST_TURN, 0.0))
 
 
 @compiled
 def keep_radius(leg: Leg, radius: float) -> Leg:
-    """The leg with turns of `radius` [m], changed only where aircraft or wind ask for another.
+    """The leg with turns of `radius` [m], which is changed only for a large difference.
 
-    Once it is begun only where they ask for a very different one, because it is planned anew then:
-    a gusty wind comes and goes in less time than the leg takes.
+    A leg on a path is planned anew then. Once it has started, the difference must be larger, since
+    a gust lasts less time than a leg.
     """
     change = 1.2 if leg.phase == NEW else 1.4
     if leg.radius < change * radius and radius <= change * leg.radius:
@@ -50,7 +57,7 @@ def keep_radius(leg: Leg, radius: float) -> Leg:
 
 @compiled
 def in_phase(leg: Leg, phase: int, progress: PathProgress) -> Leg:
-    """The leg in another phase."""
+    """The leg in another phase, with the progress along its path."""
     return Leg(phase, leg.radius, leg.final_approach, leg.outbound, leg.circles, progress)
 
 
@@ -62,17 +69,17 @@ def with_radius(leg: Leg, radius: float) -> Leg:
 
 @compiled
 def with_final_approach(leg: Leg, final_approach: float) -> Leg:
-    """The leg with another length of its straight end [m]."""
+    """The leg with another length of its final approach [m]."""
     return Leg(leg.phase, leg.radius, final_approach, leg.outbound, leg.circles, leg.progress)
 
 
 @compiled
 def before_end(leg: Leg, at: Planar) -> Planar:
-    """The vehicle in the plane whose origin is the beginning of the straight end."""
+    """The vehicle in the plane whose origin is the start of the final approach."""
     return moved(at, leg.final_approach)
 
 
 @compiled
 def moved(at: Planar, farther: float) -> Planar:
-    """The vehicle, seen from so much before the origin [m]."""
+    """The vehicle relative to a point `farther` [m] before the origin."""
     return Planar(at.x + farther, at.y, at.vx, at.vy)

@@ -1,9 +1,9 @@
-"""Which of the courses of `course_laws` to fly: the leg to a goal as a small state machine.
+"""Phases of a leg: a state machine that chooses between the laws of `course_laws`.
 
     NEW -> (OUTBOUND ->) ON_PATH -> FIELD
 
-A leg begins as `leg_start.begin_leg` says; from the last turn of its path the paper's field is
-taken up. What does not lead on any more is planned anew.
+A leg starts as `leg_start.begin_leg` decides. From the last turn of its path the paper's field is
+captured. A leg that cannot go on as it is becomes NEW and is planned again.
 """
 
 from vfguide.aircraft.performance import Gains
@@ -15,20 +15,21 @@ from vfguide.paths.leg_start import Paths, begin_leg, start_here
 from vfguide.paths.path_progress import along, beside, leads_straight_on, path_course, path_left
 
 OFF_PATH = 0.5
-"""A path is planned anew where the vehicle is farther beside it than this, in radii."""
+"""Distance beside its path above which a leg is planned anew [turn radii]; chosen."""
 BREAK_OFF = 0.9
-"""A path is planned anew when it is shorter than this part of what the height needs."""
+"""Share of the length that the change of height takes below which a path is planned anew;
+chosen."""
 
 
 @compiled
 def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
-    """The memory of the leg after one step: the phase that is flown now.
+    """The leg after one step, with the phase that is flown now.
 
     Args:
-        leg: memory of the leg.
+        leg: the leg at the step before.
         at: the vehicle in the plane of the goal frame.
-        paths: that the rest of the change of height takes.
-        gains: of the approach.
+        paths: lengths of path that the rest of the change of height takes.
+        gains: gains of the guidance.
     """
     entry = before_end(leg, at)
     after = go_on(leg, entry)
@@ -46,9 +47,9 @@ def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
 
 @compiled
 def leg_course(leg: Leg, at: Planar, core: float) -> Course:
-    """The course of the phase that is flown, and the path length to the goal.
+    """Course of the present phase, relative to the goal's, and the path length to the goal.
 
-    `core` is where the field becomes that of a line [m], see `field_course`.
+    `core` is that of `field_course` [m].
     """
     toward = entry_course(leg, before_end(leg, at), core)
     return Course(toward.chi, toward.chi_rate, toward.remaining + leg.final_approach)
@@ -56,10 +57,10 @@ def leg_course(leg: Leg, at: Planar, core: float) -> Course:
 
 @compiled
 def entry_course(leg: Leg, at: Planar, core: float) -> Course:
-    """The same to the beginning of the straight end, which is the origin here.
+    """Course of the present phase, and the path length to the start of the final approach.
 
-    Away from the goal the path counts as no longer than the radius, so that it is as steep as it
-    may be.
+    That start is the origin here. In phase OUTBOUND the path counts as one radius long, so that
+    height is changed as steeply as allowed.
     """
     if leg.phase == ON_PATH:
         return path_course(leg.progress, at)
@@ -70,7 +71,7 @@ def entry_course(leg: Leg, at: Planar, core: float) -> Course:
 
 @compiled
 def go_on(leg: Leg, entry: Planar) -> Leg:
-    """The leg as far as it leads on, else a new one."""
+    """The leg in the phase that follows; NEW where it cannot go on as it is."""
     if leg.phase == FIELD:
         leads_on = stays_in_field(leg, entry) and entry.x < leg.final_approach
         return in_phase(leg, FIELD if leads_on else NEW, leg.progress)

@@ -1,17 +1,18 @@
-"""How a leg begins: straight on, along the field, along the shortest path, or away from the goal.
+"""Leg start: along the final approach, the field or the shortest path, or away from the goal.
 
-Where the path is too short for the height it gets full circles, and for what they are too much a
-longer straight end, or the vehicle first flies away from the goal. A descent that takes more path
-than the path has is flown faster, in wider turns: the drag then takes away more height.
+A path that is too short for its change of height gets full circles. What is missing and is less
+than a circle is added by a longer final approach, or by flying away from the goal first. A descent
+that takes more than the path is flown faster, in wider turns, with more drag.
 """
 
 import math
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Gains
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.compiled import compiled
 from vfguide.paths.course_laws import Planar
-from vfguide.paths.dubins import FULL, DubinsPath, is_hasty, length_of, shortest_path
+from vfguide.paths.dubins import DubinsPath, is_hasty, length_of, shortest_path
 from vfguide.paths.field_capture import begins_in_field, is_lined_up
 from vfguide.paths.leg import (
     FIELD,
@@ -28,32 +29,34 @@ from vfguide.paths.path_progress import TURN_IN, begin_path
 from vfguide.paths.path_stretching import best_end, best_outbound
 
 HASTY_FINAL_APPROACH = 0.9
-"""The straight end is this long [radii] where the turns before it follow in haste."""
+"""Length of the final approach where a short last turn follows at once on one to the other side
+[turn radii]; chosen longer than the ordinary 0.6, since the course has to settle."""
 SHORTEST_FINAL_APPROACH = 0.3
-"""No straight end is shortened to less than this [radii]."""
+"""Least length of the final approach [turn radii]; chosen."""
 LEAP = 5.0
-"""A path that is longer by so many radii has leapt."""
-ENDS = 6
-"""Straight ends from the longest to the briefest that are tried, in equal steps."""
+"""Difference of length above which one path counts as a leap longer than another [turn radii];
+chosen below a full circle."""
+APPROACH_STEPS = 6
+"""Number of steps in which shorter final approaches are tried; chosen."""
 
 
 class Paths(NamedTuple):
-    """Paths over ground that the rest of the change of height takes [m]."""
+    """Lengths of path over ground that the rest of the change of height takes."""
 
     needed: float
-    """With turns of the leg's radius."""
+    """Length with turns of the leg's radius [m]."""
     radius_factor: float
-    """Those of a faster descent are wider by this; 1: there is none."""
+    """Factor by which the turns of a faster descent are wider; 1 if there is none."""
     needed_wide: float
-    """With these."""
+    """Length with turns that are wider by that factor [m]."""
 
 
 class LegStart(NamedTuple):
-    """A leg as it begins."""
+    """A leg that has just started."""
 
     leg: Leg
     length: float
-    """Of the path to the goal [m]."""
+    """Length of the path to the goal [m]."""
 
 
 @compiled
@@ -61,10 +64,10 @@ def begin_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
     """The leg from here, with wider turns where a faster descent makes it shorter.
 
     Args:
-        leg: new.
+        leg: a leg in phase NEW.
         at: the vehicle in the plane of the goal frame.
-        paths: that the change of height takes.
-        gains: of the approach.
+        paths: lengths of path that the change of height takes.
+        gains: gains of the guidance.
     """
     level = start_here(leg, at, paths.needed, gains)
     if paths.radius_factor > 1.0 and paths.needed_wide < paths.needed:
@@ -80,10 +83,10 @@ def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains)
     """The leg from here, with turns of its radius.
 
     Args:
-        leg: new, or flown away from the goal until now.
+        leg: a leg in phase NEW or OUTBOUND.
         at: the vehicle in the plane of the goal frame.
         distance_for_altitude: path length that the remaining change of height takes [m].
-        gains: of the approach.
+        gains: gains of the guidance.
     """
     final_approach = gains.final_approach * leg.radius
     fresh = with_final_approach(leg, final_approach)
@@ -108,20 +111,23 @@ def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains)
 
 @compiled
 def longest_end(begin: Planar, radius: float, final_approach: float, longest: float) -> float:
-    """The longest straight end before which the path does not leap [m].
+    """The longest final approach whose path is not a leap longer than that of a shorter one [m].
 
-    The shortest path to an end that begins a little earlier may be longer by a circle, because
-    another Dubins path is the shortest.
+    The shortest path to a final approach that starts a little earlier may be longer by a circle,
+    because another Dubins path is the shortest.
 
     Args:
-        begin: of the path, the origin where a straight end of length `final_approach` begins.
-        radius: of the turns [m].
-        final_approach: [m].
-        longest: that is tried [m].
+        begin: the vehicle; the origin is the start of a final approach of length `final_approach`.
+        radius: radius of the turns [m].
+        final_approach: ordinary length of the final approach [m].
+        longest: longest one that is tried [m].
     """
     chosen, shortest = longest, math.inf
-    for k in range(ENDS + 1):
-        end = longest + (min(SHORTEST_FINAL_APPROACH * radius, final_approach) - longest) * k / ENDS
+    for k in range(APPROACH_STEPS + 1):
+        end = (
+            longest
+            + (min(SHORTEST_FINAL_APPROACH * radius, final_approach) - longest) * k / APPROACH_STEPS
+        )
         path = path_from(moved(begin, end - final_approach), radius)
         length = end + radius * length_of(path)
         if length < shortest - LEAP * radius:
@@ -133,12 +139,12 @@ def longest_end(begin: Planar, radius: float, final_approach: float, longest: fl
 def path_or_outbound(
     leg: Leg, begin: Planar, path: DubinsPath, distance_for_altitude: float
 ) -> LegStart:
-    """The leg along a Dubins path that is long enough for the height.
+    """The leg along a Dubins path that is long enough for the change of height.
 
-    It gets full circles, and for what is less than one a longer straight end, or it is begun away
-    from the goal.
+    It gets full circles; what is missing and less than one becomes a longer final approach, or
+    phase OUTBOUND. `begin` is relative to the start of the final approach.
     """
-    missing = (distance_for_altitude / leg.radius - length_of(path)) / FULL  # in circles
+    missing = (distance_for_altitude / leg.radius - length_of(path)) / FULL_TURN  # in circles
     circles = float(math.floor(missing)) if missing > 0.0 else 0.0
     if leg.phase == OUTBOUND:
         circles = leg.circles
@@ -146,7 +152,7 @@ def path_or_outbound(
         return along_path(leg, begin, with_circles(path, circles))
     if leg.phase == OUTBOUND:
         return LegStart(leg, math.inf)
-    round_once = FULL * circles * leg.radius
+    round_once = FULL_TURN * circles * leg.radius
     distance_for_altitude -= round_once
     farther, with_end = best_end(begin, leg.radius, distance_for_altitude)
     course, with_outbound = best_outbound(begin, leg.radius, distance_for_altitude)
@@ -160,7 +166,7 @@ def path_or_outbound(
 
 @compiled
 def along_path(leg: Leg, begin: Planar, path: DubinsPath) -> LegStart:
-    """The leg along a Dubins path."""
+    """The leg in phase ON_PATH along a Dubins path from `begin`."""
     progress = begin_path(begin, path, leg.radius)
     return LegStart(
         in_phase(leg, ON_PATH, progress), leg.final_approach + leg.radius * length_of(path)
@@ -169,12 +175,12 @@ def along_path(leg: Leg, begin: Planar, path: DubinsPath) -> LegStart:
 
 @compiled
 def with_circles(path: DubinsPath, circles: float) -> DubinsPath:
-    """The Dubins path with full circles more at its beginning."""
-    arc = path.arc + FULL * circles
+    """The Dubins path with a number of full circles added to its first turn."""
+    arc = path.arc + FULL_TURN * circles
     return DubinsPath(path.first, arc, path.middle, path.reach, path.last, path.end)
 
 
 @compiled
 def path_from(at: Planar, radius: float) -> DubinsPath:
-    """The shortest Dubins path from here to the origin."""
+    """The shortest Dubins path from here to the origin, course 0, with turns of `radius` [m]."""
     return shortest_path(at.x, at.y, math.atan2(at.vy, at.vx), radius)

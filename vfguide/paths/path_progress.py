@@ -1,46 +1,57 @@
-"""A path: three segments, turns and straights, onto the straight end of the approach.
+"""Progress along a Dubins path onto the final approach.
 
 Everything is in the horizontal plane of the goal frame, moved so that the path ends at the origin
-along x.
+with course 0. The path is followed segment by segment, by the course laws of lines and circles.
 """
 
 import math
 from typing import NamedTuple
 
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import reader, writer
 from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
-from vfguide.paths.dubins import FULL, SHORT_LAST_TURN, DubinsPath
+from vfguide.paths.dubins import SHORT_LAST_TURN, DubinsPath
 
 TURN_IN = 0.37
-"""The roll into a turn, or out of it, sets in this much earlier [s], from one turn into the other
-twice as much: the lag of the bank."""
-FIRST_TURN, MIDDLE, LAST_TURN = 0, 1, 2
-"""Segments of a path."""
+"""Time before the end of a segment at which the roll into the next one starts [s], twice that from
+one turn into the opposite one: the lag of the bank under the default gains, 1 / k_w + RATE_LAG of
+the point mass."""
+FIRST_TURN = 0
+"""Number of the first segment of a Dubins path."""
+MIDDLE = 1
+"""Number of the second segment of a Dubins path, a straight or a turn."""
+LAST_TURN = 2
+"""Number of the last segment of a Dubins path."""
 
 
 class PathProgress(NamedTuple):
-    """Where the segments lie, and how far along them the vehicle is."""
+    """A Dubins path in the plane, and how far along it the vehicle is."""
 
     x: float
+    """Start of the path, along x [m]."""
     y: float
-    """Where the path begins [m]."""
+    """Start of the path, along y [m]."""
     course: float
-    """There [rad]."""
+    """Course at the start [rad]."""
     path: DubinsPath
     radius: float
-    """Of both turns [m]."""
+    """Radius of the turns [m]."""
     segment: int
+    """Present segment: FIRST_TURN, MIDDLE or LAST_TURN."""
     left: float
-    """Of the segment that is flown: of a turn [rad], of a straight [radii]."""
+    """Rest of the present segment: angle of a turn [rad], length of a straight [turn radii]."""
 
 
 class Pose(NamedTuple):
-    """A place [m] and a course [rad]."""
+    """A position and a course in the horizontal plane."""
 
     x: float
+    """Position along the first axis [m]."""
     y: float
+    """Position along the second axis, to the right of the first [m]."""
     course: float
+    """Course, clockwise from the first axis [rad]."""
 
 
 read_pose, write_pose = reader(Pose), writer(Pose)
@@ -48,20 +59,20 @@ read_pose, write_pose = reader(Pose), writer(Pose)
 
 @compiled
 def begin_path(at: Planar, path: DubinsPath, radius: float) -> PathProgress:
-    """The path along `path` from here."""
+    """The progress at the start of a Dubins path from here, with turns of `radius` [m]."""
     return PathProgress(at.x, at.y, math.atan2(at.vy, at.vx), path, radius, FIRST_TURN, path.arc)
 
 
 @compiled
 def centre_beside(at: Pose, side: float, radius: float) -> tuple[float, float]:
-    """Centre of a turn that begins here [m]."""
+    """Centre of a turn to a side (+1 right, -1 left) that starts here [m]."""
     turn = side * radius
     return at.x - turn * math.sin(at.course), at.y + turn * math.cos(at.course)
 
 
 @compiled
 def after_turn(at: Pose, side: float, arc: float, radius: float) -> Pose:
-    """Where a turn by `arc` [rad] ends that begins here."""
+    """Pose at the end of a turn by `arc` [rad] that starts here."""
     x, y = centre_beside(at, side, radius)
     course = at.course + side * arc
     turn = side * radius
@@ -70,19 +81,19 @@ def after_turn(at: Pose, side: float, arc: float, radius: float) -> Pose:
 
 @compiled
 def begin_of(progress: PathProgress) -> Pose:
-    """Where the path begins."""
+    """Pose at the start of the path."""
     return Pose(progress.x, progress.y, progress.course)
 
 
 @compiled
 def middle_begin(progress: PathProgress) -> Pose:
-    """Where the middle segment begins."""
+    """Pose at the start of the middle segment."""
     return after_turn(begin_of(progress), progress.path.first, progress.path.arc, progress.radius)
 
 
 @compiled
 def is_straight(progress: PathProgress) -> bool:
-    """Whether the segment that is flown is straight."""
+    """Whether the present segment is a straight."""
     return progress.segment == MIDDLE and progress.path.middle == 0.0
 
 
@@ -93,19 +104,21 @@ def leads_straight_on(progress: PathProgress) -> bool:
 
 
 class Turn(NamedTuple):
-    """A turn that is flown."""
+    """A turn of a path."""
 
     x: float
+    """Centre along x [m]."""
     y: float
-    """Its centre [m]."""
+    """Centre along y [m]."""
     side: float
+    """Side, +1 right, -1 left."""
     end: float
     """Course at its end [rad]."""
 
 
 @compiled
 def present_turn(progress: PathProgress) -> Turn:
-    """The turn that is flown."""
+    """The turn of the present segment."""
     path, middle = progress.path, middle_begin(progress)
     if progress.segment == FIRST_TURN:
         x, y = centre_beside(begin_of(progress), path.first, progress.radius)
@@ -118,15 +131,15 @@ def present_turn(progress: PathProgress) -> Turn:
 
 @compiled
 def about(turn: Turn, at: Planar) -> Planar:
-    """The vehicle, seen from the centre of a turn."""
+    """The vehicle relative to the centre of a turn."""
     return Planar(at.x - turn.x, at.y - turn.y, at.vx, at.vy)
 
 
 @compiled
 def segment_left(progress: PathProgress, at: Planar) -> float:
-    """What the segment lacks to its end: of a turn [rad], of a straight [radii].
+    """Rest of the present segment: angle of a turn [rad], length of a straight [turn radii].
 
-    Whole circles are those that there were at the step before.
+    The number of full circles is that of the step before.
     """
     if is_straight(progress):
         begin = middle_begin(progress)
@@ -137,12 +150,12 @@ def segment_left(progress: PathProgress, at: Planar) -> float:
     here = about(turn, at)
     course = math.atan2(here.y, here.x) + turn.side * 0.5 * math.pi
     left = turn.side * (turn.end - course)
-    return left + FULL * round((progress.left - left) / FULL)
+    return left + FULL_TURN * round((progress.left - left) / FULL_TURN)
 
 
 @compiled
 def at_segment(progress: PathProgress, segment: int, left: float) -> PathProgress:
-    """The path, so far along it."""
+    """The path with the progress that is given."""
     return PathProgress(
         progress.x, progress.y, progress.course, progress.path, progress.radius, segment, left
     )
@@ -150,7 +163,7 @@ def at_segment(progress: PathProgress, segment: int, left: float) -> PathProgres
 
 @compiled
 def along(progress: PathProgress, at: Planar) -> PathProgress:
-    """The path, as far along it as the vehicle is."""
+    """The path with the progress of the vehicle, into the next segment in time for the roll."""
     path, lead = progress.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
     last = path.last * min(1.0, path.end / SHORT_LAST_TURN)
     middle = last if path.middle == 0.0 and path.reach < lead else path.middle
@@ -166,7 +179,7 @@ def along(progress: PathProgress, at: Planar) -> PathProgress:
 
 @compiled
 def path_left(progress: PathProgress) -> float:
-    """Length of the rest of the path [m]."""
+    """Length of the rest of the path along its segments [m]."""
     rest = progress.left
     if progress.segment == FIRST_TURN:
         rest += progress.path.reach
@@ -177,7 +190,7 @@ def path_left(progress: PathProgress) -> float:
 
 @compiled
 def path_course(progress: PathProgress, at: Planar) -> Course:
-    """Course along the segment that is flown, back onto it where the vehicle is beside it."""
+    """Course onto and along the present segment, and the length of the rest of the path."""
     if is_straight(progress):
         begin = middle_begin(progress)
         onto = line_course(at, (begin.x, begin.y), begin.course, progress.radius)
@@ -189,7 +202,7 @@ def path_course(progress: PathProgress, at: Planar) -> Course:
 
 @compiled
 def beside(progress: PathProgress, at: Planar) -> float:
-    """Distance from the segment that is flown [m]."""
+    """Distance beside the present segment [m], not negative."""
     if is_straight(progress):
         begin = middle_begin(progress)
         dx, dy = at.x - begin.x, at.y - begin.y

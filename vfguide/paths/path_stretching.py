@@ -1,8 +1,7 @@
-"""Longer paths, where the shortest one is too short for the height.
+"""Path stretching: longer paths, where the shortest is too short for the change of height.
 
-The length of the shortest path leaps where another Dubins path becomes the shortest, by up to a
-circle. Therefore several ways of making it longer are tried, and the one that ends up shortest is
-taken.
+The length of the shortest path jumps by up to a circle where another Dubins path becomes the
+shortest. Therefore several longer paths are tried, and the shortest of those that suffice is taken.
 """
 
 import math
@@ -12,29 +11,31 @@ from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import length_of, shortest_path
 from vfguide.paths.path_progress import Pose, after_turn
 
-TURNS = 4
-TURN = 0.55
-"""So many turns to either side are tried, each by so much more [rad]."""
+OUTBOUND_TURNS = 4
+"""Number of turns to either side that are tried before an outbound straight; chosen."""
+OUTBOUND_TURN = 0.55
+"""Difference between two of those turns [rad]; chosen, so that they reach 126 degrees."""
 STRIDE = 0.1
-"""Lengths of straights are tried in steps of this, in radii, ..."""
+"""Step of the lengths of straights that are tried [turn radii]; chosen."""
 STRIDES = 100
-"""... no more of them than this."""
-SHORTER = 0.01
-"""A later path is taken only where it is shorter by this, in radii: rounding decides nothing."""
+"""Number of lengths of straights that are tried; chosen: they reach 10 turn radii."""
+LEAST_GAIN = 0.01
+"""Least difference by which a later path must be shorter to be taken [turn radii]; chosen above
+rounding."""
 LENGTH_SLACK = 0.3
-"""A path that flies on first has to lead on even where so much more path is needed, in radii: what
-is missed by a little does not leap then."""
+"""Additional length for which an outbound course must suffice too [turn radii]; chosen, so that a
+path that is a little too short later does not become longer by a circle."""
 
 
 @compiled
 def best_end(at: Planar, radius: float, distance_for_altitude: float) -> tuple[float, float]:
-    """How much longer to make the straight end, and the length of the path with it [m].
+    """Additional length of the final approach, and the length of the path with it [m].
 
-    The length is infinite where no end is long enough, as straight behind the goal.
+    The path is infinitely long where no length suffices, as straight behind the goal.
 
     Args:
-        at: the vehicle, the origin where the straight end begins.
-        radius: of the turns [m].
+        at: the vehicle, relative to the start of the final approach.
+        radius: radius of the turns [m].
         distance_for_altitude: least length of the path to the origin [m].
     """
     course = math.atan2(at.vy, at.vx)
@@ -49,20 +50,20 @@ def best_end(at: Planar, radius: float, distance_for_altitude: float) -> tuple[f
 
 @compiled
 def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tuple[float, float]:
-    """The course to fly on before the path begins [rad], and the length of the path then [m].
+    """The outbound course before the path [rad], and the length of both [m].
 
-    Arguments of `best_end`.
+    The arguments are those of `best_end`.
     """
     begin = Pose(at.x, at.y, math.atan2(at.vy, at.vx))
     best, shortest, least = begin.course, math.inf, math.inf
-    for k in range(2 * TURNS + 1):
-        turn = TURN * ((k + 1) // 2)
+    for k in range(2 * OUTBOUND_TURNS + 1):
+        turn = OUTBOUND_TURN * ((k + 1) // 2)
         pose = after_turn(begin, 1.0 if k % 2 == 1 else -1.0, turn, radius)
         arc = radius * turn
         with_slack = arc + outbound_length(
             pose, radius, distance_for_altitude + LENGTH_SLACK * radius - arc
         )
-        if with_slack < least - SHORTER * radius:
+        if with_slack < least - LEAST_GAIN * radius:
             best, least = pose.course, with_slack
             shortest = arc + outbound_length(pose, radius, distance_for_altitude - arc)
     return best, shortest
@@ -70,9 +71,10 @@ def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tu
 
 @compiled
 def outbound_length(begin: Pose, radius: float, distance_for_altitude: float) -> float:
-    """Length of a straight and the shortest path behind it that first is as long as needed [m].
+    """Length of the shortest outbound straight, with the path after it, that suffices [m].
 
-    Infinite where none is, as far away towards the origin.
+    It is infinite where none of STRIDES lengths does, as far from the origin with the course
+    towards it.
     """
     c, s = math.cos(begin.course), math.sin(begin.course)
     for k in range(STRIDES):
