@@ -22,7 +22,7 @@ from vfguide.assurance import assurance
 from vfguide.assurance.assurance import (
     LASTING,
     LEAST_ROOM,
-    NARROW,
+    NARROW_ROUTE,
     as_decided,
     fresh_assurance,
     in_air,
@@ -103,9 +103,9 @@ def test_tracks_begin_with_the_path_over_the_ground():
 def test_a_way_with_little_room_has_a_smaller_margin():
     """Else the assurance would forbid it; never a larger one, and never less than some."""
     assert in_room(FLOWN, 0.0) == in_room(FLOWN, -1.0) == in_room(FLOWN, 25.0) == FLOWN
-    assert in_room(FLOWN, NARROW * FLOWN.margin) == FLOWN
+    assert in_room(FLOWN, NARROW_ROUTE * FLOWN.margin) == FLOWN
     narrow = in_room(FLOWN, 8.0)
-    assert narrow.margin == pytest.approx(8.0 / NARROW)
+    assert narrow.margin == pytest.approx(8.0 / NARROW_ROUTE)
     assert narrow == FLOWN._replace(margin=narrow.margin)
     assert in_room(FLOWN, 1.0).margin == LEAST_ROOM
 

@@ -13,9 +13,9 @@ from vfguide.paths.path_progress import Pose, after_turn
 from vfguide.paths.path_stretching import (
     LEAST_GAIN,
     LENGTH_SLACK,
+    OUTBOUND_TURN,
+    OUTBOUND_TURNS,
     STRIDES,
-    TURN,
-    TURNS,
     best_end,
     best_outbound,
     outbound_length,
@@ -60,9 +60,9 @@ def test_the_course_away_is_the_one_of_the_shortest_path_with_slack(x, y, course
     chosen, length = best_outbound(at(x, y, course), RADIUS, needed)
     assert needed <= length < math.inf
     lengths = {}
-    for k in range(-TURNS, TURNS + 1):
-        arc = abs(k) * TURN * RADIUS
-        pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), abs(k) * TURN, RADIUS)
+    for k in range(-OUTBOUND_TURNS, OUTBOUND_TURNS + 1):
+        arc = abs(k) * OUTBOUND_TURN * RADIUS
+        pose = after_turn(Pose(x, y, course), math.copysign(1.0, k), abs(k) * OUTBOUND_TURN, RADIUS)
         lengths[pose.course] = tuple(
             arc + outbound_length(pose, RADIUS, needed + slack * RADIUS - arc)
             for slack in (0.0, LENGTH_SLACK)
@@ -77,8 +77,8 @@ def test_a_course_on_which_a_metre_more_leaps_by_most_of_a_circle_is_not_taken()
     """Half a radian to the right is the shortest way away, and leads on for 0.4 m no more."""
     course = math.radians(-79.0)
     here = at(-337.8, 115.83, course)
-    right = after_turn(Pose(here.x, here.y, course), 1.0, TURN, RADIUS)
-    arc, needed = TURN * RADIUS, 483.5
+    right = after_turn(Pose(here.x, here.y, course), 1.0, OUTBOUND_TURN, RADIUS)
+    arc, needed = OUTBOUND_TURN * RADIUS, 483.5
     ahead = outbound_length(Pose(here.x, here.y, course), RADIUS, needed)
     assert arc + outbound_length(right, RADIUS, needed - arc) < ahead
     assert arc + outbound_length(right, RADIUS, needed + 1.0 - arc) > ahead + 3.0 * RADIUS
