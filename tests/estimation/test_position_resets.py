@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.position_resets import (
-    BOUND,
-    LEAST,
-    LONGEST,
+    LONGEST_PAUSE,
+    RESET_ACCELERATION,
+    RESET_DISTANCE,
     follow_resets,
     no_resets,
     settled,
@@ -57,7 +57,7 @@ def test_a_jump_is_let_in_slowly(jump):
 @pytest.mark.parametrize("size", [0.5, 1.9, 2.1, 50.0])
 def test_what_an_aeroplane_can_fly_is_no_jump(size):
     _, jumps = flown({100: np.array((0.0, size, 0.0))}, 102)
-    assert jumps[-1].number == (size > LEAST + BOUND * DT * DT)
+    assert jumps[-1].number == (size > RESET_DISTANCE + RESET_ACCELERATION * DT * DT)
 
 
 def test_a_jump_that_is_undone_leaves_nothing():
@@ -81,7 +81,7 @@ def test_a_steep_turn_is_no_jump():
     assert jumps.number == 0
 
 
-@pytest.mark.parametrize("dt", [0.0, -1.0, LONGEST, 10.0])
+@pytest.mark.parametrize("dt", [0.0, -1.0, LONGEST_PAUSE, 10.0])
 def test_after_a_pause_nothing_is_known_of_a_jump(dt):
     jumps = no_resets()._replace(offset_n=(5.0, 0.0, 0.0), number=3)
     after = follow_resets(jumps, ((0.0, 0.0, 0.0), V), at((900.0, 0.0, 0.0)), dt)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import AIRSPEED, fresh_air
-from vfguide.estimation.vertical_wind import GUST_ANGLE_MAX, LONGEST_STEP, RISE_TIME, feel_rise
+from vfguide.estimation.vertical_wind import GUST_ANGLE_MAX, LONGEST_GAP, RISE_TIME, feel_rise
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import add, matvec, scale, sub
@@ -87,6 +87,6 @@ def test_after_a_pause_it_begins_anew():
     _, v_n, R_nb = flight(0.0, 0.0, 0.0, 1.0, 1.0)
     air = known_air()
     air = air._replace(vertical=air.vertical._replace(rise=2.0))
-    told = FlightState(2.0 * LONGEST_STEP, HERE, v_n, R_nb, SPEED, STILL)
+    told = FlightState(2.0 * LONGEST_GAP, HERE, v_n, R_nb, SPEED, STILL)
     assert feel_rise(told, air, AEROSONDE).vertical.rise == 0.0
     assert feel_rise(told._replace(time=0.0), air, AEROSONDE).vertical.rise == 0.0

@@ -5,10 +5,10 @@ import pytest
 from vfguide.aircraft.performance import turn_length
 from vfguide.geometry.units import G0
 from vfguide.guidance.altitude_profile import (
-    GENTLE,
+    GENTLE_SLOPE,
     SMALL_ERROR_DISTANCE,
     STANDOFF,
-    WAIT,
+    WAIT_DISTANCE,
     goal_slope,
 )
 from vfguide.paths.distance_for_altitude import (
@@ -38,16 +38,16 @@ def test_an_error_of_height_falls_in_a_line_and_ends_as_a_parabola(height, slope
         if remaining < line_up:
             left = steady * 0.5 * remaining**2 / line_up
         error = height - profile_height(remaining, slope, UNIT)
-        most, waits = max(0.0, left), remaining - 0.5 * line_up - WAIT * UNIT
+        most, waits = max(0.0, left), remaining - 0.5 * line_up - WAIT_DISTANCE * UNIT
         if waits > 0.0:
-            most = max(most, min(off, GENTLE * (waits + SMALL_ERROR_DISTANCE * UNIT)))
+            most = max(most, min(off, GENTLE_SLOPE * (waits + SMALL_ERROR_DISTANCE * UNIT)))
         assert min(0.0, left) - 0.02 <= error <= most + 0.02
 
 
 @pytest.mark.parametrize("height", [0.5, 10.0, 40.0])
 def test_height_is_kept_until_a_gentle_descent_is_due(height):
     """It is what air that sinks can take: no metre is given away before."""
-    due = height / GENTLE + (WAIT + 0.5 * LINE_UP) * UNIT
+    due = height / GENTLE_SLOPE + (WAIT_DISTANCE + 0.5 * LINE_UP) * UNIT
     assert goal_slope(height, due + 1.0, 0.0, UNIT) == 0.0
     assert goal_slope(height, due - 10.0, 0.0, UNIT) < -0.01
     assert goal_slope(-height, due + 1.0, 0.0, UNIT) > 0.01

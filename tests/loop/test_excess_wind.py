@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from vfguide.geometry.angles import wrap
 from vfguide.planning.excess_wind import (
-    TOO_STRONG,
-    WEAK_AGAIN,
+    EXCESS_RATIO,
+    RELEASE_RATIO,
     WIND_SMOOTHING_TIME,
     WindHold,
     fresh_wind_hold,
@@ -33,13 +33,13 @@ def after(stand, speed, seconds):
 
 @pytest.mark.parametrize("part", [0.0, 0.5, 0.94, 0.96, 1.0, 2.0])
 def test_it_holds_above_a_part_of_the_airspeed(part):
-    assert after(fresh_wind_hold(), part * 25.0, 0.02).holds == (part > TOO_STRONG)
+    assert after(fresh_wind_hold(), part * 25.0, 0.02).holds == (part > EXCESS_RATIO)
 
 
 @pytest.mark.parametrize("part", [0.84, 0.86, 0.94, 1.1])
 def test_it_goes_on_holding_until_the_wind_has_fallen_below_another(part):
     stand = after(fresh_wind_hold(), 30.0, 1.0)
-    assert after(stand, part * 25.0, 10.0 * WIND_SMOOTHING_TIME).holds == (part > WEAK_AGAIN)
+    assert after(stand, part * 25.0, 10.0 * WIND_SMOOTHING_TIME).holds == (part > RELEASE_RATIO)
 
 
 def test_a_gust_changes_nothing():

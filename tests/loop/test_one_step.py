@@ -26,7 +26,7 @@ from vfguide.field.obstacle import obstacle_rows
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.vector import matvec
 from vfguide.guidance import flight_law
-from vfguide.guidance.flight_law import SPARING
+from vfguide.guidance.flight_law import LEVEL_BANK
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.paths.edge import EDGE_WIDTH, Edge, edge_row, next_path
 from vfguide.paths.leg import new_leg
@@ -189,7 +189,7 @@ def test_without_an_airspace_there_is_no_floor():
 def test_near_the_floor_air_that_sinks_is_flown_out_of_with_wings_level():
     turn = wished(0.0, 20.0).bank
     assert abs(turn) > 0.35
-    assert abs(wished(9.0, 20.0).bank) <= SPARING + 1e-9
+    assert abs(wished(9.0, 20.0).bank) <= LEVEL_BANK + 1e-9
     assert wished(9.0, 200.0).bank == wished(9.0, math.inf).bank
     assert abs(wished(9.0, 200.0).bank) > 0.25
     between = abs(wished(9.0, 0.5 * (AT_FLOOR + NEAR_FLOOR) * turn_length(25.0)).bank)

@@ -14,10 +14,10 @@ from vfguide.airspace.footprint import Band
 from vfguide.field.obstacle import Obstacle, obstacle_rows, put_out_of_sight
 from vfguide.geometry.shapes import shape
 from vfguide.planning.overflight import (
-    COST,
-    MOST_LEVELS,
+    HEIGHT_COST,
+    MAX_LEVELS,
     NO_LEVEL,
-    UNDER,
+    PASSED_MARGIN,
     AltitudePlan,
     aim_at,
     altitude_plan_by,
@@ -121,12 +121,14 @@ def test_equal_levels_are_tried_once_and_the_costliest_always():
     tops = [140.0] * 20 + [150.0 + k for k in range(20)]
     rows = obstacle_rows([ridge(700.0, top=top) for top in tops])
     levels = levels_for(rows, -70.0, -80.0, OPEN, MARGIN).tolist()
-    assert len(levels) == len(set(levels)) == MOST_LEVELS
+    assert len(levels) == len(set(levels)) == MAX_LEVELS
     assert levels[:3] == [-70.0, -80.0, -140.0 - MARGIN]
     assert levels[-1] == -169.0 - MARGIN
 
 
-@pytest.mark.parametrize(("up", "passed"), [(UNDER + 0.1, True), (UNDER - 0.1, False)])
+@pytest.mark.parametrize(
+    ("up", "passed"), [(PASSED_MARGIN + 0.1, True), (PASSED_MARGIN - 0.1, False)]
+)
 def test_what_is_under_the_vehicle_already_is_passed_by_a_level_that_is_no_lower(up, passed):
     here = (700.0, 0.0, -110.0 - up)
     heights = by(-110.0 - MARGIN, here=here, there=(3000.0, 0.0, -70.0))
@@ -149,7 +151,7 @@ def test_levels_for_what_moves_or_is_not_known_are_none():
 @given(st.floats(-300.0, 0.0), st.floats(-300.0, 0.0), st.floats(-300.0, 0.0))
 def test_a_level_between_the_ends_costs_nothing(level, here, goal):
     beyond = max(0.0, level - max(here, goal)) + max(0.0, min(here, goal) - level)
-    assert cost_of(level, here, goal) == pytest.approx(2.0 * COST * beyond, abs=1e-9)
+    assert cost_of(level, here, goal) == pytest.approx(2.0 * HEIGHT_COST * beyond, abs=1e-9)
 
 
 def test_levels_come_cheapest_first():

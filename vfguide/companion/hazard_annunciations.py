@@ -16,7 +16,7 @@ from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
 from vfguide.paths.dubins import DubinsPath, length_of
 from vfguide.paths.edge import edge_in
-from vfguide.planning.replanning import LOOK, SEEK
+from vfguide.planning.replanning import CHECK_INTERVAL, SEARCH_INTERVAL
 from vfguide.planning.route_following import RouteFollowing
 
 QUIET = 1.0
@@ -74,7 +74,10 @@ class HazardAnnunciator:
             if self._lost is None:
                 self._lost = goal
                 return self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
-        elif self._lost is not None and looked_of_row(after) - sought > SEEK + LOOK:
+        elif (
+            self._lost is not None
+            and looked_of_row(after) - sought > SEARCH_INTERVAL + CHECK_INTERVAL
+        ):
             self._lost = None  # it was looked along without need to search
             return [ROUTE_AGAIN.format(goal=goal + 1)]
         return []

@@ -1,7 +1,6 @@
-"""The air that is flown in: what is measured where it can be trusted, else what is estimated.
+"""Air data: measured airspeed and wind where they can be trusted, else estimated ones.
 
-One call of `sense_air` for each step of guidance. It never raises a doubt by itself: what is not
-a number counts as not measured.
+`sense_air` is called once a step. A value that is not a number counts as not measured.
 """
 
 import math
@@ -23,24 +22,26 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 
 RESTART_PAUSE = 1.0
-"""After a pause longer than this the estimate begins anew [s]."""
-SHORTEST_STEP = 1e-3
-"""A measurement counts as one that lasts at least this long [s]; so does the first one."""
-IMPLAUSIBLE = 7.0
-"""A sensor this far from what pitch and thrust ask for is not flown on [m/s]."""
-STILL = 0.02
-"""A sensor that moves by less than this stands still [m/s]. The true airspeed of a number that
-stands still moves a little with the height."""
+"""Time without a step after which the estimate starts anew [s]; chosen."""
+LEAST_DURATION = 1e-3
+"""Least time for which a measurement counts, also the first one [s]; chosen, since its noise is
+given per second."""
+IMPLAUSIBLE_ERROR = 7.0
+"""Difference of the airspeed sensor from the airspeed that pitch and thrust ask for above which it
+is not used [m/s]; chosen above the errors of the model in turbulence."""
+STILL_CHANGE = 0.02
+"""Change of the measured airspeed below which it counts as unchanged [m/s]; chosen: the true
+airspeed of a frozen calibrated one changes a little with height."""
 STUCK_TIME = 3.0
-"""A sensor that has stood still for this long may have failed [s]; but in still air without noise
-an aircraft in trim reads the same for long, ..."""
+"""Time without change after which an airspeed sensor may be stuck [s]; chosen. In still air without
+noise an aircraft in trim reads the same for long."""
 STUCK_ERROR = 1.0
-"""... so that one that stands still has failed only if it is this far from what pitch and thrust
-ask for [m/s]."""
+"""Difference from the airspeed that pitch and thrust ask for above which a sensor without change
+has failed [m/s]; chosen."""
 FAILURE_TIME = 2.0
-"""A sensor that has been implausible for this long has failed [s]."""
+"""Time of implausible measurements after which the sensor has failed [s]; chosen."""
 RECOVERY_TIME = 5.0
-"""A sensor that has been plausible for this long works again [s]."""
+"""Time of plausible measurements after which the sensor is used again [s]; chosen."""
 with_estimate = replacing(AirState, "estimate", "sensor")
 with_step = replacing(AirState, "time", "estimate", "v_n", "side_force", "sensor")
 with_model_airspeed = replacing(SensorWatch, "model_airspeed")
@@ -50,18 +51,18 @@ with_model_airspeed = replacing(SensorWatch, "model_airspeed")
 def sense_air(
     state: FlightState, air: AirState, thrust: float, aircraft: Performance, cruise: float
 ) -> tuple[FlightState, AirState]:
-    """The state with the airspeed and the wind to fly on, and what is believed of the air.
+    """The state with the airspeed and the wind to use, and the estimate of the air.
 
     Args:
-        state: airspeed and wind as they were measured; not a number: not measured.
-        air: what was believed at the step before.
-        thrust: setpoint of the step before, 0 to 1.
-        aircraft: what flies.
-        cruise: the airspeed that is flown to, the first guess where none is measured [m/s].
+        state: the state with measured airspeed and wind; not a number where not measured.
+        air: estimate of the step before.
+        thrust: thrust setpoint of the step before, 0 to 1.
+        aircraft: its lift and drag.
+        cruise: airspeed to fly, the first guess where none is measured [m/s].
     """
     dt = state.time - air.time
     if air.time < 0.0 or not 0.0 <= dt < RESTART_PAUSE:
-        air, dt = first_air(state, aircraft, cruise), SHORTEST_STEP
+        air, dt = first_air(state, aircraft, cruise), LEAST_DURATION
     elif dt > 0.0:
         air = moved_on(state, air, thrust, aircraft, dt)
     else:
@@ -71,7 +72,7 @@ def sense_air(
 
 @compiled
 def first_air(state: FlightState, aircraft: Performance, cruise: float) -> AirState:
-    """What is believed from one look; `cruise` [m/s] as for `sense_air`."""
+    """The first estimate of the air, from one state; `cruise` [m/s] as for `sense_air`."""
     measured = state.airspeed
     airspeed = cruise if math.isnan(measured) or measured < 0.5 * cruise else measured
     flight = modelled_flight(state.R_nb, airspeed, aircraft.thrust_trim, 0.0, aircraft)
@@ -85,7 +86,7 @@ def first_air(state: FlightState, aircraft: Performance, cruise: float) -> AirSt
 def moved_on(
     state: FlightState, air: AirState, thrust: float, aircraft: Performance, dt: float
 ) -> AirState:
-    """What is believed `dt` [s] later, from attitude and velocity over ground alone."""
+    """The estimate `dt` [s] later, from attitude and velocity over ground alone."""
     before, R_nb = air.estimate, state.R_nb
     force_n = specific_force(air.v_n, state.v_n, dt)
     side_force = smoothed_side_force(air.side_force, force_n, R_nb, dt)
@@ -99,15 +100,15 @@ def moved_on(
 
 @compiled
 def fused(state: FlightState, air: AirState, dt: float) -> tuple[FlightState, AirState]:
-    """`sense_air` with what the airspeed sensor and the autopilot's wind say."""
+    """The state and the estimate after the airspeed sensor and the autopilot's wind are fused."""
     sensor, estimate = watched(air.sensor, state.airspeed, dt), air.estimate
     plausible = sensor.fault_time <= 0.0 and sensor.trusted
     if plausible:
-        fuse_airspeed(estimate, state.airspeed, max(dt, SHORTEST_STEP))
+        fuse_airspeed(estimate, state.airspeed, max(dt, LEAST_DURATION))
     wind_n = (estimate.x[NORTH], estimate.x[EAST], -air.vertical.rise)
     if not math.isnan(state.wind_n[0]):
         wind_n = (state.wind_n[0], state.wind_n[1], -air.vertical.rise)
-        fuse_wind(estimate, wind_n, max(dt, SHORTEST_STEP))
+        fuse_wind(estimate, wind_n, max(dt, LEAST_DURATION))
     speed = state.airspeed if plausible else estimate.x[AIRSPEED]
     flown_on = FlightState(state.time, state.p_n, state.v_n, state.R_nb, speed, wind_n)
     return flown_on, with_estimate(air, estimate, sensor)
@@ -115,13 +116,13 @@ def fused(state: FlightState, air: AirState, dt: float) -> tuple[FlightState, Ai
 
 @compiled
 def watched(sensor: SensorWatch, measured: float, dt: float) -> SensorWatch:
-    """The watch after `dt` [s] more: judges what the sensor `measured` [m/s], and the sensor."""
+    """The watch `dt` [s] later: judges the measured airspeed [m/s], and the sensor."""
     last, stuck_time = sensor.measured, sensor.stuck_time + dt
-    if not abs(measured - last) < STILL:  # not-a-number too
+    if not abs(measured - last) < STILL_CHANGE:  # not-a-number too
         last, stuck_time = measured, 0.0
     off = abs(measured - sensor.model_airspeed)
     stuck = stuck_time > STUCK_TIME and off > STUCK_ERROR
-    if off < IMPLAUSIBLE and not stuck:  # false for not-a-number
+    if off < IMPLAUSIBLE_ERROR and not stuck:  # false for not-a-number
         fault_time = min(sensor.fault_time, 0.0) - dt
     else:
         fault_time = max(sensor.fault_time, 0.0) + dt

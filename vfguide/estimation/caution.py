@@ -9,7 +9,8 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 
 AIRSPEED_MARGIN = 1.2
-"""Without a sensor the airspeed is kept above this times the slowest, and two deviations."""
+"""Ratio to the slowest airspeed above which, by two standard deviations, the airspeed is kept
+without a sensor; chosen."""
 
 with_gains = replacing(Vehicle, "gains")
 with_airspeed_and_bank = replacing(Gains, "airspeed", "bank_max")
@@ -17,9 +18,10 @@ with_airspeed_and_bank = replacing(Gains, "airspeed", "bank_max")
 
 @compiled
 def cautious(nav: NavState, vehicle: Vehicle) -> Vehicle:
-    """The vehicle as it is to be flown now.
+    """The vehicle with the airspeed and the largest bank to fly now.
 
-    Twice the standard deviation stays between the airspeed and what the wing needs.
+    Without a trusted sensor, two standard deviations are kept between the airspeed and what the
+    wing needs.
     """
     if nav.trusts_sensor:
         return vehicle

@@ -1,7 +1,7 @@
-"""The stage of estimation: from what the autopilot told to the state that is flown on.
+"""The stage of estimation: from the measurements of the autopilot to the state for guidance.
 
-Air that rises is felt, wind and airspeed are filtered, and jumps of the position are let in
-slowly.
+The vertical wind is estimated from the lift, wind and airspeed by a Kalman filter, and position
+resets are let in slowly.
 """
 
 from typing import NamedTuple
@@ -22,63 +22,68 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
 FIRST_STEP = 0.02
-"""The time step that the first step counts as [s]."""
-SHORTEST_STEP, LONGEST_STEP = 1e-3, 0.2
-"""Bounds of the time between two steps that filters and rate limits take [s]."""
+"""Time step that the first step counts as [s]: that of 50 Hz."""
+SHORTEST_STEP = 1e-3
+"""Least time between two steps that filters and rate limits take [s]; chosen."""
+LONGEST_STEP = 0.2
+"""Largest time between two steps that filters and rate limits take [s]; chosen."""
 
 
 class Inputs(NamedTuple):
-    """What one step is made for."""
+    """The states from which one step is made."""
 
     predicted: FlightState
-    """When the setpoint will act, in the frame of the plan."""
+    """State at the time when the setpoint will act, in the frame of the plan."""
     measured: FlightState
-    """At the time of the attitude, in the same frame; airspeed and wind that are not told are no
-    numbers."""
+    """State at the time of the attitude, in the same frame; airspeed and wind are not numbers where
+    they are not measured."""
     is_exact: bool
     """Whether the predicted state is known exactly, as of a kinematic body."""
 
 
 class EstimationState(NamedTuple):
-    """What one step leaves for the next."""
+    """What estimation keeps from one step to the next."""
 
     time: float
-    """Of the step before [s]; negative before the first."""
+    """Time of the step before [s]; negative before the first."""
     is_continuous: bool
-    """Whether there was a step before on this leg, from here:"""
+    """Whether there was a step before on this leg."""
     p_n: Vec3
+    """Position at the step before, NED [m]."""
     v_n: Vec3
-    """Position [m] and velocity over ground [m/s] at the step before, NED."""
+    """Velocity over ground at the step before, NED [m/s]."""
     resets: PositionResets
     air: AirState
 
 
 class NavState(NamedTuple):
-    """What the loop knows at one step."""
+    """The state that the other stages use, and how well it is known."""
 
     state: FlightState
-    """Of the vehicle, when the setpoint will act."""
+    """State of the vehicle at the time when the setpoint will act."""
     elapsed: float
-    """Time since the step before [s]; means nothing at the first."""
+    """Time since the step before [s]; without meaning at the first step."""
     is_first: bool
     """Whether there was no step before."""
     is_continuous: bool
-    """Whether there was one on this leg, from here:"""
+    """Whether there was a step before on this leg."""
     p_n_before: Vec3
+    """Position at that step, NED [m]."""
     v_n_before: Vec3
-    """Position [m] and velocity over ground [m/s] then, NED."""
+    """Velocity over ground at that step, NED [m/s]."""
     is_settled: bool
-    """Whether the position is the one that is told: no jump is being let in."""
+    """Whether the position is the measured one, and no position reset is being let in."""
     trusts_sensor: bool
     """Whether the airspeed is a measured one."""
     airspeed: float
+    """Estimate of the true airspeed [m/s]."""
     airspeed_sigma: float
-    """The estimate of the true airspeed and its standard deviation [m/s]."""
+    """Standard deviation of that estimate [m/s]."""
 
 
 @compiled
 def fresh_estimation() -> EstimationState:
-    """Nothing is known yet."""
+    """The state of estimation before the first step."""
     zero = (0.0, 0.0, 0.0)
     return EstimationState(-1.0, False, zero, zero, no_resets(), fresh_air())
 
@@ -95,12 +100,12 @@ def known_state(state: FlightState, before: float) -> NavState:
 def update(
     inputs: Inputs, thrust: float, s: EstimationState, vehicle: Vehicle
 ) -> tuple[NavState, EstimationState]:
-    """The state to fly on.
+    """The state for the other stages, and the next state of estimation.
 
     Args:
-        inputs: what was told.
-        thrust: setpoint of the step before, 0 to 1.
-        s: what the step before left.
+        inputs: predicted and measured state.
+        thrust: thrust setpoint of the step before, 0 to 1.
+        s: state of estimation at the step before.
         vehicle: its aircraft, and the airspeed to fly.
     """
     told, air = inputs.predicted, s.air
@@ -128,7 +133,7 @@ def update(
 def sense(
     inputs: Inputs, thrust: float, air: AirState, vehicle: Vehicle
 ) -> tuple[FlightState, AirState]:
-    """The state with airspeed and wind, and what is believed of the air."""
+    """The state with airspeed and wind, and the estimate of the air."""
     aircraft, gains, _ = vehicle
     air = feel_rise(inputs.measured, air, aircraft)
     return sense_air(inputs.predicted, air, thrust, aircraft, gains.airspeed)
@@ -136,5 +141,5 @@ def sense(
 
 @compiled
 def step_time(nav: NavState) -> float:
-    """Time since the step before, bounded [s]."""
+    """Time since the step before, between SHORTEST_STEP and LONGEST_STEP [s]."""
     return FIRST_STEP if nav.is_first else min(max(nav.elapsed, SHORTEST_STEP), LONGEST_STEP)

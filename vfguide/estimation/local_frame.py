@@ -13,35 +13,36 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale
 
 Quaternion = tuple[float, float, float, float]
-STEEPEST = 0.5
-"""Cosine of the bank beyond which a turn is not predicted to become tighter."""
+LEAST_BANK_COSINE = 0.5
+"""Least cosine of the bank with which the turn is predicted, 60 degrees; chosen, since the load
+factor of a level turn grows without bound."""
 
 
 class Measurement(NamedTuple):
-    """What an autopilot told."""
+    """One measurement of an autopilot, in its own local frame."""
 
     time: float
-    """Of the attitude [s]."""
+    """Time of the attitude [s]."""
     origin: Vec3
-    """Of the autopilot's local frame: latitude, longitude [rad] and altitude [m]."""
+    """Origin of the autopilot's local frame: latitude, longitude [rad] and altitude [m]."""
     p_l: Vec3
     """Position in the local frame [m], down from its origin's altitude."""
     v_l: Vec3
     """Velocity, north-east-down at the vehicle [m/s]."""
     ahead: float
-    """The attitude is this much newer than the position [s]."""
+    """Time of the attitude less that of the position [s]."""
     q_lb: Quaternion
     """Attitude w, x, y, z, body to north-east-down at the vehicle."""
     calibrated: float
-    """Calibrated airspeed [m/s]; no number: not told."""
+    """Calibrated airspeed [m/s]; not a number where it is not measured."""
     altitude: float
-    """Above mean sea level [m], for the density of the air."""
+    """Altitude above mean sea level [m], for the density of the air."""
     wind_l: Vec3
-    """Wind toward, north-east-down at the vehicle [m/s]; no numbers: not told."""
+    """Wind, blowing toward, NED at the vehicle [m/s]; not numbers where it is not measured."""
     omega_b: Vec3
     """Body rates [rad/s]."""
     lead: float
-    """The state is wanted so much later than the attitude [s]."""
+    """Time after the attitude for which the state is predicted [s]."""
     projection: int
     """The `Projection` of the local frame."""
 
@@ -73,7 +74,7 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
 
 @compiled
 def place_measured(m: Measurement, origin: Vec3) -> FlightState:
-    """The same at the time of the attitude: nothing is predicted."""
+    """The state in the tangent plane at `origin` at the time of the attitude, not predicted."""
     return place_state(_at_attitude(m, 0.0), origin)
 
 
@@ -81,10 +82,10 @@ def place_measured(m: Measurement, origin: Vec3) -> FlightState:
 def extrapolated(v_n: Vec3, R_nb: Mat3, omega_b: Vec3, lead: float) -> tuple[Vec3, Mat3]:
     """Velocity [m/s] and attitude `lead` [s] later.
 
-    The body rates [rad/s] stay, and the lift carries the weight: it turns the velocity to where
-    the bank, half way, leans.
+    The body rates [rad/s] are constant, and the lift carries the weight: it turns the velocity at
+    the bank in the middle of that time.
     """
     half = matmul(R_nb, exp(scale(0.5 * lead, omega_b)))
-    down = max(half[2][2], STEEPEST)
+    down = max(half[2][2], LEAST_BANK_COSINE)
     lean = scale(-G0 * lead / down, (half[0][2], half[1][2], 0.0))
     return add(v_n, lean), matmul(R_nb, exp(scale(lead, omega_b)))

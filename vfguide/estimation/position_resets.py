@@ -1,8 +1,8 @@
-"""Jumps of what the autopilot believes of its place: let in slowly, never flown at once.
+"""Position resets: jumps of the autopilot's estimate, which are let in slowly.
 
 When an autopilot's estimator is reset, position or origin jump while the aircraft does not. The
-place that is flown on goes on from where it was, and the difference dies away: the reference
-attitude stays continuous, and no goal is passed by a jump.
+position used by guidance continues from where it was, and the offset decays: the reference attitude
+stays continuous, and no goal is passed by a jump.
 """
 
 import math
@@ -12,35 +12,39 @@ from vfguide.aircraft.state import FlightState
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, add, norm, scale, sub
 
-LEAST, BOUND = 2.0, 10.0
-"""More than this [m], plus this times the time squared [m/s^2], no aeroplane strays from its
-course between two steps."""
-LONGEST = 1.0
-"""After a pause longer than this nothing is known of a jump [s]."""
-PATIENCE = 0.5
-"""A difference stands for this long [s]: time to ask whether it was the origin that moved."""
-DECAY = 1.0
-"""Then it dies away with this time constant [s]."""
-SMALL = 1.0
-"""Above this difference no goal counts as passed [m]."""
+RESET_DISTANCE = 2.0
+"""Distance from the predicted position above which a step counts as a reset [m]; chosen above the
+noise of positions."""
+RESET_ACCELERATION = 10.0
+"""Growth of that distance with the square of the time step [m/s^2]; chosen as what an aircraft may
+deviate from a straight line."""
+LONGEST_PAUSE = 1.0
+"""Time between two steps above which no reset is looked for [s]; chosen."""
+HOLD_TIME = 0.5
+"""Time for which the offset of a reset is held [s]; chosen as the time to ask the autopilot whether
+its origin moved."""
+DECAY_TIME = 1.0
+"""Time constant with which the offset decays after that [s]; chosen."""
+SETTLED_OFFSET = 1.0
+"""Offset above which no goal counts as passed [m]; chosen."""
 
 
 class PositionResets(NamedTuple):
-    """Memory of the jumps."""
+    """State of the position resets."""
 
     offset_n: Vec3
-    """What was told less what is flown on, NED [m]."""
+    """Measured position less the one that guidance uses, NED [m]."""
     number: int
-    """How many there were."""
+    """Number of resets so far."""
     size: float
-    """Of the latest [m]."""
+    """Size of the latest reset [m]."""
     age: float
-    """Time since then [s]."""
+    """Time since the latest reset [s]."""
 
 
 @compiled
 def no_resets() -> PositionResets:
-    """Nothing has jumped yet."""
+    """The state before the first reset."""
     return PositionResets((0.0, 0.0, 0.0), 0, 0.0, 0.0)
 
 
@@ -48,35 +52,35 @@ def no_resets() -> PositionResets:
 def follow_resets(
     jumps: PositionResets, before: tuple[Vec3, Vec3], told: FlightState, dt: float
 ) -> PositionResets:
-    """The jumps after a step of `dt` [s].
+    """The position resets after a step of `dt` [s].
 
     Args:
-        jumps: at the step before.
-        before: position that was flown on [m] and velocity [m/s] at the step before.
-        told: the state as it is told now.
-        dt: the time step [s].
+        jumps: resets at the step before.
+        before: position that guidance used [m] and velocity [m/s] at the step before, NED.
+        told: the measured state.
+        dt: time step [s].
     """
     p_n, v_n = before
-    if not 0.0 < dt < LONGEST:
+    if not 0.0 < dt < LONGEST_PAUSE:
         return PositionResets((0.0, 0.0, 0.0), jumps.number, jumps.size, 0.0)
     moved = scale(0.5 * dt, add(v_n, told.v_n))
     off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
     age = jumps.age + dt
-    left = scale(math.exp(-dt / DECAY), jumps.offset_n) if age > PATIENCE else jumps.offset_n
+    left = scale(math.exp(-dt / DECAY_TIME), jumps.offset_n) if age > HOLD_TIME else jumps.offset_n
     size = norm(off)
-    if not size > LEAST + BOUND * dt * dt:
+    if not size > RESET_DISTANCE + RESET_ACCELERATION * dt * dt:
         return PositionResets(left, jumps.number, jumps.size, age)
     return PositionResets(add(jumps.offset_n, off), jumps.number + 1, size, 0.0)
 
 
 @compiled
 def smoothed(told: FlightState, jumps: PositionResets) -> FlightState:
-    """The state to fly on: the told one less what has not been let in yet."""
+    """The state for guidance: the measured one less the remaining offset."""
     p_n = sub(told.p_n, jumps.offset_n)
     return FlightState(told.time, p_n, told.v_n, told.R_nb, told.airspeed, told.wind_n)
 
 
 @compiled
 def settled(jumps: PositionResets) -> bool:
-    """Whether the place that is flown on is the one that is told."""
-    return norm(jumps.offset_n) < SMALL
+    """Whether the position for guidance is the measured one, within SETTLED_OFFSET."""
+    return norm(jumps.offset_n) < SETTLED_OFFSET

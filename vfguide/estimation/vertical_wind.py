@@ -1,8 +1,8 @@
-"""Air that rises or sinks, from the lift that is felt.
+"""Vertical wind, estimated from the lift.
 
-No autopilot tells the vertical wind. The lift tells the angle at which the air meets the wing; the
-attitude and the velocity tell at which it would, were the air level. A gust is the difference: it
-shows before the path bends.
+No autopilot reports the vertical wind. The specific force gives the angle of attack; attitude and
+velocity give the angle of attack in level air. Their difference times the airspeed is the vertical
+wind, which is so known before the path bends.
 
 Langelaan, Alley and Neidhoefer, Wind field estimation for small unmanned aerial vehicles, Journal
 of Guidance, Control, and Dynamics 34 (4), 2011: gusts from the difference of motion over ground and
@@ -22,29 +22,30 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import dot, sub
 
 RISE_TIME = 0.15
-"""The vertical wind is smoothed with this time constant [s]."""
+"""Time constant with which the vertical wind is smoothed [s]; chosen short, since the path has to
+be corrected before it bends."""
 GUST_ANGLE_MAX = 0.3
-"""The air rises or sinks no faster than this times the airspeed [rad]."""
-LONGEST_STEP = 0.5
-"""After a pause longer than this the vertical wind begins anew [s]."""
+"""Largest ratio of the vertical wind to the airspeed that is estimated; chosen."""
+LONGEST_GAP = 0.5
+"""Time between two steps after which the vertical wind starts anew [s]; chosen."""
 
 with_vertical = replacing(AirState, "vertical")
 
 
 @compiled
 def feel_rise(measured: FlightState, air: AirState, aircraft: Performance) -> AirState:
-    """What is believed of the air, with how fast it rises by the lift since the last step.
+    """The estimate of the air with the vertical wind of this step.
 
     Args:
-        measured: what the autopilot measured, not predicted: a turn of the fuselage that the
-            velocity does not show yet would count as a gust.
-        air: what is believed since the last step.
+        measured: the measured state, not the predicted one: a predicted turn of the fuselage that
+            the velocity does not show yet would count as a gust.
+        air: estimate of the step before.
         aircraft: its lift.
     """
     level_n = sub(measured.v_n, (air.estimate.x[NORTH], air.estimate.x[EAST], 0.0))
     alpha = angle_of_attack(measured.R_nb, level_n)
     rise = 0.0
-    if air.time >= 0.0 and 0.0 < measured.time - air.time < LONGEST_STEP:
+    if air.time >= 0.0 and 0.0 < measured.time - air.time < LONGEST_GAP:
         rise = rise_by_lift(measured, alpha, air, aircraft)
     return with_vertical(air, VerticalWind(rise, measured.v_n, alpha))
 
@@ -53,7 +54,7 @@ def feel_rise(measured: FlightState, air: AirState, aircraft: Performance) -> Ai
 def rise_by_lift(
     measured: FlightState, alpha: float, air: AirState, aircraft: Performance
 ) -> float:
-    """How fast the air rises [m/s], smoothed; `alpha` [rad] is now what it is in level air."""
+    """Vertical wind, up positive [m/s], smoothed; `alpha` is the one of level air [rad]."""
     before, dt, R = air.vertical, measured.time - air.time, measured.R_nb
     z_n = (R[0][2], R[1][2], R[2][2])
     halfway = 0.5 * (alpha + before.alpha)

@@ -1,21 +1,23 @@
-"""The international standard atmosphere, and what its density does to airspeeds."""
+"""The International Standard Atmosphere (ISO 2533), and true and calibrated airspeed."""
 
 import math
 
 from vfguide.geometry.compiled import compiled
 
 DENSITY_0 = 1.225
-"""Density at sea level [kg/m^3]."""
+"""Air density at sea level in the standard atmosphere [kg/m^3] (ISO 2533)."""
 TEMPERATURE_0 = 288.15
-"""Temperature at sea level [K]."""
+"""Temperature at sea level in the standard atmosphere [K] (ISO 2533)."""
 LAPSE = 0.0065
-"""Fall of temperature with height up to the tropopause [K/m]."""
+"""Decrease of temperature with height below the tropopause [K/m] (ISO 2533)."""
 EXPONENT = 4.255876
-"""g0 / (R_air LAPSE) - 1: the power of temperature that density follows."""
+"""Exponent of the temperature that density follows below the tropopause, g0 / (R_air LAPSE) - 1
+(ISO 2533)."""
 TROPOPAUSE = 11_000.0
-"""[m]."""
+"""Height of the tropopause [m] (ISO 2533)."""
 SCALE_HEIGHT = 6341.62
-"""Height over which density falls e-fold in the isothermal layer above [m]."""
+"""Height over which density decreases by the factor e above the tropopause [m]: R_air T / g0 at
+216.65 K (ISO 2533)."""
 
 
 @compiled

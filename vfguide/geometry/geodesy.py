@@ -11,10 +11,15 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, sub, transpose
 
 SEMI_MAJOR = 6_378_137.0
+"""Semi-major axis of the WGS-84 ellipsoid [m] (NIMA TR8350.2)."""
 FLATTENING = 1.0 / 298.257223563
+"""Flattening of the WGS-84 ellipsoid, the ratio (a - b) / a (NIMA TR8350.2)."""
 SEMI_MINOR = SEMI_MAJOR * (1.0 - FLATTENING)
+"""Semi-minor axis of the WGS-84 ellipsoid [m]."""
 ECCENTRICITY_2 = FLATTENING * (2.0 - FLATTENING)
+"""Square of the first eccentricity of the WGS-84 ellipsoid, dimensionless."""
 SECOND_ECCENTRICITY_2 = ECCENTRICITY_2 / (1.0 - ECCENTRICITY_2)
+"""Square of the second eccentricity of the WGS-84 ellipsoid, dimensionless."""
 
 
 class TangentPlane(NamedTuple):

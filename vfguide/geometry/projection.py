@@ -12,7 +12,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 
 EARTH_RADIUS = 6_371_000.0
-"""Radius of PX4's earth [m]."""
+"""Radius of the spherical earth of PX4's map projection [m] (CONSTANTS_RADIUS_OF_EARTH)."""
 
 
 class Projection(IntEnum):

@@ -41,8 +41,8 @@ class Shape(tuple[int, ...]):
 
 
 OPEN = Shape(-1)
-"""Of an array that takes the rest of the row: of the last field alone. The width of a record type
-does not count it."""
+"""Shape of an array that takes the rest of a row, which only the last field may have; the width of
+a record type does not count it."""
 
 
 class Leaf(NamedTuple):

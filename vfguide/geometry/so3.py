@@ -12,6 +12,7 @@ Quaternion = tuple[float, float, float, float]
 """w, x, y, z."""
 
 IDENTITY: Mat3 = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""The rotation by no angle, dimensionless."""
 
 
 @compiled

@@ -6,48 +6,60 @@ This is the only place that holds a scale factor; from SI, divide: `altitude_mm 
 import math
 
 DEG = math.pi / 180.0
+"""One degree [rad]."""
 CDEG = 0.01 * DEG
-"""Centidegree, of MAVLink's headings and attitudes."""
+"""One centidegree, the unit of headings in MAVLink [rad]."""
 DEG_E7 = 1e-7 * DEG
-"""1e-7 degree, of MAVLink's latitudes and longitudes."""
+"""A ten-millionth of a degree, the unit of latitudes and longitudes in MAVLink [rad]."""
 
 KM = 1e3
+"""One kilometre [m]."""
 CM = 1e-2
+"""One centimetre [m]."""
 MM = 1e-3
+"""One millimetre [m]."""
 IN = 0.0254
+"""One inch [m] (international yard and pound agreement, 1959)."""
 FT = 0.3048
+"""One foot [m] (international yard and pound agreement, 1959)."""
 NM = 1852.0
-"""Nautical mile."""
+"""One nautical mile [m] (First International Extraordinary Hydrographic Conference, 1929)."""
 
 HOUR = 3600.0
+"""One hour [s]."""
 MS = 1e-3
+"""One millisecond [s]."""
 US = 1e-6
+"""One microsecond [s]."""
 
 KT = NM / HOUR
-"""Knot."""
+"""One knot [m/s]."""
 CM_S = 1e-2
-"""cm/s."""
+"""One centimetre per second, the unit of velocities in MAVLink [m/s]."""
 FPM = FT / 60.0
-"""Feet a minute."""
+"""One foot per minute [m/s]."""
 
 G0 = 9.80665
-"""Standard gravity [m/s^2]."""
+"""Standard gravity [m/s^2] (3rd General Conference on Weights and Measures, 1901)."""
 MILLI_G = 1e-3 * G0
+"""A thousandth of standard gravity, the unit of accelerations in MAVLink [m/s^2]."""
 
 LB = 0.45359237
-"""Pound, the mass."""
+"""One pound of mass [kg] (international yard and pound agreement, 1959)."""
 LBF = LB * G0
-"""Pound, the force."""
+"""One pound of force [N]."""
 SLUG = LBF / FT
+"""One slug [kg]."""
 SLUG_FT2 = SLUG * FT**2
-"""Slug square foot, of moments of inertia."""
+"""One slug square foot, of moments of inertia [kg m^2]."""
 SLUG_FT3 = SLUG / FT**3
-"""Slug a cubic foot, of densities."""
+"""One slug per cubic foot, of densities [kg/m^3]."""
 LBF_FT = LBF * FT
-"""Pound foot, of moments."""
+"""One pound foot, of moments [N m]."""
 PSF = LBF / FT**2
-"""Pound a square foot, of pressures."""
+"""One pound per square foot, of pressures [Pa]."""
 HPA = 100.0
-"""Hectopascal."""
+"""One hectopascal [Pa]."""
 
 PERCENT = 1e-2
+"""One hundredth, as a share."""

@@ -1,1 +1,1 @@
-"""The laws of guidance: from the state and a route to bank, load factor and path angle."""
+"""Laws of guidance: from the state and a route to bank, load factor and path angle."""

@@ -1,4 +1,4 @@
-"""The vertical half of the flight law: the height profile, and the path angle to fly."""
+"""The vertical half of the flight law: the altitude profile and its slope."""
 
 import math
 
@@ -10,16 +10,21 @@ from vfguide.paths.distance_for_altitude import LINE_UP, SLOPE_RATE, profile_hei
 from vfguide.planning.objective import GuidanceTarget
 
 STANDOFF = 0.35
-"""The distance to the goal is not taken below this in the profile, in turn lengths."""
+"""Least distance to the goal with which the slope is computed [turn lengths]; chosen, so that the
+slope stays finite at the goal."""
 LOITER_HORIZON = 2.35
-"""Distance over which a loitering vehicle takes away an error of height, in turn lengths."""
+"""Length of path on which a loitering vehicle reduces a height error to zero [turn lengths];
+chosen."""
 SMALL_ERROR_DISTANCE = 0.45
-"""A small error of height falls over this distance, wherever the goal is, in turn lengths, ..."""
-GENTLE = 0.06
-"""... a larger one with this slope."""
-WAIT = 8.0
-"""Height above the profile is kept until that slope takes it away so long before the goal, in turn
-lengths and half of LINE_UP: it is what air that sinks can take."""
+"""Length of path on which a small height error is reduced to zero, wherever the goal is [turn
+lengths]; tuned with `tools/measure_poses.py` in turbulence."""
+GENTLE_SLOPE = 0.06
+"""Slope dh/ds with which a larger height error is reduced far from the goal, dimensionless;
+chosen."""
+WAIT_DISTANCE = 8.0
+"""Length of path before the last half of LINE_UP on which GENTLE_SLOPE has to reduce a height above
+the profile to zero [turn lengths]; height is kept until then, because sinking air may take it.
+Tuned with `tools/measure_avoidance.py`."""
 
 
 @compiled
@@ -37,15 +42,15 @@ def plan_slope(
     """Slope dh/ds over ground, within the aircraft's path angles, its rate limited.
 
     Args:
-        state: of the vehicle.
-        target: what it flies to.
+        state: state of the vehicle.
+        target: the goal or the circle.
         aircraft: its limits.
         airspeed: true airspeed to fly [m/s]; distances and rates scale with it.
         remaining: path over ground to the target [m].
-        groundspeed: along the course [m/s].
-        radius_factor: by which turns are wider than in level flight, see `steepest_descent`.
-        before: the slope of the step before.
-        dt: time since then [s].
+        groundspeed: speed over ground along the course [m/s].
+        radius_factor: factor by which turns are wider than in level flight, see `steepest_descent`.
+        before: slope of the step before.
+        dt: time since the step before [s].
     """
     height = target.p_n[2] - state.p_n[2]
     if target.circle != 0.0:
@@ -63,7 +68,7 @@ def plan_slope(
 def steepest_path(
     slope: float, radius_factor: float, goal_slope: float, aircraft: Performance
 ) -> float:
-    """Largest sine of the path angle up or down, as the sign of `slope` says."""
+    """Largest sine of the path angle, of a climb if `slope` is positive, else of a descent."""
     if slope > 0.0:
         return math.sin(aircraft.climb_max)
     return math.sin(steepest_descent(aircraft, radius_factor, goal_slope))
@@ -71,7 +76,7 @@ def steepest_path(
 
 @compiled
 def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
-    """Ratio of the speeds, bounded where the wind stops the vehicle."""
+    """Ratio of airspeed to groundspeed [m/s each], bounded where the wind stops the vehicle."""
     return airspeed / max(groundspeed, 0.2 * airspeed, 1e-3)
 
 
@@ -79,16 +84,21 @@ def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
 def goal_slope(height: float, remaining: float, goal_slope: float, unit: float) -> float:
     """Slope dh/ds of a path that ends at the goal's height with the goal's slope.
 
-    `height` above the goal [m], `remaining` path over ground [m], `unit` turn length [m]. The
-    error of height over the goal's own profile falls in a straight line until LINE_UP before the
-    goal, from there as a parabola: its slope is -2 error / remaining. Small errors fall sooner,
-    but far from the goal those above the profile wait.
+    The height error over the goal's profile decreases linearly until LINE_UP before the goal, and
+    from there as a parabola, with the slope -2 error / remaining. Small errors are reduced sooner;
+    far from the goal, height above the profile is kept for a while.
+
+    Args:
+        height: height above the goal [m].
+        remaining: path over ground to the goal [m].
+        goal_slope: slope dh/ds at the goal.
+        unit: turn length [m].
     """
     error = height - profile_height(remaining, goal_slope, unit)
     line_up = LINE_UP * unit
     own = goal_slope * max(0.0, 1.0 - remaining / line_up)
     over = 0.5 * remaining if remaining < line_up else remaining - 0.5 * line_up
-    if 0.0 < error < GENTLE * over:
-        error = max(0.0, error - GENTLE * max(0.0, over - WAIT * unit))
-    reach = max(SMALL_ERROR_DISTANCE * unit, abs(error) / GENTLE)
+    if 0.0 < error < GENTLE_SLOPE * over:
+        error = max(0.0, error - GENTLE_SLOPE * max(0.0, over - WAIT_DISTANCE * unit))
+    reach = max(SMALL_ERROR_DISTANCE * unit, abs(error) / GENTLE_SLOPE)
     return own - error / max(min(over, reach), 0.5 * STANDOFF * unit)

@@ -1,4 +1,4 @@
-"""Law `flight`: along the planned route, in the wind, up and down within the envelope."""
+"""Law `flight`: follows the planned route in the wind, within the envelope."""
 
 import math
 
@@ -25,8 +25,12 @@ from vfguide.planning.overflight import aim_at
 from vfguide.planning.route import Route
 from vfguide.planning.route_following import is_on_route, route_course
 
-SPARING, SHORT = 0.05, 0.05
-"""No bank is larger than the first where the climb near the floor is the second short [rad]."""
+LEVEL_BANK = 0.05
+"""Largest bank near the floor where the climb falls short by CLIMB_SHORTFALL [rad]; tuned with
+`tools/measure_avoidance.py` in sinking air."""
+CLIMB_SHORTFALL = 0.05
+"""Shortfall of the path angle in sinking air at which the bank is limited to LEVEL_BANK [rad];
+tuned with `tools/measure_avoidance.py`."""
 
 
 @compiled
@@ -38,7 +42,7 @@ def update(
     s: GuidanceState,
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
-    """Bank, load factor and path angle that fly the route."""
+    """Bank, load factor and path angle that fly the route, and the next state of guidance."""
     state, (aircraft, gains, _) = goal.state, vehicle
     air = sub(state.v_n, state.wind_n)
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
@@ -77,13 +81,13 @@ def update(
 
 @compiled
 def height_above_floor(state: FlightState, airspace: Airspace | None) -> float:
-    """Height above the lowest that is allowed, infinite where there is none [m]."""
+    """Height above the floor of the fence [m], infinite where there is none."""
     return math.inf if airspace is None else -state.p_n[2] - airspace.hazards.floor
 
 
 @compiled
 def wanted_course(goal: Objective, route: Route, vehicle: Vehicle) -> Course:
-    """The course over ground relative to the target's; a circle is flown before any route."""
+    """The course over ground relative to the target's; a circle has priority over a route."""
     target, (aircraft, gains, _) = goal.target, vehicle
     ahead = predicted_state(goal.state, gains)
     if is_on_route(route.following) and target.circle == 0.0:
@@ -119,13 +123,14 @@ def wanted_slope(
 
 @compiled
 def sparing_bank(bank: float, missing: float) -> float:
-    """The largest bank where the path near the floor is less steep than is asked for [rad].
+    """The largest bank where the climb near the floor falls short [rad].
 
-    Air that sinks faster than the aircraft climbs is flown out of with wings level: a turn takes
-    thrust, and may end where another has to follow.
+    Air that sinks faster than the aircraft climbs is left with level wings: a turn takes thrust,
+    and another may have to follow it.
 
     Args:
-        bank: the largest one elsewhere.
-        missing: of the path angle through air that sinks, less where the floor is farther below.
+        bank: largest bank elsewhere [rad].
+        missing: shortfall of the path angle in sinking air [rad], reduced with height above the
+            floor.
     """
-    return blended(bank, min(bank, SPARING), max(0.0, min(1.0, missing / SHORT)))
+    return blended(bank, min(bank, LEVEL_BANK), max(0.0, min(1.0, missing / CLIMB_SHORTFALL)))

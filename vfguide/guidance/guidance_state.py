@@ -1,4 +1,4 @@
-"""What a law of guidance remembers from step to step."""
+"""The state of a law of guidance."""
 
 from typing import NamedTuple
 
@@ -6,15 +6,15 @@ from vfguide.geometry.compiled import compiled
 
 
 class GuidanceState(NamedTuple):
-    """What one step leaves for the next."""
+    """What a law of guidance keeps from one step to the next."""
 
     slope: float
-    """Wanted slope of the path over ground, its rate limited."""
+    """Wanted slope dh/ds of the path over ground, its rate limited."""
     turning: float
     """Side of the present turn, +1 right, -1 left."""
 
 
 @compiled
 def fresh_guidance() -> GuidanceState:
-    """Memory before the first step."""
+    """The state of guidance before the first step."""
     return GuidanceState(0.0, 1.0)

@@ -1,4 +1,8 @@
-"""The horizontal half of the flight law: from the state to a course, from there to a turn."""
+"""The lateral half of the flight law: from the state to a course, and from there to a turn.
+
+The lateral acceleration is feed-forward of the course rate plus feedback of the azimuth:
+a = V cos(gamma) psi' + k_lateral V (psi wanted - psi).
+"""
 
 import math
 
@@ -16,16 +20,18 @@ from vfguide.planning.leg_planning import in_goal_plane
 from vfguide.planning.objective import GuidanceTarget
 
 LATERAL_FEEDBACK = 12.0
-"""Largest lateral acceleration that an error of the azimuth asks for [m/s^2]."""
-OPPOSITE = 2.5
-"""Beyond this error of the azimuth a turn goes on to the side it has begun [rad]."""
+"""Largest lateral acceleration that the feedback of the azimuth commands [m/s^2], about that of a
+turn at 50 degrees of bank; chosen."""
+OPPOSITE_ERROR = 2.5
+"""Azimuth error above which a turn goes on to its present side [rad]; chosen, so that a goal behind
+is not turned to from both sides in turn."""
 
 
 @compiled
 def target_course(
     state: FlightState, target: GuidanceTarget, aircraft: Performance, gains: Gains, leg: Leg
 ) -> Course:
-    """The course over ground of a leg, or round a circle, relative to the target's."""
+    """Course over ground along a leg or around a circle, relative to the target's."""
     at = in_goal_plane(state, target)
     if target.circle != 0.0:
         return loiter(at, target, leg)
@@ -35,7 +41,7 @@ def target_course(
 
 @compiled
 def loiter(at: Planar, target: GuidanceTarget, leg: Leg) -> Course:
-    """Course round the target's circle, which touches the target's pose."""
+    """Course around the target's circle, which touches the target's pose."""
     radius = max(target.radius, leg.radius)
     about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
     return loiter_course(about, target.circle, radius)
@@ -52,12 +58,22 @@ def plan_turn(
     gains: Gains,
     turning: float,
 ) -> tuple[Lift, float]:
-    """Lift that turns the air velocity onto the wanted azimuth, and the side it turns to.
+    """Lift that turns the air velocity onto the wanted azimuth, and the side (+1 right, -1 left).
 
-    An error near 180 degrees is turned away to the side of the present turn.
+    An error near 180 degrees is corrected to the side of the present turn.
+
+    Args:
+        heading: wanted azimuth of the air velocity and its rate.
+        azimuth: azimuth of the air velocity [rad].
+        gamma: path angle through the air [rad].
+        speed: true airspeed [m/s].
+        bank_max: largest bank [rad].
+        aircraft: its load factor limits.
+        gains: gains of the guidance.
+        turning: side of the turn at the step before.
     """
     error = wrap(heading.psi - azimuth)
-    if abs(error) > OPPOSITE and error * turning < 0.0:
+    if abs(error) > OPPOSITE_ERROR and error * turning < 0.0:
         error += 2.0 * math.pi * turning
     feedback = gains.k_lateral * speed * error
     feedback = max(-LATERAL_FEEDBACK, min(LATERAL_FEEDBACK, feedback))

@@ -1,7 +1,7 @@
-"""Which law guides: one dispatch, by the type of the law's record, decided when it is compiled.
+"""Dispatch of the laws: by the type of the law's record, when the step is compiled.
 
-A law is a record with its settings, and a module whose `update` turns a route and what is known
-into a command. To add one: write both, and name them here.
+A law is a record of its settings and a module whose `update` turns state and route into a command.
+To add one: write both, and name them here.
 """
 
 from collections.abc import Callable
@@ -32,20 +32,24 @@ class PaperLaw(NamedTuple):
     """Law `paper`: the composite field as printed, to see what it does on an aeroplane."""
 
     plans: bool = False
+    """Whether routes are planned."""
     is_assured: bool = False
-    """As of `FlightLaw`."""
+    """Whether the run-time assurance stands above the law."""
 
 
 Law = FlightLaw | PaperLaw
-FLIGHT, PAPER = FlightLaw(), PaperLaw()
+FLIGHT = FlightLaw()
+"""Law `flight` with its default settings."""
+PAPER = PaperLaw()
+"""Law `paper` with its default settings."""
 LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "paper": PAPER}
-"""The laws as a scenario names them."""
+"""The laws by the names that they have in scenario files."""
 
 LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
     FlightLaw: flight_law.update,
     PaperLaw: paper_law.update,
 }
-"""The function that flies each law."""
+"""The `update` of each law, by the type of its record."""
 
 
 def update(
@@ -57,15 +61,15 @@ def update(
     s: GuidanceState,
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
-    """What the law commands: bank, load factor and path angle.
+    """The law's command: bank, load factor and path angle; and the next state of guidance.
 
     Args:
-        law: that guides.
-        nav: the vehicle.
-        goal: what is flown to.
-        route: how.
-        airspace: what is known to be in the way; None: there is nothing.
-        s: what the step before left.
+        law: the record of the law.
+        nav: state of the vehicle.
+        goal: objective of the mission.
+        route: the planned route.
+        airspace: the known hazards; None: there are none.
+        s: state of guidance at the step before.
         vehicle: its aircraft and gains.
     """
     return LAWS[type(law)](nav, goal, route, airspace, s, vehicle)

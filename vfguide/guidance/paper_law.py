@@ -1,8 +1,8 @@
 """Law `paper`: an aeroplane along the paper's composite field as printed, its errors corrected.
 
-The field's direction and its exact turning are flown at the aircraft's own speed, in the wind and
-within its limits: obstacles (F_OA) and, with priority, traffic (F_CA). After the last goal, of
-which the paper says nothing, the circle is flown.
+The direction of the field and its exact rate are flown at the aircraft's own speed, in the wind and
+within its limits. Obstacles (F_OA) and traffic (F_CA, as robots with priority) act on the field.
+After the last goal, where the paper defines nothing, the circle is flown as by law `flight`.
 """
 
 import math
@@ -32,12 +32,15 @@ from vfguide.guidance.wind_triangle import heading_for_course
 from vfguide.planning.objective import GuidanceTarget, Objective
 from vfguide.planning.route import Route
 
-SIGHT = 300.0
-"""r_d: the paper's robots see each other from here on, the default of a scenario [m]."""
-FASTEST = 1.0
-"""The turning of the field is fed forward up to this [rad/s]."""
-STEEPEST = 1.2
-"""Its direction is flown up to this angle to the horizon [rad]."""
+DETECTION_RANGE = 300.0
+"""Distance within which traffic acts on the field [m]: the paper's r_d, with the default value of a
+scenario."""
+MAX_FIELD_RATE = 1.0
+"""Largest rate of the field's course that is fed forward [rad/s]; chosen above every turn of the
+shipped aircraft."""
+MAX_FIELD_CLIMB = 1.2
+"""Largest angle of the field's direction to the horizon that is flown [rad]; chosen, so that the
+slope stays finite."""
 
 
 @compiled
@@ -49,7 +52,7 @@ def update(
     s: GuidanceState,
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
-    """Bank, load factor and path angle that fly the field."""
+    """Bank, load factor and path angle that fly the field, and the next state of guidance."""
     if goal.target.circle != 0.0:
         return flight_law.update(nav, goal, route, airspace, s, vehicle)
     state, (aircraft, gains, _) = nav.state, vehicle
@@ -85,15 +88,15 @@ def update(
 def field_direction(
     state: FlightState, target: GuidanceTarget, airspace: Airspace | None
 ) -> tuple[float, float, float]:
-    """Course of the composite field, how fast it turns [rad/s], and its climb [rad]."""
+    """Course of the composite field [rad], its rate [rad/s], and its climb [rad]."""
     F = composite_field(state, target, airspace)
     x, y, z = F.value
     flat = x * x + y * y
     if flat == 0.0:
         return math.atan2(state.v_n[1], state.v_n[0]), 0.0, 0.0
     turning = (x * F.rate[1] - y * F.rate[0]) / flat
-    climb = max(-STEEPEST, min(STEEPEST, math.atan2(-z, math.sqrt(flat))))
-    return math.atan2(y, x), max(-FASTEST, min(FASTEST, turning)), climb
+    climb = max(-MAX_FIELD_CLIMB, min(MAX_FIELD_CLIMB, math.atan2(-z, math.sqrt(flat))))
+    return math.atan2(y, x), max(-MAX_FIELD_RATE, min(MAX_FIELD_RATE, turning)), climb
 
 
 @compiled
@@ -109,13 +112,13 @@ def composite_field(state: FlightState, target: GuidanceTarget, airspace: Airspa
         by = deflect_by_obstacles(by, free, p, t, hazards.obstacles, chi)
         for row in hazards.traffic:
             intruder = read_intruder(row)
-            spacing = Spacing(0.5 * intruder.radius, SIGHT)
+            spacing = Spacing(0.5 * intruder.radius, DETECTION_RANGE)
             by = deflect_by_robot(by, free, p, robot_at(intruder, t), spacing)
     return avoidance_field(free, by)
 
 
 @compiled
 def robot_at(intruder: Intruder, t: float) -> Robot:
-    """An intruder at time `t` [s] as the paper's field takes a robot."""
+    """An intruder at time `t` [s] as a robot of the paper, NED."""
     progress = scale(t - intruder.time, intruder.v_n)
     return Robot(add(intruder.p_n, progress), intruder.v_n)

@@ -15,7 +15,7 @@ class Heading(NamedTuple):
     psi: float
     """Azimuth [rad]."""
     psi_rate: float
-    """[rad/s]"""
+    """Rate of the azimuth [rad/s]."""
     groundspeed: float
     """Speed over ground along the course [m/s]."""
 
@@ -26,8 +26,14 @@ def heading_for_course(
 ) -> Heading:
     """Azimuth of the air velocity that makes good the course `chi` [rad] at `airspeed` [m/s].
 
-    V sin(psi - chi) = -(wind to the right of the course); the rate follows from its
-    derivative. Where the cross wind exceeds 95 % of the airspeed the nose stays there.
+    V sin(psi - chi) = -(wind to the right of the course); the rate follows from the derivative.
+    The crab angle is limited where the cross wind exceeds 95 % of the airspeed.
+
+    Args:
+        chi: course over ground [rad].
+        chi_rate: its rate [rad/s].
+        wind: wind to the north and to the east, blowing toward [m/s].
+        airspeed: horizontal part of the true airspeed [m/s].
     """
     c, s = math.cos(chi), math.sin(chi)
     along = wind[0] * c + wind[1] * s

@@ -1,1 +1,1 @@
-"""Which path leads to the goal, clear of what is known: the stage that seeks routes."""
+"""Planning: routes around and over hazards, and the leg to the goal."""

@@ -1,4 +1,4 @@
-"""Whether edges stay clear of the hazards, which may move while one flies."""
+"""Collision check: whether edges stay clear of hazards that may move during the flight."""
 
 import math
 from typing import NamedTuple
@@ -9,69 +9,76 @@ from vfguide.geometry.compiled import compiled
 from vfguide.paths.edge import Edge, RouteEdges, Segment, edge_in, pose_along, segments_of
 from vfguide.paths.path_progress import Pose
 
-SHORTEST_STEP = 0.3
-"""Between two looks at the hazards, of the wanted clearance."""
-LONGEST_TURN = 0.6
-"""Between two looks in a turn [rad], for the speed over ground."""
-SLOWEST = 1.0
-"""Speed over ground for which times are right, at least [m/s]."""
+STEP_SHARE = 0.3
+"""Least distance between two checked points, as a share of the wanted clearance; chosen."""
+TURN_STEP = 0.6
+"""Largest angle between two checked points of a turn [rad]; chosen, since the groundspeed changes
+with the course."""
+LEAST_GROUND_SPEED = 1.0
+"""Least speed over ground with which times are computed [m/s]; chosen."""
 
 
 class Air(NamedTuple):
-    """What makes courses fast and slow."""
+    """Airspeed and wind, from which the groundspeed of a course follows."""
 
     airspeed: float
+    """True airspeed [m/s]."""
     wind_x: float
+    """Wind blowing to the north [m/s]."""
     wind_y: float
-    """Towards, NED [m/s]."""
+    """Wind blowing to the east [m/s]."""
 
 
 class Task(NamedTuple):
-    """What is to be flown."""
+    """A planning problem: from a pose to a pose."""
 
     start: Pose
+    """Pose at the start, NED."""
     goal: Pose
+    """Pose to reach, NED."""
     radius: float
-    """Of the turns over ground [m]."""
+    """Radius of the turns over ground [m]."""
     air: Air
     t: float
-    """When it begins [s]."""
+    """Time at the start, on the clock of the obstacles [s]."""
 
 
 class Demand(NamedTuple):
-    """How clear one wants to be: less around the ends, where one has to be."""
+    """Clearance that is wanted, less around the ends if there is less."""
 
     wanted: float
+    """Clearance along the route [m]."""
     at_start: float
+    """Clearance that suffices around the start [m]."""
     at_goal: float
-    """Clearance that there is [m]."""
+    """Clearance that suffices around the goal [m]."""
     step: float
-    """Between two looks at the hazards [m]; half of it comes on top of the clearance."""
+    """Least distance between two checked points [m]; half of it is added to the clearance."""
     around: float
-    """As near as this to an end its clearance is enough [m]."""
+    """Distance from an end within which its clearance suffices [m]."""
 
 
 class Check(NamedTuple):
-    """What is found along an edge."""
+    """Result of the check of an edge."""
 
     blocker: int
-    """Row of the hazard that is too near, else `NO_HAZARD`."""
+    """Row of the hazard that is too near, or `NO_HAZARD`."""
     t: float
-    """At its end, or where it is blocked [s]."""
+    """Time at the end of the edge, or where it is blocked [s]."""
 
 
 @compiled
 def ground_speed(air: Air, course: float) -> float:
-    """Speed over ground on a course over ground [m/s], at least SLOWEST."""
+    """Speed over ground on a course over ground [m/s], at least LEAST_GROUND_SPEED."""
     c, s = math.cos(course), math.sin(course)
     along, across = air.wind_x * c + air.wind_y * s, air.wind_y * c - air.wind_x * s
     square = air.airspeed * air.airspeed - across * across
-    return max(SLOWEST, along + math.sqrt(max(0.0, square)))
+    return max(LEAST_GROUND_SPEED, along + math.sqrt(max(0.0, square)))
 
 
 @compiled
 def wanted_at(task: Task, demand: Demand, x: float, y: float) -> float:
-    """Clearance that is wanted at a place [m]."""
+    """Clearance that is wanted at (x, y) [m]."""
     wanted = demand.wanted
     if demand.at_start < wanted and math.hypot(x - task.start.x, y - task.start.y) < demand.around:
         wanted = demand.at_start
@@ -84,22 +91,22 @@ def wanted_at(task: Task, demand: Demand, x: float, y: float) -> float:
 def check_segment(
     hazards: KeepOutZones, task: Task, demand: Demand, segment: Segment, begin: float, t: float
 ) -> Check:
-    """Whether a segment is clear from `begin` [m] after its beginning, where one is at `t`."""
+    """Whether a segment is clear from `begin` [m] after its start, reached at time `t` [s]."""
     travelled, radius = begin, task.radius
     near = hazards_beside(hazards, demand, segment, begin, radius)
     speed = ground_speed(task.air, segment.begin.course)
     while True:
         at = pose_along(segment, travelled, radius)
         if segment.side != 0.0:
-            halfway = at.course + 0.5 * segment.side * LONGEST_TURN
+            halfway = at.course + 0.5 * segment.side * TURN_STEP
             speed = ground_speed(task.air, halfway)
         wanted = wanted_at(task, demand, at.x, at.y)
         free, nearest = free_path(hazards, near, at.x, at.y, t, wanted, speed, demand.step)
-        if free < 0.5 * demand.step:  # what is lost until the next look, or since the last one
+        if free < 0.5 * demand.step:  # what may be lost between two points
             return Check(nearest, t)
         if travelled >= segment.length:
             return Check(NO_HAZARD, t)
-        longest = LONGEST_TURN * radius if segment.side != 0.0 else math.inf
+        longest = TURN_STEP * radius if segment.side != 0.0 else math.inf
         step = min(max(free, demand.step), segment.length - travelled, longest)
         travelled += step
         t += step / speed
@@ -109,7 +116,7 @@ def check_segment(
 def hazards_beside(
     hazards: KeepOutZones, demand: Demand, segment: Segment, begin: float, radius: float
 ) -> int:
-    """The hazards that matter for the rest of a segment, see `near_hazards`."""
+    """Mask of the hazards that matter for the rest of a segment, see `near_hazards`."""
     half = 0.5 * (segment.length - begin)
     middle = pose_along(segment, begin + half, radius)
     return near_hazards(hazards, middle.x, middle.y, half + demand.wanted + demand.step)
@@ -117,7 +124,7 @@ def hazards_beside(
 
 @compiled
 def check_edge(hazards: KeepOutZones, task: Task, demand: Demand, edge: Edge, t: float) -> Check:
-    """Whether an edge that begins at `t` is clear."""
+    """Whether an edge that starts at time `t` [s] is clear."""
     one, two, three = segments_of(edge, task.radius)
     found = check_segment(hazards, task, demand, one, 0.0, t)
     if found.blocker == NO_HAZARD and two.length > 0.0:
@@ -129,13 +136,13 @@ def check_edge(hazards: KeepOutZones, task: Task, demand: Demand, edge: Edge, t:
 
 @compiled
 def demand_of(hazards: KeepOutZones, task: Task, wanted: float) -> Demand:
-    """The clearance that is wanted, and what there is at the ends."""
-    slack = SHORTEST_STEP * wanted  # what begins along a hazard is not blocked
+    """The demand for a clearance [m], reduced at the ends to what there is."""
+    slack = STEP_SHARE * wanted  # so that a start along a hazard is not blocked
     start, goal = task.start, task.goal
     at_start = clearance_at(hazards, start.x, start.y, task.t).distance - slack
     at_goal = clearance_at(hazards, goal.x, goal.y, task.t).distance - slack
     at_start, at_goal = min(wanted, at_start), min(wanted, at_goal)
-    return Demand(wanted, at_start, at_goal, SHORTEST_STEP * wanted, task.radius)
+    return Demand(wanted, at_start, at_goal, STEP_SHARE * wanted, task.radius)
 
 
 @compiled
@@ -148,16 +155,16 @@ def route_is_clear(
     segment: int,
     travelled: float,
 ) -> bool:
-    """Whether the rest of a chain of edges is clear.
+    """Whether the rest of a route is clear.
 
     Args:
-        hazards: as they are believed to be now.
-        task: `task.start` is the present place, `task.t` the present time.
+        hazards: the known keep-out zones.
+        task: `task.start` is the present pose, `task.t` the present time.
         wanted: clearance [m].
-        route_edges: a `Edge` a row.
-        first: row of the edge that is flown.
-        segment: its segment that is flown, 0 to 2.
-        travelled: length of it that lies behind [m].
+        route_edges: the route, one `Edge` a row.
+        first: row of the present edge.
+        segment: its present segment, 0 to 2.
+        travelled: length of that segment that has been flown [m].
     """
     demand, t = demand_of(hazards, task, wanted), task.t
     for i in range(first, len(route_edges)):

@@ -1,10 +1,10 @@
-"""Wind about as fast as the aircraft flies: no course can be promised, so it holds against it.
+"""Excess wind: about as fast as the aircraft flies, so that it holds against the wind.
 
-The hold is flown in the frame of the air: there the wind is still, and going backwards over
-ground turns nothing round. The aircraft points into the wind, level, at its airspeed.
+No course can be made good in such a wind. The hold is flown in a frame that drifts with the air,
+where flying backwards over ground reverses nothing: level, at the airspeed, the nose into the wind.
 
-T. Stastny and R. Siegwart, On Flying Backwards: Preventing Run-away of Small, Low-speed, Fixed-wing
-UAVs in Strong Winds, IROS 2019, is where the problem is treated first.
+The problem is that of T. Stastny and R. Siegwart, On Flying Backwards: Preventing Run-away of
+Small, Low-speed, Fixed-wing UAVs in Strong Winds, IROS 2019.
 """
 
 import math
@@ -15,29 +15,31 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import sub
 from vfguide.planning.objective import GuidanceTarget
 
-TOO_STRONG = 0.95
-"""A goal is given up while the wind is above this part of the airspeed, ..."""
-WEAK_AGAIN = 0.85
-"""... until it is below this."""
+EXCESS_RATIO = 0.95
+"""Ratio of the wind to the airspeed above which a wind hold starts; chosen, the largest cross wind
+that `heading_for_course` crabs against."""
+RELEASE_RATIO = 0.85
+"""Ratio of the wind to the airspeed below which a wind hold ends; chosen as hysteresis."""
 WIND_SMOOTHING_TIME = 3.0
-"""The ratio of the two is smoothed over this time, so that a gust changes nothing [s]."""
-STRAIGHT = 1e5
-"""Radius of the circle that is flown as a straight line [m]."""
+"""Time constant with which that ratio is smoothed [s]; chosen, so that a gust starts no hold."""
+STRAIGHT_RADIUS = 1e5
+"""Radius of the circle that stands for a straight line [m]; chosen."""
 
 
 class WindHold(NamedTuple):
-    """Memory of the hold against the wind."""
+    """State of the wind hold."""
 
     ratio: float
-    """Wind over airspeed, smoothed; negative before the first step."""
+    """Ratio of wind to airspeed, smoothed; negative before the first step."""
     holds: bool
+    """Whether the vehicle holds."""
     down: float
-    """Height that is held, NED [m]."""
+    """Height that is held, z of NED [m]."""
 
 
 @compiled
 def fresh_wind_hold() -> WindHold:
-    """Nothing is known of the wind yet."""
+    """The wind hold before the first step."""
     return WindHold(-1.0, False, 0.0)
 
 
@@ -45,7 +47,7 @@ def fresh_wind_hold() -> WindHold:
 def update_wind_hold(
     wind_hold: WindHold, state: FlightState, airspeed: float, dt: float
 ) -> WindHold:
-    """Whether to hold now; `airspeed` is what is flown to [m/s], `dt` the time step [s]."""
+    """The wind hold `dt` [s] later; `airspeed` is the one to fly [m/s]."""
     now = math.hypot(state.wind_n[0], state.wind_n[1]) / airspeed
     ratio = (
         now
@@ -53,8 +55,8 @@ def update_wind_hold(
         else wind_hold.ratio + min(dt / WIND_SMOOTHING_TIME, 1.0) * (now - wind_hold.ratio)
     )
     if wind_hold.holds:
-        return WindHold(ratio, ratio > WEAK_AGAIN, wind_hold.down)
-    return WindHold(ratio, ratio > TOO_STRONG, state.p_n[2])
+        return WindHold(ratio, ratio > RELEASE_RATIO, wind_hold.down)
+    return WindHold(ratio, ratio > EXCESS_RATIO, state.p_n[2])
 
 
 @compiled
@@ -66,7 +68,7 @@ def in_air_frame(state: FlightState) -> FlightState:
 
 @compiled
 def into_wind(wind_hold: WindHold, state: FlightState) -> GuidanceTarget:
-    """The line from here against the wind, at the height that is held."""
+    """The target of a hold: a line from here against the wind, at the height that is held."""
     course = math.atan2(-state.wind_n[1], -state.wind_n[0])
     here = (state.p_n[0], state.p_n[1], wind_hold.down)
-    return GuidanceTarget(here, course, 0.0, 1.0, STRAIGHT)
+    return GuidanceTarget(here, course, 0.0, 1.0, STRAIGHT_RADIUS)

@@ -1,9 +1,9 @@
-"""The coarse search: the shortest route over tangent poses round the hazards that are met.
+"""Graph search: the shortest route over tangent poses around the hazards that it meets.
 
-A* whose edges are Dubins paths. It begins with the start and the goal alone; where an edge is
-blocked, the tangent poses round what blocks it become neighbours of the pose it began at. Nothing
-is computed before its turn: first an edge counts as the straight line, then as its Dubins path,
-and whether it is clear is only looked up when it is the most promising of all.
+It is an A* search whose edges are Dubins paths. It starts with the start and the goal alone; where
+an edge is blocked, the tangent poses around its blocker become neighbours of the pose it started
+at. Everything is computed as late as possible: an edge first has the length of the straight line,
+then that of its Dubins path, and is checked only when it is the most promising of all.
 
 P. E. Hart, N. J. Nilsson and B. Raphael, A Formal Basis for the Heuristic Determination of Minimum
 Cost Paths, 1968 (A*); that edges are checked only when they are the most promising is the lazy
@@ -39,20 +39,20 @@ from vfguide.planning.roadmap import (
 from vfguide.planning.tangent_poses import add_fan, add_tangent_poses
 
 CHECK_EFFORT = 6
-"""A check of an edge takes as long as so many Dubins paths."""
+"""Number of Dubins paths that the check of an edge counts as; chosen for its time."""
 
 
 @compiled
 def search(
     hazards: KeepOutZones, task: Task, demand: Demand, effort: int
 ) -> tuple[RouteEdges, int]:
-    """Edges from the start to the goal, none where nothing is found, and the effort that is left.
+    """Edges from the start to the goal, none where no route is found, and the effort that is left.
 
     Args:
-        hazards: to keep clear of.
-        task: what is to be flown.
-        demand: clearance.
-        effort: Dubins paths that may be computed, a check counts as CHECK_EFFORT of them.
+        hazards: the keep-out zones.
+        task: start, goal, turn radius and wind.
+        demand: the wanted clearance.
+        effort: number of Dubins paths that may be computed; a check counts as CHECK_EFFORT.
     """
     tangents, edges = new_tangent_poses(len(hazards.table)), new_edges()
     queue = begin(tangents, edges, task)
@@ -101,7 +101,7 @@ def follow(
     queue: Queue,
     e: int,
 ) -> None:
-    """Checks an edge: from its end on to the goal, or else round what blocks it."""
+    """Checks an edge, and queues those from its end, or those around what blocks it."""
     begin, end = edges.begins[e], edges.ends[e]
     found = check_edge(
         hazards, task, demand, edge_of(tangents, edges, e), float(tangents.times[begin])
@@ -128,7 +128,7 @@ def go_round(
     hazard: int,
     t: float,
 ) -> None:
-    """Queues edges from a tangent pose to those round a hazard, which was met at time `t`."""
+    """Queues edges from a tangent pose to those around a hazard, met at time `t` [s]."""
     if tangents.avoids[begin, hazard] or tangents.depth[begin] + 1 >= MAX_ROUTE_EDGES:
         return
     tangents.avoids[begin, hazard] = True
@@ -141,9 +141,9 @@ def go_round(
 
 @compiled
 def fan_out(task: Task, tangents: TangentPoses, edges: Edges, queue: Queue) -> bool:
-    """Queues edges from all that is reached to poses near the ends, once; whether there are any.
+    """Queues edges from all reached poses to poses near the ends, once; whether there are any.
 
-    Outlines that no edge has met may still leave no room to turn into the edges that were tried.
+    Zones that no edge has met may still leave no room to turn into the edges that were tried.
     """
     fan = len(tangents.first) - 1
     if tangents.after[fan] > 0:
@@ -163,7 +163,7 @@ def fan_out(task: Task, tangents: TangentPoses, edges: Edges, queue: Queue) -> b
 
 @compiled
 def route_found(tangents: TangentPoses, edges: Edges) -> RouteEdges:
-    """The edges by which the goal was reached."""
+    """The edges by which the goal was reached, one `Edge` a row."""
     count = tangents.depth[GOAL]
     route_edges = np.empty((count, EDGE_WIDTH))
     tangent = GOAL

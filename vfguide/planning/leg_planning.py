@@ -1,4 +1,4 @@
-"""The leg to a goal after one step: its turns, and the path that its height takes."""
+"""Leg planning: the leg after one step, its turns, and the path that its height takes."""
 
 import math
 
@@ -18,13 +18,14 @@ from vfguide.planning.objective import GuidanceTarget, Objective
 from vfguide.planning.route import Route
 from vfguide.planning.route_following import is_on_route
 
-USED_SLOPE_PART = 0.95
-"""Part of the steepest slope that routes are planned with."""
+LEG_SLOPE_SHARE = 0.95
+"""Share of the steepest slope with which the length of a leg is planned; chosen below 1 as a
+reserve."""
 
 
 @compiled
 def in_goal_plane(state: FlightState, target: GuidanceTarget) -> Planar:
-    """Position and ground velocity in the horizontal plane of the target."""
+    """Position and ground velocity in the horizontal plane of the target, x along its course."""
     c, s = math.cos(target.course), math.sin(target.course)
     dx, dy = state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1]
     vx, vy = state.v_n[0], state.v_n[1]
@@ -33,14 +34,14 @@ def in_goal_plane(state: FlightState, target: GuidanceTarget) -> Planar:
 
 @compiled
 def predicted_state(state: FlightState, gains: Gains) -> FlightState:
-    """The state with the position half a roll response later, when a turn will have begun."""
+    """The state half a response lag later, when a turn will have started."""
     p_n = add(state.p_n, scale(0.5 * gains.response_lag, state.v_n))
     return FlightState(state.time, p_n, state.v_n, state.R_nb, state.airspeed, state.wind_n)
 
 
 @compiled
 def radius_factor_of(leg: Leg, state: FlightState, aircraft: Performance, gains: Gains) -> float:
-    """By which the turns of the leg are wider than those of level flight, as far as it helps."""
+    """Factor by which the turns of the leg are wider than in level flight, at most the largest."""
     level = flyable_radius(state, usable_bank(aircraft, gains, gains.airspeed), gains)
     return max(1.0, min(largest_radius_factor(aircraft), leg.radius / level))
 
@@ -56,26 +57,32 @@ def distance_for_goal_altitude(
 ) -> float:
     """Path over ground that the rest of the change of height takes [m].
 
-    `radius_factor` is that of `steepest_descent`, `slope` the one wanted at the step before.
+    Args:
+        state: state of the vehicle.
+        target: the goal.
+        aircraft: its path angles.
+        gains: gains of the guidance.
+        radius_factor: factor by which turns are wider, see `steepest_descent`.
+        slope: slope dh/ds that was wanted at the step before.
     """
     height = target.p_n[2] - state.p_n[2]
     descent = steepest_descent(aircraft, radius_factor, target.slope)
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
     tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
-    most = USED_SLOPE_PART * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
+    most = LEG_SLOPE_SHARE * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
     distance = math.hypot(state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1])
     return distance_for_altitude(height, distance, target.slope, max(most, 1e-6), unit, slope)
 
 
 @compiled
 def wind_along(wind_n: Vec3, course: float) -> float:
-    """Wind from behind on a course [m/s]."""
+    """Tail wind on a course [rad], positive from behind [m/s]."""
     return wind_n[0] * math.cos(course) + wind_n[1] * math.sin(course)
 
 
 @compiled
 def advance_leg(goal: Objective, route: Route, slope: float, vehicle: Vehicle) -> Leg:
-    """The leg after this step; it waits while a route round hazards is flown."""
+    """The leg after this step; it does not change while a route around hazards is flown."""
     state, target, (aircraft, gains, _) = goal.state, goal.target, vehicle
     if is_on_route(route.following) and target.circle == 0.0:
         return route.leg

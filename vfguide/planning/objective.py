@@ -1,4 +1,4 @@
-"""What is flown to at one step."""
+"""The objective of the mission at one step."""
 
 from typing import NamedTuple
 
@@ -8,16 +8,16 @@ from vfguide.geometry.vector import Vec3
 
 
 class GuidanceTarget(NamedTuple):
-    """What to fly to: a pose to pass, or a circle to fly round."""
+    """A pose to pass, or a circle to fly."""
 
     p_n: Vec3
-    """The goal, or a point of the circle [m]."""
+    """The goal, or a point of the circle, NED [m]."""
     course: float
     """Course over ground there [rad]."""
     slope: float
     """Slope dh/ds of the path at the goal."""
     circle: float
-    """0: a goal. +1, -1: the circle that leaves the point to the right or to the left."""
+    """0 for a goal; +1 or -1 for the circle that leaves the point to the right or to the left."""
     radius: float
     """Radius of the circle [m]; it grows where wind and bank ask for more."""
 
@@ -27,15 +27,15 @@ class Objective(NamedTuple):
 
     target: GuidanceTarget
     state: FlightState
-    """The vehicle in the frame in which the target stands still: over the ground, or in the air
-    while it holds against a wind that is too strong."""
+    """The vehicle in the frame in which the target does not move: that of the ground, or that of
+    the air during a wind hold."""
     begins: bool
-    """Whether a leg begins at this step."""
+    """Whether a leg starts at this step."""
     is_goal: bool
-    """Whether it is a goal of the mission, to which there is progress: no circle, no hold."""
+    """Whether it is a goal of the mission, and neither a circle nor a wind hold."""
 
 
 @compiled
 def objective_at(target: GuidanceTarget, state: FlightState) -> Objective:
-    """A target that stands still over the ground, its leg begun before."""
+    """The objective of a target that does not move over ground, on a leg that started before."""
     return Objective(target, state, False, target.circle == 0.0)

@@ -1,7 +1,7 @@
-"""Over what blocks the route, instead of round it.
+"""Overflight: over the obstacles that block the route, instead of around them.
 
-The route stays as it is. The vehicle climbs before what is passed, keeps that level, and flies to
-the goal's height after it. What moves is not passed so.
+The route stays as it is. The vehicle climbs before the obstacles, keeps that level, and flies to
+the goal's height after them. Moving obstacles are not passed so.
 """
 
 import math
@@ -21,44 +21,50 @@ from vfguide.geometry.vector import Series, Vec3
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.planning.objective import GuidanceTarget
 
-PLANNED_SLOPE_PART, ENOUGH_SLOPE_PART = 0.7, 0.9
-"""Part of the steepest path that a change of height is planned with, and found to be enough on the
-way: the wind that is believed changes."""
+PLANNED_SLOPE_SHARE = 0.7
+"""Share of the steepest path with which a change of height is planned; tuned with flights over
+ridges: with 0.85 a goal was missed by its height, and a climb given up half way."""
+ENOUGH_SLOPE_SHARE = 0.9
+"""Share of the steepest path with which a change of height must still be possible during the
+flight; chosen larger, since the estimated wind changes."""
 GOAL_HEIGHT_LEAD = 3.0
-"""Before the goal its height is flown to for so long, in turn lengths, whatever the change."""
-COST = 1.0
-"""A metre of height more, up or down, counts as so many metres of way: what is climbed comes back
-in the descent, but for the losses of the propeller."""
-MOST_LEVELS = 12
-"""No more heights are tried."""
+"""Length of path before the goal on which its height is flown to in any case [turn lengths];
+chosen."""
+HEIGHT_COST = 1.0
+"""Ratio of the cost of a metre of height, up or down, to that of a metre of path; chosen: a climb
+costs airspeed and thrust, most of which a descent returns."""
+MAX_LEVELS = 12
+"""Largest number of levels that are tried; chosen for the time it takes."""
 NO_LEVEL = math.inf
-"""Stands for a level where none is kept: as low as nothing is [m]."""
-UNDER = 15.0
-"""What is so far below the vehicle already is passed by a level that is no lower, however near it
-is [m]."""
+"""Level that stands for none, z of NED: infinitely low [m]."""
+PASSED_MARGIN = 15.0
+"""Height above an obstacle that suffices where the vehicle is above it already and keeps its level
+[m]; chosen smaller than the ordinary clearance."""
 
 
 class AltitudePlan(NamedTuple):
-    """Heights along a way: from here to a level, and from there to the goal."""
+    """Heights along a route: from here to a level, and from there to the goal."""
 
     here: Vec3
+    """Position of the vehicle, NED [m]."""
     goal: Vec3
-    """NED [m]."""
+    """Position of the goal, NED [m]."""
     level: float
-    """Down from the origin [m]; infinite: there is none."""
+    """Level, z of NED [m]; infinite for none."""
     rise: float
+    """Length of path that the change to the level takes [m]."""
     fall: float
-    """Path that the change to the level takes, and the one from there to the goal's height [m]."""
+    """Length of path that the change from the level to the goal's height takes [m]."""
 
 
 @compiled
 def altitude_plan_by(
     level: float, state: FlightState, target: GuidanceTarget, aircraft: Performance, gains: Gains
 ) -> AltitudePlan:
-    """The heights of a route by a level, as it is planned."""
+    """The altitude plan of a route by a level (z of NED [m]), as it is planned."""
     here, goal = state.p_n, target.p_n
-    rise = change_length(here[2] - level, PLANNED_SLOPE_PART, state.wind_n, aircraft, gains)
-    fall = change_length(level - goal[2], PLANNED_SLOPE_PART, state.wind_n, aircraft, gains)
+    rise = change_length(here[2] - level, PLANNED_SLOPE_SHARE, state.wind_n, aircraft, gains)
+    fall = change_length(level - goal[2], PLANNED_SLOPE_SHARE, state.wind_n, aircraft, gains)
     return AltitudePlan(
         here, goal, level, rise, fall + GOAL_HEIGHT_LEAD * turn_length(gains.airspeed)
     )
@@ -73,8 +79,8 @@ def altitude_plan_left(
     aircraft: Performance,
     gains: Gains,
 ) -> AltitudePlan:
-    """The heights of the rest of a route by a level that was planned with a fall [m]."""
-    rise = change_length(state.p_n[2] - level, ENOUGH_SLOPE_PART, state.wind_n, aircraft, gains)
+    """The altitude plan of the rest of a route whose level was planned with a `fall` [m]."""
+    rise = change_length(state.p_n[2] - level, ENOUGH_SLOPE_SHARE, state.wind_n, aircraft, gains)
     return AltitudePlan(state.p_n, target.p_n, level, rise, fall)
 
 
@@ -82,9 +88,14 @@ def altitude_plan_left(
 def change_length(
     up: float, part: float, wind_n: Vec3, aircraft: Performance, gains: Gains
 ) -> float:
-    """Path over ground that a climb by `up`, or a descent, takes with the wind behind [m].
+    """Length of path over ground that a change of height takes with a tail wind [m].
 
-    Flown with a part of the steepest path.
+    Args:
+        up: height to climb, negative to descend [m].
+        part: share of the steepest path that is flown.
+        wind_n: wind, NED, blowing toward [m/s].
+        aircraft: its path angles.
+        gains: gains of the guidance.
     """
     steepest = math.tan(aircraft.climb_max if up > 0.0 else descent_at_airspeed(aircraft, 0.0))
     faster = 1.0 + math.hypot(wind_n[0], wind_n[1]) / max(gains.airspeed, 1e-3)
@@ -94,7 +105,7 @@ def change_length(
 
 @compiled
 def band_of(altitudes: AltitudePlan) -> Band:
-    """All heights of the route."""
+    """The band that contains all heights of an altitude plan."""
     here, goal = altitudes.here[2], altitudes.goal[2]
     level = goal if math.isinf(altitudes.level) else altitudes.level
     return Band(min(here, goal, level), max(here, goal, level))
@@ -102,23 +113,23 @@ def band_of(altitudes: AltitudePlan) -> Band:
 
 @compiled
 def is_above(obstacle: PlacedObstacle, z: float, margin: float) -> bool:
-    """Whether a height, down from the origin, is above an obstacle by the margin [m]."""
+    """Whether the height `z` (down) [m] is above an obstacle by the margin [m]."""
     return z <= level_over(obstacle, margin)
 
 
 @compiled
 def level_over(obstacle: PlacedObstacle, margin: float) -> float:
-    """The lowest height above an obstacle by the margin, down from the origin [m]."""
+    """The lowest level above an obstacle by the margin [m], z of NED [m]."""
     return obstacle.p_n[2] - obstacle.semi_axes[2] - margin
 
 
 @compiled
 def is_passed(obstacles: Rows, i: int, altitudes: AltitudePlan, margin: float) -> bool:
-    """Whether row `i` is below the route wherever on it the vehicle may meet it."""
+    """Whether the obstacle of row `i` is below the vehicle wherever the vehicle may meet it."""
     obstacle = read_obstacle(obstacles[i])
     if not is_above(obstacle, altitudes.level, margin) or not stands_still(obstacle):
         return False
-    here = min(margin, UNDER) if altitudes.level <= altitudes.here[2] else margin
+    here = min(margin, PASSED_MARGIN) if altitudes.level <= altitudes.here[2] else margin
     ends = ((altitudes.here, altitudes.rise, here), (altitudes.goal, altitudes.fall, margin))
     for end, length, over in ends:
         above = is_above(obstacle, end[2], over)
@@ -136,14 +147,14 @@ def stands_still(obstacle: PlacedObstacle) -> bool:
 
 @compiled
 def distance_beside(obstacles: Rows, i: int, p_n: Vec3) -> float:
-    """Horizontal distance of a place from the whole of row `i`, which stands still [m]."""
+    """Horizontal distance of `p_n` from the obstacle of row `i`, which does not move [m]."""
     band = Band(-math.inf, math.inf)
     return clearance_at(hazards_of(obstacles[i : i + 1], band, 0.0), p_n[0], p_n[1], 0.0).distance
 
 
 @compiled
 def left_in_path(obstacles: Rows, altitudes: AltitudePlan, margin: float) -> Rows:
-    """The obstacles that are not passed over by the margin [m]."""
+    """The obstacles that an altitude plan does not pass over by the margin [m]."""
     if math.isinf(altitudes.level):
         return obstacles
     left = np.ones(len(obstacles), dtype=np.bool_)
@@ -154,17 +165,17 @@ def left_in_path(obstacles: Rows, altitudes: AltitudePlan, margin: float) -> Row
 
 @compiled
 def levels_for(obstacles: Rows, here: float, goal: float, highest: float, margin: float) -> Series:
-    """Levels to try, the cheapest first, (N,) [m].
+    """Levels to try, the cheapest first, (N,), z of NED [m].
 
-    The heights of both ends, and those over one of the obstacles by the margin: MOST_LEVELS that
-    differ, the costliest among them. None is below both ends: nobody knows of the ground.
+    They are the heights of both ends and those above an obstacle by the margin: up to MAX_LEVELS
+    different ones, among them the costliest. None is below both ends, since the ground is unknown.
 
     Args:
         obstacles: rows of `obstacle_rows`.
-        here: height, down from the origin [m].
-        goal: its height [m].
-        highest: no level is above this [m], but for the height that the vehicle has.
-        margin: over what is passed [m].
+        here: height of the vehicle, down [m].
+        goal: height of the goal, down [m].
+        highest: highest level, down [m]; the present height of the vehicle is always allowed.
+        margin: height above the obstacles that are passed [m].
     """
     levels: Series = np.full(len(obstacles) + 2, math.inf)
     levels[0], levels[1] = here, goal
@@ -178,14 +189,14 @@ def levels_for(obstacles: Rows, here: float, goal: float, highest: float, margin
     for k in range(len(levels)):
         costs[k] = cost_of(levels[k], here, goal)
     levels = levels[np.argsort(costs, kind="mergesort")]
-    if len(levels) > MOST_LEVELS:
-        levels[MOST_LEVELS - 1] = levels[-1]
-    return levels[:MOST_LEVELS]
+    if len(levels) > MAX_LEVELS:
+        levels[MAX_LEVELS - 1] = levels[-1]
+    return levels[:MAX_LEVELS]
 
 
 @compiled
 def distinct(values: Series) -> Series:
-    """The values, each where it comes first, (N,)."""
+    """The values without repetitions, in their order, (N,)."""
     first = np.ones(len(values), dtype=np.bool_)
     for k in range(1, len(values)):
         first[k] = not np.any(values[:k] == values[k])
@@ -194,15 +205,15 @@ def distinct(values: Series) -> Series:
 
 @compiled
 def cost_of(level: float, here: float, goal: float) -> float:
-    """Of the height that a level costs more than the route without it, as a length [m]."""
-    return COST * (abs(level - here) + abs(level - goal) - abs(here - goal))
+    """Cost of the additional change of height by a level, as a length of path [m]."""
+    return HEIGHT_COST * (abs(level - here) + abs(level - goal) - abs(here - goal))
 
 
 @compiled
 def aim_at(level: float, fall: float, target: GuidanceTarget, remaining: float) -> GuidanceTarget:
-    """The target whose height is flown to: the level until `remaining` is the fall [m].
+    """The target whose height is flown to: the level until `remaining` is less than the fall [m].
 
-    A level is kept as on a circle.
+    The level is kept as on a circle.
     """
     if math.isinf(level) or target.circle != 0.0 or remaining <= fall:
         return target

@@ -1,7 +1,7 @@
-"""When to look for a route round hazards, or over them, and what becomes of the leg then.
+"""Replanning: when to search for a route around hazards, or over them.
 
-The route that is flown is looked along several times a second; where something that is known comes
-too near to it, or where the flight law has changed it by itself, the coarse search finds another.
+The route is checked several times a second. Where a known hazard is too near to it, or where the
+leg has changed, the graph search finds another.
 """
 
 import math
@@ -45,16 +45,16 @@ from vfguide.planning.route_following import (
 )
 from vfguide.planning.route_search import CLEARANCES, find_route
 
-LOOK = 0.2
-"""Between two looks along the route [s]."""
-SEEK = 1.0
-"""Between two searches that found nothing [s]."""
-TOLERATED = 0.6
-"""Part of the clearance that was found of which so much is left when a route is given up."""
+CHECK_INTERVAL = 0.2
+"""Time between two checks of the route [s]; chosen."""
+SEARCH_INTERVAL = 1.0
+"""Time between two searches that found no route [s]; chosen for the time they take."""
+KEPT_CLEARANCE = 0.6
+"""Share of the clearance with which a route was found that must remain; chosen as hysteresis."""
 
 
 class PlanningContext(NamedTuple):
-    """Who flies where."""
+    """The vehicle and its target."""
 
     state: FlightState
     target: GuidanceTarget
@@ -66,58 +66,58 @@ class Scene(NamedTuple):
     """What may block the route."""
 
     obstacles: Rows
-    """That are known."""
+    """The known obstacles, rows of `obstacle_rows`."""
     fence: KeepOutZones
-    """To stay in or out of."""
+    """Zones of the fence, and of traffic."""
     highest: float
-    """Nothing is passed over above this, down from the origin [m]."""
+    """Highest level of an overflight, z of NED [m]."""
     t: float
-    """Now, on the clock of the obstacles [s]."""
+    """Present time on the clock of the obstacles [s]."""
 
 
 @compiled
 def seek_route(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
 ) -> tuple[Leg, RouteFollowing]:
-    """The leg with a route that keeps clear of the hazards, if it needs another."""
+    """The leg and the route after a check, with a new route if the present one is blocked."""
     t = scene.t
     if is_on_route(route):
         route, leg = follow_route(route, context.state, leg)
     is_unplanned = leg.phase == NEW and not is_on_route(route)
-    if is_unplanned or (not route.shifted and t - route.looked < LOOK):
+    if is_unplanned or (not route.shifted and t - route.looked < CHECK_INTERVAL):
         return leg, route
     route = drop_level(context, leg, scene, with_look(route, t, False))
     altitudes = altitude_plan_of(context, route)
     if is_clear(context, leg, scene, route, altitudes, tolerated(route)):
         return leg, route
-    if route.clearance < 0.0 and t - route.sought < SEEK:
+    if route.clearance < 0.0 and t - route.sought < SEARCH_INTERVAL:
         return leg, route
     return with_new_route(context, leg, scene, route)
 
 
 @compiled
 def altitude_plan_of(context: PlanningContext, route: RouteFollowing) -> AltitudePlan:
-    """Heights from here to the goal."""
+    """The altitude plan from here to the goal."""
     j = context
     return altitude_plan_left(route.level, route.fall, j.state, j.target, j.aircraft, j.gains)
 
 
 @compiled
 def tolerated(route: RouteFollowing) -> float:
-    """Clearance with which a route is not given up yet [m]."""
-    return TOLERATED * (route.clearance if route.clearance > 0.0 else CLEARANCES[0])
+    """Clearance with which the present route is kept [m]."""
+    return KEPT_CLEARANCE * (route.clearance if route.clearance > 0.0 else CLEARANCES[0])
 
 
 @compiled
 def task_from(context: PlanningContext, start: Pose, goal: Pose, radius: float, t: float) -> Task:
-    """What is to be flown from a pose in this wind."""
+    """The planning problem between two poses in the present wind."""
     wind_n = context.state.wind_n
     return Task(start, goal, radius, Air(context.gains.airspeed, wind_n[0], wind_n[1]), t)
 
 
 @compiled
 def entry_of(target: GuidanceTarget, final_approach: float) -> Pose:
-    """Where the straight end of the approach begins."""
+    """Pose at the start of a final approach of the length given [m], NED."""
     c, s = math.cos(target.course), math.sin(target.course)
     return Pose(
         target.p_n[0] - final_approach * c, target.p_n[1] - final_approach * s, target.course
@@ -126,7 +126,7 @@ def entry_of(target: GuidanceTarget, final_approach: float) -> Pose:
 
 @compiled
 def pose_of(state: FlightState, ahead: float) -> Pose:
-    """Where the vehicle will be `ahead` [s] from now, straight on."""
+    """Pose of the vehicle `ahead` [s] from now, straight on, NED."""
     x = state.p_n[0] + ahead * state.v_n[0]
     y = state.p_n[1] + ahead * state.v_n[1]
     return Pose(x, y, math.atan2(state.v_n[1], state.v_n[0]))
@@ -141,7 +141,7 @@ def is_clear(
     altitudes: AltitudePlan,
     wanted: float,
 ) -> bool:
-    """Whether the rest of the route is clear by what is wanted [m]."""
+    """Whether the rest of the route has the clearance `wanted` [m]."""
     state, target = context.state, context.target
     obstacles = left_in_path(scene.obstacles, altitudes, wanted)
     hazards = joined(hazards_of(obstacles, band_of(altitudes), wanted), scene.fence)
@@ -169,7 +169,7 @@ def is_clear(
 def field_is_clear(
     state: FlightState, leg: Leg, hazards: KeepOutZones, task: Task, entry: Pose, wanted: float
 ) -> bool:
-    """Whether the arc of the paper's field from here to the straight end is clear."""
+    """Whether the arc of the paper's field from here to the final approach is clear."""
     at = vehicle_from(entry, state)
     radius = max((at.x * at.x + at.y * at.y) / max(2.0 * abs(at.y), 1e-3), leg.radius)
     begin = placed(entry, Pose(at.x, at.y, 2.0 * math.atan2(at.y, at.x)))
@@ -183,14 +183,14 @@ def field_is_clear(
 
 @compiled
 def travelled_in(path: DubinsPath, segment: int, left: float, radius: float) -> float:
-    """Length of a segment of a Dubins path that lies behind where so much is `left` of it [m]."""
+    """Length of a segment that has been flown [m]; `left` is its rest [turn radii]."""
     lengths = (path.arc, path.reach, path.end)
     return radius * max(0.0, lengths[segment] - left)
 
 
 @compiled
 def placed(frame: Pose, pose: Pose) -> Pose:
-    """A pose that is given in the axes of another, NED."""
+    """A pose in NED that is given in the axes of another pose."""
     c, s = math.cos(frame.course), math.sin(frame.course)
     x = frame.x + c * pose.x - s * pose.y
     return Pose(x, frame.y + s * pose.x + c * pose.y, frame.course + pose.course)
@@ -200,15 +200,15 @@ def placed(frame: Pose, pose: Pose) -> Pose:
 def with_new_route(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
 ) -> tuple[Leg, RouteFollowing]:
-    """The leg along what is found, or as it was: over what blocks it, or with nothing found.
+    """The leg along a new route, or over what blocks it, or as it was if neither is found.
 
-    A level that is kept is kept on a new route too. Where there is no route to the beginning of the
-    straight end, one to the goal itself is taken.
+    A level is kept on a new route too. Where no route leads to the start of the final approach,
+    one to the goal itself is taken.
     """
     state, target, radius = context.state, context.target, leg.radius
     altitudes, may_climb = altitude_plan_of(context, route), not is_on_route(route)
     may_climb = may_climb and math.isinf(altitudes.level)
-    obstacles = left_in_path(scene.obstacles, altitudes, TOLERATED * CLEARANCES[0])
+    obstacles = left_in_path(scene.obstacles, altitudes, KEPT_CLEARANCE * CLEARANCES[0])
     route = with_search(route, scene.t, scene.t, 0, -1.0)
     begin = pose_of(state, TURN_IN)
     for end in (context.gains.final_approach * radius, 0.0):
@@ -235,7 +235,7 @@ def seek_level(
 ) -> RouteFollowing:
     """The route over what blocks it, where the leg is clear at another height.
 
-    That has to cost less than `most` [m]; where nothing is found the route is as it was.
+    The level must cost less than `most` [m]; where none is found the route is unchanged.
     """
     each, wanted = context, CLEARANCES[0]
     here, goal = each.state.p_n[2], each.target.p_n[2]
@@ -252,7 +252,7 @@ def seek_level(
 def drop_level(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing
 ) -> RouteFollowing:
-    """The route without a level once the route is clear without it."""
+    """The route without its level, once it is clear without it."""
     if not math.isinf(route.level):
         state, target = context.state, context.target
         altitudes = AltitudePlan(state.p_n, target.p_n, NO_LEVEL, 0.0, 0.0)
@@ -265,9 +265,9 @@ def drop_level(
 def is_free(
     context: PlanningContext, leg: Leg, scene: Scene, route: RouteFollowing, altitudes: AltitudePlan
 ) -> bool:
-    """Whether the rest of the route has all the clearance, and so has the place where it begins.
+    """Whether the rest of the route has the full clearance, the present position included.
 
-    Near a hazard less is asked for round the beginning, and none of it above one.
+    `is_clear` alone asks for less around the start where a hazard is near it.
     """
     wanted, p_n = CLEARANCES[0], context.state.p_n
     obstacles = left_in_path(scene.obstacles, altitudes, wanted)

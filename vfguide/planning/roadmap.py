@@ -1,4 +1,7 @@
-"""Memory of a coarse search: tangent poses, the edges tried between them, and which are reached."""
+"""Roadmap of one graph search: tangent poses, edges between them, and the costs to reach them.
+
+S. M. LaValle, Planning Algorithms, 2006, chapters 5 and 15 (roadmaps and Dubins paths).
+"""
 
 import math
 from heapq import heappush
@@ -13,70 +16,78 @@ from vfguide.paths.dubins import DubinsPath, length_of, read_dubins_path, write_
 from vfguide.paths.edge import Edge, next_path
 from vfguide.paths.path_progress import Pose, read_pose
 
-START, GOAL = 0, 1
-"""Rows of the ends among the tangent poses."""
+START = 0
+"""Index of the start among the tangent poses."""
+GOAL = 1
+"""Index of the goal among the tangent poses."""
 MAX_TANGENT_POSES = 1024
-MOST_EDGES = 30_000
-"""Of one search."""
+"""Largest number of tangent poses of one search; chosen for its memory."""
+MAX_EDGES = 30_000
+"""Largest number of edges of one search; chosen for its memory."""
 MAX_ROUTE_EDGES = 8
-"""Of a route."""
+"""Largest number of edges of a route; chosen for the size of the state."""
 HEURISTIC_WEIGHT = 1.1
-"""What is left counts so much more than what is gone: fewer edges are tried, and the route is
-longer than the shortest over the same tangent poses by no more than that."""
+"""Weight of the cost to go, a factor: fewer edges are tried, and the route is longer than the
+shortest one over the same tangent poses by at most this factor (weighted A*: I. Pohl, Heuristic
+Search Viewed as Path Finding in a Graph, 1970); chosen."""
 
 Queue = list[tuple[float, int]]
-"""Edges by the length of the route through them that can be hoped for [m]."""
+"""A heap of the least length of a route through an edge [m], and the number of the edge."""
 Counter = Indices
 """One number that compiled code counts up, (1,)."""
-POSE_WIDTH, DUBINS_PATH_WIDTH = width(Pose), width(DubinsPath)
-"""How many numbers the row of a pose has, and that of a Dubins path."""
+POSE_WIDTH = width(Pose)
+"""Number of floats in the row of a `Pose`."""
+DUBINS_PATH_WIDTH = width(DubinsPath)
+"""Number of floats in the row of a `DubinsPath`."""
 
 
 class TangentPoses(NamedTuple):
-    """Poses a route may lead through, the first two its ends; arrays of one row each."""
+    """Poses that a route may pass, the first two its ends; arrays with one row for each."""
 
     used: Counter
-    """How many there are."""
+    """Number of rows in use, (1,)."""
     poses: Table
-    """A `Pose` a row."""
+    """One `Pose` a row, NED."""
     cost_to_go: Series
     """Least length to the goal [m], negative while unknown."""
     cost_to_come: Series
-    """Length of the route by which it was reached [m], infinite before."""
+    """Length of the route by which it was reached [m], infinite while it is not."""
     times: Series
-    """When it is reached [s]."""
+    """Time at which it is reached [s]."""
     depth: Indices
-    """Edges of the route by which it was reached."""
+    """Number of edges of the route by which it was reached."""
     edges: Indices
-    """The last of that route."""
+    """Number of the last edge of that route, -1 for none."""
     avoids: Mask
     """(tangent poses, hazards): whether edges from here to the tangent poses of a hazard are in
     the queue."""
     first: Indices
+    """(hazards + 1,): first tangent pose of each hazard, 0 while it has none. The last entry stands
+    for the poses near the ends."""
     after: Indices
-    """(hazards + 1,): first tangent pose of each hazard, and the one after its last; both 0
-    before. The last of the hazards stands for poses near the ends."""
+    """(hazards + 1,): the tangent pose after the last one of each hazard, 0 while it has none."""
 
 
 class Edges(NamedTuple):
-    """Edges tried or to be tried; arrays of one row each."""
+    """Edges that were tried or are to be tried; arrays with one row for each."""
 
     used: Counter
-    """How many there are."""
+    """Number of rows in use, (1,)."""
     begins: Indices
+    """Tangent pose at the start of each."""
     ends: Indices
-    """The tangent poses at both ends."""
+    """Tangent pose at the end of each."""
     above: Series
-    """Only Dubins paths longer than this are left to be tried [radii]."""
+    """Length above which Dubins paths are still to be tried [turn radii]."""
     paths: Table
-    """A `DubinsPath` a row."""
+    """One `DubinsPath` a row."""
     known: Mask
     """Whether the Dubins path has been found."""
 
 
 @compiled
 def new_tangent_poses(hazards: int) -> TangentPoses:
-    """No tangent poses yet, for so many hazards."""
+    """Arrays without tangent poses, for a number of hazards."""
     return TangentPoses(
         np.zeros(1, np.int64),
         np.empty((MAX_TANGENT_POSES, POSE_WIDTH)),
@@ -93,14 +104,14 @@ def new_tangent_poses(hazards: int) -> TangentPoses:
 
 @compiled
 def new_edges() -> Edges:
-    """No edges yet."""
+    """Arrays without edges."""
     return Edges(
         np.zeros(1, np.int64),
-        np.empty(MOST_EDGES, np.int64),
-        np.empty(MOST_EDGES, np.int64),
-        np.empty(MOST_EDGES),
-        np.empty((MOST_EDGES, DUBINS_PATH_WIDTH)),
-        np.zeros(MOST_EDGES, np.bool_),
+        np.empty(MAX_EDGES, np.int64),
+        np.empty(MAX_EDGES, np.int64),
+        np.empty(MAX_EDGES),
+        np.empty((MAX_EDGES, DUBINS_PATH_WIDTH)),
+        np.zeros(MAX_EDGES, np.bool_),
     )
 
 
@@ -124,9 +135,9 @@ def edge_of(tangents: TangentPoses, edges: Edges, e: int) -> Edge:
 
 @compiled
 def add_edge(tangents: TangentPoses, edges: Edges, queue: Queue, begin: int, end: int) -> None:
-    """Queues an edge whose Dubins path is not known yet, with the straight line as its length."""
+    """Queues an edge without a Dubins path yet, with the straight line as its length."""
     e = edges.used[0]
-    if e == MOST_EDGES or tangents.cost_to_come[end] < math.inf:
+    if e == MAX_EDGES or tangents.cost_to_come[end] < math.inf:
         return
     edges.used[0] = e + 1
     edges.begins[e], edges.ends[e], edges.above[e] = begin, end, -1.0
@@ -185,7 +196,7 @@ def try_longer(tangents: TangentPoses, edges: Edges, queue: Queue, e: int, radiu
 
 @compiled
 def settle(tangents: TangentPoses, edges: Edges, e: int, radius: float, t: float) -> None:
-    """The end of an edge is reached along it at time `t`."""
+    """Records that the end of an edge is reached along it at time `t` [s]."""
     begin, end = edges.begins[e], edges.ends[e]
     tangents.cost_to_come[end] = tangents.cost_to_come[begin] + radius * edges.above[e]
     tangents.depth[end] = tangents.depth[begin] + 1

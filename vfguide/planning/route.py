@@ -1,4 +1,4 @@
-"""How the goal is flown to: the leg, and the route round hazards before it."""
+"""The planned route: the leg to the goal, and the edges around hazards before it."""
 
 from typing import NamedTuple
 
@@ -8,14 +8,14 @@ from vfguide.planning.route_following import RouteFollowing, fresh_following
 
 
 class Route(NamedTuple):
-    """How the goal is flown to; also what one step leaves for the next."""
+    """The planned route, which is also the state that planning keeps."""
 
     leg: Leg
     following: RouteFollowing
-    """Round hazards, before the leg; and what is remembered of searches for it."""
+    """The edges around hazards before the leg, and the state of the searches."""
 
 
 @compiled
 def fresh_route() -> Route:
-    """Nothing is planned yet."""
+    """The route before anything is planned."""
     return Route(new_leg(), fresh_following())

@@ -1,7 +1,6 @@
-"""A route flown: edge after edge, until the last one is a leg's own path to the goal.
+"""Route following: edge after edge, until the last one becomes the path of the leg.
 
-The edges lie in the horizontal plane, NED. Each is a Dubins path that ends at its end pose, as
-`path_progress` has them.
+The edges lie in the horizontal plane, NED. Each is followed as a Dubins path, by `path_progress`.
 """
 
 import math
@@ -33,38 +32,39 @@ from vfguide.planning.overflight import NO_LEVEL
 from vfguide.planning.roadmap import MAX_ROUTE_EDGES
 from vfguide.planning.route_search import FoundRoute
 
-LOST = 0.7
-"""An edge is given up farther beside it than this, in radii."""
+OFF_EDGE = 0.7
+"""Distance beside an edge above which the route is checked anew [turn radii]; chosen."""
 
 
 class RouteFollowing(NamedTuple):
-    """What is remembered of the route round hazards, and of the searches for one."""
+    """State of the route around hazards, and of the searches for one."""
 
     length: int
-    """Number of edges of the route; zero while none is flown."""
+    """Number of edges of the route; 0 while none is flown."""
     present: int
-    """Number of the edge that is flown."""
+    """Index of the present edge."""
     segment: int
+    """Present segment of that edge, as in `PathProgress`."""
     left: float
-    """`PathProgress.segment` and `PathProgress.left` of it."""
+    """Rest of that segment, as in `PathProgress`."""
     radius: float
-    """Of the turns [m]."""
+    """Radius of the turns [m]."""
     end: Pose
-    """Where the last edge ends, NED."""
+    """Pose at the end of the last edge, NED."""
     clearance: float
-    """That the route was found with; negative: none was found [m]."""
+    """Clearance with which the route was found [m]; negative if none was found."""
     looked: float
+    """Time of the last check of the route, on the clock of the obstacles [s]."""
     sought: float
-    """When the route was looked along last, and when one was searched for, on the clock of the
-    obstacles [s]."""
+    """Time of the last search for a route, on the clock of the obstacles [s]."""
     shifted: bool
-    """Whether the leg was changed since the last look."""
+    """Whether the leg has changed since the last check."""
     level: float
-    """At which things are passed over, down from the origin; infinite: none is kept [m]."""
+    """Level of the overflight, z of NED [m]; infinite for none."""
     fall: float
-    """How long before the goal its height is flown to again [m]."""
+    """Path length to the goal at which its height is flown to again [m]."""
     route_edges: Annotated[NDArray[np.float64], Shape(MAX_ROUTE_EDGES, EDGE_WIDTH)]
-    """The edges of the route, then rows that mean nothing."""
+    """The edges of the route, one `Edge` a row; rows after them have no meaning."""
 
 
 with_shift = replacing(RouteFollowing, "shifted")
@@ -79,7 +79,7 @@ _without_edges = replacing(RouteFollowing, "length")
 
 @compiled
 def fresh_following() -> RouteFollowing:
-    """No route, and nothing looked at."""
+    """The state without a route, before the first check."""
     never, route_edges = -math.inf, np.zeros((MAX_ROUTE_EDGES, EDGE_WIDTH))
     nowhere = Pose(0.0, 0.0, 0.0)
     return RouteFollowing(
@@ -97,7 +97,7 @@ def is_on_route(route: RouteFollowing) -> bool:
 def begin_route(
     route: RouteFollowing, found: FoundRoute, end: Pose, radius: float
 ) -> RouteFollowing:
-    """Fly the edges that were found to `end`."""
+    """The state at the start of a route that was found, which ends at `end`."""
     count, route_edges = len(found.route_edges), route.route_edges.copy()
     for i in range(count):
         route_edges[i] = found.route_edges[i]
@@ -106,25 +106,25 @@ def begin_route(
 
 @compiled
 def begin_edge(route: RouteFollowing, i: int) -> RouteFollowing:
-    """Fly edge `i` from its beginning."""
+    """The state at the start of edge `i`."""
     return _at_edge(route, i, FIRST_TURN, edge_at(route, i).path.arc)
 
 
 @compiled
 def edge_at(route: RouteFollowing, i: int) -> Edge:
-    """Edge `i`."""
+    """Edge `i` of the route."""
     return edge_in(route.route_edges, i)
 
 
 @compiled
 def end_at(route: RouteFollowing, i: int) -> Pose:
-    """Where edge `i` ends."""
+    """Pose at the end of edge `i`, NED."""
     return edge_at(route, i + 1).begin if i + 1 < route.length else route.end
 
 
 @compiled
 def edge_progress(route: RouteFollowing, i: int) -> PathProgress:
-    """Edge `i` as a path that ends at the origin along x."""
+    """Edge `i` as a path in the axes of its end pose."""
     edge, end = edge_at(route, i), end_at(route, i)
     x, y, course = seen_from(end, edge.begin)
     return PathProgress(x, y, course, edge.path, route.radius, route.segment, route.left)
@@ -149,14 +149,14 @@ def vehicle_from(frame: Pose, state: FlightState) -> Planar:
 
 @compiled
 def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[RouteFollowing, Leg]:
-    """Go along the edges; the last one becomes the path of the leg, and the route ends."""
+    """The state after the edges that have been flown; the last edge becomes the leg's path."""
     last = route.length - 1
     while route.present < last:
         i = route.present
         at = vehicle_from(end_at(route, i), state)
         progress = along(edge_progress(route, i), at)
         route = _at_edge(route, i, progress.segment, progress.left)
-        if beside(progress, at) > LOST * route.radius:
+        if beside(progress, at) > OFF_EDGE * route.radius:
             route = with_shift(route, True)
         if rest_of(progress) > lead_into(route, i, state):
             return route, leg
@@ -172,7 +172,7 @@ def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[R
 
 @compiled
 def lead_into(route: RouteFollowing, i: int, state: FlightState) -> float:
-    """How far before its end edge `i` goes over into the next one, for the lag of the bank [m]."""
+    """Length before its end at which edge `i` is left for the next, for the lag of the bank [m]."""
     path, next_path = edge_at(route, i).path, edge_at(route, i + 1).path
     now = path.last if route.segment == LAST_TURN and path.end > 0.0 else 0.0
     then = next_path.first if next_path.arc > 0.0 else 0.0
@@ -194,5 +194,5 @@ def route_course(route: RouteFollowing, state: FlightState, leg: Leg, course: fl
 
 @compiled
 def edges_of(route: RouteFollowing) -> RouteEdges:
-    """All edges as rows."""
+    """All edges of the route, one `Edge` a row."""
     return route.route_edges[: route.length]

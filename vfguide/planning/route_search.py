@@ -1,4 +1,4 @@
-"""A flyable route round hazards, with as much clearance as there is room for."""
+"""Route search: a flyable route around hazards, with as much clearance as there is room for."""
 
 from typing import NamedTuple
 
@@ -15,37 +15,42 @@ from vfguide.planning.graph_search import search
 from vfguide.planning.shortcutting import shortened
 
 CLEARANCES = (25.0, 18.0, 12.0, 8.0, 5.0)
-"""That are tried one after the other [m]."""
+"""Clearances that are tried one after the other [m]; chosen, the first twice the margin of the
+assurance."""
 EFFORTS = (3500, 1500, 2500, 2500, 1000)
-"""Dubins paths computed for each of them, at most; see `search`."""
-LONG, GATE, SHORTER_PART = 1.4, 2, 0.75
-"""A route longer than the one without hazards by the first factor is looked for with less
-clearance, that of the second number, too, and left where that makes it shorter by the third
-factor."""
+"""Largest number of Dubins paths that are computed for each clearance, see `search`; chosen for the
+time of a step."""
+LONG_ROUTE = 1.4
+"""Ratio of the length of a route to the one without hazards above which less clearance is tried
+too; chosen."""
+GATE = 2
+"""Index of that clearance in CLEARANCES, with which gates are flown through."""
+GATE_RATIO = 0.75
+"""Ratio of its length to that of the route below which the narrower route is taken; chosen."""
 
 
 class FoundRoute(NamedTuple):
     """A route from the start to the goal."""
 
     route_edges: RouteEdges
-    """Up to `roadmap.MAX_ROUTE_EDGES`, NED, a `Edge` a row; none where no route was found."""
+    """Up to `roadmap.MAX_ROUTE_EDGES`, NED, one `Edge` a row; none where no route was found."""
     length: float
-    """[m]; 0 where there is none."""
+    """Length of the route [m]; 0 where there is none."""
     clearance: float
-    """That it keeps from every hazard [m]; less within a radius of the ends if it is less there."""
+    """Clearance from every hazard [m]; around the ends it may be less."""
     effort: int
-    """That was spent, see `search`."""
+    """Effort that was spent, see `search`."""
 
 
 @compiled
 def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> FoundRoute:
-    """The route round obstacles and within a fence.
+    """The route around obstacles and within a fence.
 
     Args:
         obstacles: rows of `obstacle_rows`.
-        fence: as far as it is in the band; `keep_out.NO_FENCE` for none.
+        fence: zones of the fence in the band; `keep_out.NO_FENCE` for none.
         band: heights between those of the start and of the goal.
-        task: what is to be flown.
+        task: start, goal, turn radius and wind.
     """
     spent = 0
     for i in range(len(CLEARANCES)):
@@ -53,10 +58,10 @@ def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> 
         spent += found.effort
         if len(found.route_edges) > 0:
             free = task.radius * length_of(next_path(task.start, task.goal, task.radius, -1.0))
-            if found.length > LONG * free and CLEARANCES[i] > CLEARANCES[GATE]:
+            if found.length > LONG_ROUTE * free and CLEARANCES[i] > CLEARANCES[GATE]:
                 through = route_with(obstacles, fence, band, task, CLEARANCES[GATE], EFFORTS[GATE])
                 spent += through.effort
-                if 0.0 < through.length < SHORTER_PART * found.length:
+                if 0.0 < through.length < GATE_RATIO * found.length:
                     found = through
             return FoundRoute(found.route_edges, found.length, found.clearance, spent)
     return FoundRoute(np.empty((0, EDGE_WIDTH)), 0.0, 0.0, spent)
@@ -66,7 +71,7 @@ def find_route(obstacles: Rows, fence: KeepOutZones, band: Band, task: Task) -> 
 def route_with(
     obstacles: Rows, fence: KeepOutZones, band: Band, task: Task, wanted: float, effort: int
 ) -> FoundRoute:
-    """The route with one clearance [m]; arguments of `find_route`."""
+    """The route with the clearance `wanted` [m]; other arguments are those of `find_route`."""
     hazards = joined(hazards_of(obstacles, band, wanted), fence)
     demand = demand_of(hazards, task, wanted)
     route_edges, left = search(hazards, task, demand, effort)

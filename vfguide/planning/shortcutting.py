@@ -1,4 +1,4 @@
-"""Shortens a way: leaves out tangent poses, and slides those that are left."""
+"""Shortcutting: leaves tangent poses of a route out, and slides those that are left."""
 
 import math
 
@@ -20,16 +20,16 @@ from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Demand, Task, check_edge
 
 SLIDES = 0.3, 0.1
-"""How far tangent poses are slid [radii, and rad]."""
+"""Distances by which tangent poses are slid and turned [turn radii, and rad]; chosen."""
 LEAST_SAVING = 0.5
-"""What is changed saves at least this [m]."""
+"""Least length that a change of the route must save [m]; chosen."""
 
 
 @compiled
 def shortened(
     hazards: KeepOutZones, task: Task, demand: Demand, route_edges: RouteEdges
 ) -> RouteEdges:
-    """The route without needless tangent poses, the others slid where that makes it shorter."""
+    """The route without needless tangent poses, the others slid where that shortens it."""
     i = 1
     while i < len(route_edges):
         candidate = without(task, route_edges, i)
@@ -46,7 +46,7 @@ def shortened(
 def slid(
     hazards: KeepOutZones, task: Task, demand: Demand, route_edges: RouteEdges, i: int, size: float
 ) -> RouteEdges:
-    """The route with the beginning of edge `i` slid to the sides, along the course and turned."""
+    """The route with the start of edge `i` slid across and along its course, and turned."""
     for side in (1.0, -1.0):
         for k in range(3):
             x, y, course = edge_in(route_edges, i).begin
@@ -88,29 +88,29 @@ def is_better(
 
 @compiled
 def moves(hazards: KeepOutZones) -> bool:
-    """Whether it matters when one is where."""
+    """Whether any hazard moves or exists for a limited time, so that times matter."""
     for i in range(len(hazards.table)):
-        outline = read_zone_row(hazards.table[i])
-        if outline.speed > 0.0 or outline.since > -math.inf:
+        zone = read_zone_row(hazards.table[i])
+        if zone.speed > 0.0 or zone.since > -math.inf:
             return True
     return False
 
 
 @compiled
 def end_of(task: Task, route_edges: RouteEdges, i: int) -> Pose:
-    """Where edge `i` ends."""
+    """Pose at the end of edge `i`, NED."""
     return edge_in(route_edges, i + 1).begin if i + 1 < len(route_edges) else task.goal
 
 
 @compiled
 def edge_between(begin: Pose, end: Pose, radius: float) -> Edge:
-    """The shortest edge."""
+    """The shortest edge between two poses with turns of `radius` [m]."""
     return Edge(begin, next_path(begin, end, radius, -1.0))
 
 
 @compiled
 def without(task: Task, route_edges: RouteEdges, i: int) -> RouteEdges:
-    """The route straight from the beginning of the edge before `i` to the end of edge `i`."""
+    """The route with one edge in place of edges `i` - 1 and `i`."""
     candidate: RouteEdges = np.empty((len(route_edges) - 1, EDGE_WIDTH))
     candidate[: i - 1], candidate[i:] = route_edges[: i - 1], route_edges[i + 1 :]
     begin = edge_in(route_edges, i - 1).begin
@@ -120,7 +120,7 @@ def without(task: Task, route_edges: RouteEdges, i: int) -> RouteEdges:
 
 @compiled
 def through(task: Task, route_edges: RouteEdges, i: int, tangent: Pose) -> RouteEdges:
-    """The route with the beginning of edge `i` elsewhere."""
+    """The route with the start of edge `i` at another tangent pose."""
     candidate = route_edges.copy()
     begin, end = edge_in(route_edges, i - 1).begin, end_of(task, route_edges, i)
     candidate[i - 1] = edge_row(edge_between(begin, tangent, task.radius))

@@ -9,32 +9,32 @@ from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table
 from vfguide.paths.path_progress import Pose, after_turn, write_pose
-from vfguide.planning.collision_check import SHORTEST_STEP
+from vfguide.planning.collision_check import STEP_SHARE
 
 BEARINGS = 16
-"""Directions in which a route passes a hazard."""
-FANNED = 5
-"""Directions in which it passes one corner of a fence."""
-FAN = 0.45
-"""Between the first of those and the bisector [rad]."""
-AMPLE = 1.0
-"""Beyond the clearance that a check asks for [m]."""
+"""Number of directions in which a route may pass a convex hazard; chosen."""
+CORNER_BEARINGS = 5
+"""Number of directions in which a route may pass a corner of a fence; chosen."""
+CORNER_FAN = 0.45
+"""Angle between the first of those directions and the bisector of the corner [rad]; chosen."""
+EXTRA_CLEARANCE = 1.0
+"""Clearance of tangent poses beyond the one that the collision check asks for [m]; chosen."""
 STRAIGHTS = 0.0, 1.0, 2.0
-"""From the ends before turns [radii] ..."""
+"""Lengths of straights between an end of the route and a turn of the fan [turn radii]; chosen."""
 ARCS = 0.5 * math.pi, math.pi, -0.5 * math.pi, -math.pi
-"""... of so much, positive to the right [rad]."""
+"""Angles of the turns of the fan, positive to the right [rad]; chosen."""
 
 Poses = Table
-"""A `Pose` a row."""
+"""A table with one `Pose` a row."""
 
 
 @compiled
-def support(outline: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[float, float]:
-    """The point of an outline farthest along (nx, ny), about its place [m]."""
-    if outline.sides == 0:
-        return outline.bounding_radius * nx, outline.bounding_radius * ny
+def support(zone: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[float, float]:
+    """The point of a zone farthest along (nx, ny), relative to its centre [m]."""
+    if zone.sides == 0:
+        return zone.bounding_radius * nx, zone.bounding_radius * ny
     most, x, y = -math.inf, 0.0, 0.0
-    for k in range(outline.first_side, outline.first_side + outline.sides):
+    for k in range(zone.first_side, zone.first_side + zone.sides):
         corner = read_side(sides[k])
         along = corner.x * nx + corner.y * ny
         if along > most:
@@ -44,8 +44,8 @@ def support(outline: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[fl
 
 @compiled
 def checked(wanted: float) -> float:
-    """Clearance that a check asks for where one is wanted [m]."""
-    return wanted + 0.5 * SHORTEST_STEP * wanted
+    """Clearance that the collision check asks for where `wanted` is wanted [m]."""
+    return wanted + 0.5 * STEP_SHARE * wanted
 
 
 @compiled
@@ -58,9 +58,9 @@ def add_tangent_pose(
     course: float,
     wanted: float,
 ) -> int:
-    """Adds a pose and the opposite one where they are clear of all that does not move.
+    """Adds a pose and the opposite one where they are clear of all hazards that do not move.
 
-    Returns how many there are.
+    Returns the number of poses.
     """
     if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(tangents):
         return used
@@ -73,47 +73,51 @@ def add_tangent_pose(
 def round_convex(
     hazards: KeepOutZones, i: int, t: float, wanted: float, tangents: Poses, used: int
 ) -> int:
-    """Adds tangent poses round a convex hazard where it is at time `t`; returns how many there are.
+    """Adds tangent poses around a convex hazard at its place of time `t` [s].
 
-    They touch its outline grown by the wanted clearance; round a circle to keep in, from inside.
+    They touch its zone, grown by the wanted clearance [m]; a circle to stay in, from inside.
+    Returns the number of poses.
     """
-    outline = read_zone_row(hazards.table[i])
-    apart = outline.sign * (checked(wanted) + AMPLE)
+    zone = read_zone_row(hazards.table[i])
+    apart = zone.sign * (checked(wanted) + EXTRA_CLEARANCE)
     for k in range(BEARINGS):
         bearing = 2.0 * math.pi * k / BEARINGS
         nx, ny = math.cos(bearing), math.sin(bearing)
-        sx, sy = support(outline, hazards.sides, nx, ny)
-        x = outline.x + t * outline.vx + sx + apart * nx
-        y = outline.y + t * outline.vy + sy + apart * ny
+        sx, sy = support(zone, hazards.sides, nx, ny)
+        x = zone.x + t * zone.vx + sx + apart * nx
+        y = zone.y + t * zone.vy + sy + apart * ny
         used = add_tangent_pose(hazards, tangents, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
 
 @compiled
 def round_corners(hazards: KeepOutZones, i: int, wanted: float, tangents: Poses, used: int) -> int:
-    """Adds tangent poses round the corners of a polygon that point at where one may be."""
-    outline = read_zone_row(hazards.table[i])
-    sides = hazards.sides[outline.first_side : outline.first_side + outline.sides]
-    apart = checked(wanted) + AMPLE
+    """Adds tangent poses around the corners of a polygon that point into the free space.
+
+    Returns the number of poses.
+    """
+    zone = read_zone_row(hazards.table[i])
+    sides = hazards.sides[zone.first_side : zone.first_side + zone.sides]
+    apart = checked(wanted) + EXTRA_CLEARANCE
     for k in range(len(sides)):
         corner, last = read_side(sides[k]), read_side(sides[k - 1])
         following = read_side(sides[(k + 1) % len(sides)])
         bx, by = corner.x - last.x, corner.y - last.y
         ax, ay = following.x - corner.x, following.y - corner.y
-        if outline.sign * (bx * ay - by * ax) <= 0.0:
+        if zone.sign * (bx * ay - by * ax) <= 0.0:
             continue
-        bisector = outward(bx, by, ax, ay, outline.sign)
-        for j in range(FANNED):
-            bearing = bisector + FAN * (2.0 * j / (FANNED - 1) - 1.0)
-            x = outline.x + corner.x + apart * math.cos(bearing)
-            y = outline.y + corner.y + apart * math.sin(bearing)
+        bisector = outward(bx, by, ax, ay, zone.sign)
+        for j in range(CORNER_BEARINGS):
+            bearing = bisector + CORNER_FAN * (2.0 * j / (CORNER_BEARINGS - 1) - 1.0)
+            x = zone.x + corner.x + apart * math.cos(bearing)
+            y = zone.y + corner.y + apart * math.sin(bearing)
             used = add_tangent_pose(hazards, tangents, used, x, y, bearing + 0.5 * math.pi, wanted)
     return used
 
 
 @compiled
 def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
-    """Bearing away from the polygon at a corner between two sides (inwards for `KEEP_IN`)."""
+    """Bearing [rad] away from the polygon at a corner of two sides (inwards for `KEEP_IN`)."""
     before, after = math.hypot(bx, by), math.hypot(ax, ay)
     tx, ty = bx / before + ax / after, by / before + ay / after
     return math.atan2(-sign * tx, sign * ty)
@@ -123,19 +127,19 @@ def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
 def add_tangent_poses(
     hazards: KeepOutZones, i: int, t: float, wanted: float, tangents: Poses, used: int
 ) -> int:
-    """Adds tangent poses round row `i` where it is at time `t`; returns how many there are."""
-    outline = read_zone_row(hazards.table[i])
-    if outline.sides == 0 or outline.is_convex:
+    """Adds tangent poses around the zone of row `i` at time `t` [s]; returns their number."""
+    zone = read_zone_row(hazards.table[i])
+    if zone.sides == 0 or zone.is_convex:
         return round_convex(hazards, i, t, wanted, tangents, used)
     return round_corners(hazards, i, wanted, tangents, used)
 
 
 @compiled
 def add_fan(end: Pose, ahead: float, radius: float, tangents: Poses, used: int) -> int:
-    """Adds poses that are reached by a straight and a turn from one of the ends.
+    """Adds poses that are joined to one of the ends by a straight and a turn.
 
-    `ahead` is 1 for the start; for the goal it is -1, and they are those from which it is reached.
-    Returns how many there are.
+    `ahead` is 1 for poses reached from the start, -1 for those from which the goal is reached.
+    Returns the number of poses.
     """
     for run in STRAIGHTS:
         travelled = ahead * run * radius

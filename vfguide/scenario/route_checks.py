@@ -30,7 +30,7 @@ from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Air, Task
 from vfguide.planning.objective import GuidanceTarget
 from vfguide.planning.overflight import altitude_plan_by, band_of, left_in_path, levels_for
-from vfguide.planning.replanning import LOOK
+from vfguide.planning.replanning import CHECK_INTERVAL
 from vfguide.planning.route_search import CLEARANCES, find_route
 from vfguide.scenario.enclosure_checks import is_enclosed
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
@@ -187,7 +187,7 @@ def _passes_over(
     target = GuidanceTarget((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
     highest = -math.inf if fence.ceiling_m is None else margin - fence.ceiling_m
     seen_from = np.array([each.visible_from_m for each in _still(scenario).obstacles])
-    unseen = 2.0 * LOOK * (gains.airspeed + math.hypot(wind_n[0], wind_n[1]))
+    unseen = 2.0 * CHECK_INTERVAL * (gains.airspeed + math.hypot(wind_n[0], wind_n[1]))
     shortest = length_of(next_path(task.start, task.goal, task.radius, -1.0)) * task.radius
     for level in levels_for(rows, begin[2], z, highest, margin).tolist():
         heights = altitude_plan_by(level, state, target, aircraft, gains)

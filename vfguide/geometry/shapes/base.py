@@ -16,13 +16,16 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3
 
 EDGED = 4.0
-"""Exponent of boxes, cylinders and cones: |x|^8, an edge rounded by 8 % of the size."""
+"""Exponent p of the powers |x|^(2p) in boxes, cylinders and cones; chosen: their edges are rounded
+by 8 % of the size."""
 FAR = 1e100
-"""A term of U is the power itself up to here."""
+"""Largest value of a term of U that is computed as a power; chosen so that sums and products stay
+finite."""
 LOG_FAR = math.log(FAR)
-"""Natural logarithm of `FAR`."""
+"""Natural logarithm of the value `FAR`."""
 BESIDE = 0.5
-"""Beyond this part of the size a bound of the distance leaves out the rounding of an edge."""
+"""Distance from the axis, as a share of the size, beyond which a lower bound of the distance
+neglects the rounding of an edge; chosen."""
 
 
 class Kind(IntEnum):

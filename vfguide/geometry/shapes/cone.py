@@ -18,9 +18,10 @@ from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
 from vfguide.geometry.vector import Vec3
 
 TIP = 0.1
-"""Roundness of a cone's apex: it lies TIP / 2 of the height below the sharp one."""
+"""Roundness of the apex of a cone, dimensionless: the apex lies TIP / 2 of the height below the
+sharp one; chosen."""
 WIDEST_CONE = 0.5 ** (0.5 / EDGED)
-"""Height of a cone's widest section below its centre, in half heights."""
+"""Height of the widest section of a cone below its centre [half heights]."""
 
 
 def cone(radius: float, height: float) -> Shape:

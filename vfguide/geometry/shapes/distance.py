@@ -14,12 +14,14 @@ from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import Vec3, add, cross, dot, matvec, norm, scale, sub, unit
 
 PRECISION = 1e-4
-"""Relative error of a distance from outside."""
+"""Ratio of the error to the distance from outside at which the iteration ends; chosen."""
 AT_CENTRE = 1e-200
-"""Nearer to the centre than this part of the size a point is the centre."""
-STEPS = 60
-SHORTEST_STEP = 1e-4
-"""A step that has to be shortened to this part of itself is the last."""
+"""Distance from the centre, as a share of the size, below which a point counts as the centre;
+chosen near the least number."""
+MAX_ITERATIONS = 60
+"""Largest number of Newton steps; chosen."""
+LEAST_STEP_SHARE = 1e-4
+"""Share of a Newton step below which it is not shortened further; chosen."""
 
 
 @compiled
@@ -43,7 +45,7 @@ def signed_distance(shape: Shape, x: Vec3) -> float:
 def distance_from(shape: Shape, x: Vec3, y: Vec3) -> float:
     """Least distance of `x` from the surface that a descent from its point `y` finds [m]."""
     distance = norm(sub(x, y))
-    for _ in range(STEPS):
+    for _ in range(MAX_ITERATIONS):
         step, towards = newton_step(shape_level(shape, y), sub(x, y))
         if distance - abs(towards) <= PRECISION * distance:
             break
@@ -62,7 +64,7 @@ def nearer_point(shape: Shape, x: Vec3, y: Vec3, step: Vec3) -> tuple[Vec3, floa
     """
     distance = norm(sub(x, y))
     part = 1.0
-    while part > SHORTEST_STEP:
+    while part > LEAST_STEP_SHARE:
         z = onto_surface(shape, add(y, scale(part, step)))
         nearer = norm(sub(x, z))
         if nearer < distance:
@@ -112,7 +114,7 @@ def onto_surface(shape: Shape, y: Vec3) -> Vec3:
     if size <= AT_CENTRE:
         y, size = (a, 0.0, 0.0), 1.0
     y = scale(1.0 / size, y)
-    for _ in range(STEPS):
+    for _ in range(MAX_ITERATIONS):
         level = shape_level(shape, y)
         step = -math.log(level.U) * level.U / dot(level.gradient, y)
         y = scale(math.exp(step), y)

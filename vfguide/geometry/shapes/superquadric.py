@@ -23,7 +23,8 @@ from vfguide.geometry.shapes.rays import Array, Rays, root
 from vfguide.geometry.vector import Vec3
 
 TOO_STEEP = 300.0
-"""Above this logarithm of the level only the box is asked: the powers would overflow."""
+"""Natural logarithm of the level, a number, above which only the bound of the box is used; chosen,
+since the powers would overflow."""
 
 
 def sphere(radius: float) -> Shape:
