@@ -281,7 +281,7 @@ def test_who_starts_at_the_goal_does_not_stir(tmp_path):
 
 def test_a_start_straight_ahead_of_the_goal_leads_away_and_ends_the_flight(tmp_path):
     flight, result = fly(tmp_path, ONE, "vehicle.0.position_m=[50, 0, 0]", "guidance.k_v=2")
-    assert flight.ending is Ending.OUTBOUND
+    assert flight.ending is Ending.FAR_AWAY
     assert result["verdict"] == "bad"
     missed, away = result["reasons"]
     assert missed == "goal 1 of vehicle 1 not reached"

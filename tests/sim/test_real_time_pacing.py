@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.sim.real_time_pacing import GIVEN_UP, RealTimePacing
+from vfguide.sim.real_time_pacing import LONGEST_BACKLOG, RealTimePacing
 
 PERIOD = 0.005
 
@@ -40,7 +40,7 @@ def test_an_hour_of_jitter_does_not_make_it_drift():
     assert pace.taken == int((now - 123.4) / PERIOD)
 
 
-@given(st.lists(st.floats(0.0, 0.9 * GIVEN_UP), min_size=1, max_size=30))
+@given(st.lists(st.floats(0.0, 0.9 * LONGEST_BACKLOG), min_size=1, max_size=30))
 def test_what_is_late_by_less_than_the_limit_is_caught_up(naps):
     pace, now = RealTimePacing(0.0, PERIOD), 0.0
     for nap in naps:
@@ -52,7 +52,7 @@ def test_what_is_late_by_less_than_the_limit_is_caught_up(naps):
 
 def test_what_is_late_by_more_is_given_up_and_told():
     pace = RealTimePacing(0.0, PERIOD)
-    assert pace.due(60.0) == pytest.approx(GIVEN_UP / PERIOD, abs=2)
+    assert pace.due(60.0) == pytest.approx(LONGEST_BACKLOG / PERIOD, abs=2)
     assert pace.worst == pytest.approx(60.0 - PERIOD)
     assert pace.lost == pytest.approx(59.0, abs=0.01)
     take_due(pace, 60.0)

@@ -1,4 +1,4 @@
-"""What the companion knows of an aircraft: the file `aircraft/NAME.toml`."""
+"""The file `aircraft/NAME.toml`: what the companion knows of an aircraft."""
 
 import math
 import re
@@ -19,12 +19,18 @@ PathAngle = Annotated[float, above(0, 45)]
 BodyRate = Annotated[float, above(0, 720)]
 Alpha = Annotated[float, between(-20, 20)]
 
-TYPICAL_GLIDE, TYPICAL_INDUCED = 10.0, 0.15
-"""Lift over drag at cruise, and the part of the drag that is induced, of an aircraft whose thrust
-nobody has measured. The shipped ones have 8.5 to 10, and 0.13 to 0.30."""
-TYPICAL_ZERO_DEG, TYPICAL_STALL_DEG = -3.0, 11.0
-"""Angle of attack of zero lift, and how far above it the slowest level flight is: of an aircraft
-whose lift nobody has measured. The shipped ones have -2.5 to -3.5, and 11 to 16."""
+TYPICAL_GLIDE = 10.0
+"""Ratio of lift to drag at cruise that is assumed where the thrust was not measured; the shipped
+aircraft have 8.5 to 10 (`tools/measure_aircraft.py`)."""
+TYPICAL_INDUCED = 0.15
+"""Share of the induced drag that is assumed where the thrust was not measured; the shipped aircraft
+have 0.13 to 0.30 (`tools/measure_aircraft.py`)."""
+TYPICAL_ZERO_DEG = -3.0
+"""Angle of attack of zero lift that is assumed where the lift was not measured [deg]; the shipped
+aircraft have -2.5 to -3.5 (`tools/measure_aircraft.py`)."""
+TYPICAL_STALL_DEG = 11.0
+"""Angle of attack above that of zero lift in the slowest level flight, assumed where the lift was
+not measured [deg]; the shipped aircraft have 11 to 16 (`tools/measure_aircraft.py`)."""
 
 
 class Airspeed(Table):

@@ -9,6 +9,7 @@ from pathlib import Path
 from vfguide.files.errors import InputError
 
 PACKAGE = Path(__file__).parent.parent
+"""Folder of the package `vfguide`."""
 
 
 @dataclass(frozen=True)

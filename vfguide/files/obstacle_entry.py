@@ -53,7 +53,7 @@ SIZES: dict[str, tuple[str, ...]] = {
     "box": ("size_m",),
     "cone": ("radius_m", "height_m"),
 }
-"""The keys that give the size of each shape: all of them, and no other."""
+"""The keys that give the size of each shape, and no others."""
 ShapeName = Annotated[
     Literal["sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"], word(*SIZES)
 ]

@@ -29,10 +29,13 @@ WindSpeed = Annotated[float, between(0, 50)]
 Delay = Annotated[float, between(0, 2000)]
 
 DEFAULT_AIRCRAFT = "aerosonde"
+"""Name of the aircraft that a vehicle has if none is given."""
 KINEMATIC_AIRSPEED = 25.0
-"""Of a kinematic body that is given none [m/s]."""
+"""Speed of a kinematic body that is given none [m/s]; chosen, the cruise airspeed of the default
+aircraft."""
 LEAST_BANK_DEG = 5.0
-"""With less bank than this the circles grow beyond any use."""
+"""Least value of the largest bank [deg]; chosen, since turns with less are too wide to be of
+use."""
 
 
 def _name(text: str) -> str:

@@ -6,9 +6,6 @@ from pydantic import AfterValidator, Field
 
 from vfguide.files.toml_types import Position, Table, Vector, above, between, rule_broken
 
-ADDRESSES = 2**24
-"""Of transponders; 0 is none."""
-
 
 def _address(text: str) -> str:
     """Six hexadecimal digits, as aircraft registers print it."""

@@ -1,1 +1,1 @@
-"""What was noted of a flight, and how it is judged."""
+"""Records of flights, and how they are judged."""

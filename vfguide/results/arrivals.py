@@ -7,7 +7,8 @@ from vfguide.results.goal_passages import Legs, Pass, Sample
 from vfguide.scenario.resolved import Goal
 
 ARRIVED = 0.05
-"""Nearer than this a robot of law `paper` is at its goal [m]: there it would creep for ever."""
+"""Distance from its goal below which a robot of law `paper` has arrived [m]; chosen, because its
+speed goes to zero there."""
 
 
 def arrival_radius(goal: Goal) -> float:
@@ -37,23 +38,23 @@ class Arrivals(Legs):
         if self.passes[self.leg]:
             return None
         start = before or sample
-        way = sub(sample.p_n, start.p_n)
-        part = entry(sub(start.p_n, goal.position_m), way, arrival_radius(goal))
+        moved = sub(sample.p_n, start.p_n)
+        part = entry(sub(start.p_n, goal.position_m), moved, arrival_radius(goal))
         if part is None:
             return None
         return Sample(
             start.time + part * (sample.time - start.time),
-            add(start.p_n, scale(part, way)),
+            add(start.p_n, scale(part, moved)),
             add(scale(1.0 - part, start.v_n), scale(part, sample.v_n)),
         )
 
 
-def entry(p: Vec3, way: Vec3, radius: float) -> float | None:
-    """The part of the way from `p` after which |p| is first no more than `radius`, if it is."""
+def entry(p: Vec3, moved: Vec3, radius: float) -> float | None:
+    """Share of the displacement after which |p| first is at most `radius` [m]; None: never."""
     outside = dot(p, p) - radius * radius
     if outside <= 0.0:
         return 0.0
-    length, toward = dot(way, way), -dot(p, way)
+    length, toward = dot(moved, moved), -dot(p, moved)
     discriminant = toward * toward - length * outside
     if toward <= 0.0 or discriminant < 0.0:
         return None

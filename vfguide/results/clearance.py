@@ -1,8 +1,8 @@
-"""How near the true path came to obstacles.
+"""Clearance of the true path from obstacles.
 
-U and the distance from a surface are convex functions of the place relative to the body, and a step
-of the path is nearly straight. So the values at both its ends and halfway bound what is between
-them: where that may be the least of all the step is looked at, closer and closer.
+U and the distance from a surface are convex functions of the position relative to the body, and a
+step of the path is nearly straight. So the values at both ends and halfway bound those between: a
+step that may hold the least value of all is refined.
 """
 
 from collections.abc import Callable
@@ -17,9 +17,9 @@ from vfguide.results.path import positions
 from vfguide.results.record import Array, FlightRecord
 
 PARTS = 16
-"""A step is looked at in so many parts,"""
-ROUNDS = 4
-"""and the two parts about the least value again, in so many rounds in all."""
+"""Number of parts into which a step is divided where the least value may lie in it; chosen."""
+REFINEMENTS = 4
+"""Number of times that the two parts around the least value are divided again; chosen."""
 
 Measure = Callable[[Array, Array, Rows], Array]
 """Values (..., M) at positions (..., 3) [m], NED, and times (...) [s]."""
@@ -74,7 +74,7 @@ def _refined(record: FlightRecord, values: Series, measure: Measure, row: Rows) 
     may_be_least = 2.0 * halfway - np.maximum(values[steps], values[steps + 1]) < least
     low, high = low[may_be_least], high[may_be_least]
     each = np.arange(len(low))
-    for _ in range(ROUNDS):
+    for _ in range(REFINEMENTS):
         time = np.linspace(low, high, PARTS + 1, axis=1)
         between = _between(record, time, measure, row)
         at = between.argmin(axis=1)

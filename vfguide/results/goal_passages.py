@@ -15,9 +15,9 @@ class Sample(NamedTuple):
     """A point of a path."""
 
     time: float
-    """[s]."""
+    """Time since the start of the run [s]."""
     p_n: Vec3
-    """In the scenario frame [m]."""
+    """Position in the scenario frame [m]."""
     v_n: Vec3
     """Velocity over ground in the same frame [m/s]."""
 
@@ -26,18 +26,20 @@ class Pass(NamedTuple):
     """A local minimum of the distance to a goal, on the leg to it."""
 
     time: float
-    """[s]."""
+    """Time since the start of the run [s]."""
     miss: float
     """Distance from the goal [m]."""
     course_error: float
+    """Angle between the course and the goal's, not negative [rad]."""
     climb_error: float
-    """How far the ground velocity points off the goal's course and climb, not negative [rad]."""
+    """Difference of the climb from the goal's, not negative [rad]."""
     reaches: bool
     """All three are within the goal's tolerances."""
 
 
-ASKEW = 60.0 * DEG
-"""A pass whose course is farther off is no try: on its way a vehicle may circle for height."""
+MAX_ATTEMPT_ANGLE = 60.0 * DEG
+"""Course error above which a pass of a goal is no attempt [rad]; chosen, since a vehicle may circle
+near its goal for height."""
 
 
 class Legs:
@@ -91,7 +93,10 @@ class Legs:
 
     def is_try(self, a_pass: Pass, goal: Goal) -> bool:
         """Whether a pass counts as one that was meant to reach the goal."""
-        return a_pass.miss <= max(ATTEMPT_MISS, goal.tolerance_m) and a_pass.course_error <= ASKEW
+        return (
+            a_pass.miss <= max(ATTEMPT_MISS, goal.tolerance_m)
+            and a_pass.course_error <= MAX_ATTEMPT_ANGLE
+        )
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
         """Where the present goal is passed between two samples, if it is."""

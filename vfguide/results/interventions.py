@@ -1,4 +1,4 @@
-"""When the run-time assurance of a flight acted, why, and what it would have come to."""
+"""Interventions of the run-time assurance: when it acted, why, and against which hazard."""
 
 import math
 from collections import Counter
@@ -13,19 +13,20 @@ from vfguide.results.record import Decisions, FlightRecord
 from vfguide.scenario.resolved import Scenario
 
 APART = 1.0
-"""Between two episodes the guidance is followed for at least so long [s]."""
+"""Time for which guidance is followed between two interventions [s]; chosen, shorter ones count as
+one."""
 
 
 @dataclass(frozen=True)
 class Episode:
-    """A time in which something else was flown than the guidance wished."""
+    """An intervention: a time in which the command of guidance was not followed."""
 
     from_s: float
     to_s: float
     reason: Literal["escape", "least bad"]
-    """The worse one, where there were both."""
+    """The worse one where both occurred."""
     hazard: str | None
-    """What the wish would have come to, most of the time; None: nothing that is known."""
+    """The hazard that the command would have met most of the time; None: no known one."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
 
 
 def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
-    """The times in which the assurance acted, those less than `APART` from each other as one."""
+    """The interventions of a flight; those less than `APART` from each other count as one."""
     decisions = record.decisions
     if decisions is None:
         return ()

@@ -41,5 +41,5 @@ def _on_cubics(record: FlightRecord, steps: Steps, since: Array) -> Array:
 def _on_helices(record: FlightRecord, R_nb: Matrices, steps: Steps, since: Array) -> Array:
     """Each moves on for its own time: speed and rates are multiplied by it, then held for 1 s."""
     speed = np.einsum("ij,ij->i", record.v_n[steps + 1], R_nb[steps + 1, :, 0])
-    way = Commands(since * speed, since[:, None] * record.omega_b[steps + 1])
-    return advance(Bodies(record.p_n[steps], R_nb[steps]), way, 1.0).p_n
+    driven = Commands(since * speed, since[:, None] * record.omega_b[steps + 1])
+    return advance(Bodies(record.p_n[steps], R_nb[steps]), driven, 1.0).p_n

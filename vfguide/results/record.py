@@ -37,15 +37,18 @@ class Instant(NamedTuple):
 
 
 class AirBelief(NamedTuple):
-    """What the companion makes of the air at n instants, [m/s] all; zero before the first step."""
+    """The companion's estimate of the air at n instants [m/s]; zero before the first step."""
 
     wind_north: Series
+    """Wind blowing to the north."""
     wind_east: Series
+    """Wind blowing to the east."""
     wind_sigma: Series
-    """Where the wind blows to, and the standard deviation of either."""
+    """Standard deviation of either."""
     airspeed: Series
+    """True airspeed."""
     airspeed_sigma: Series
-    """True airspeed and its standard deviation."""
+    """Standard deviation of the true airspeed."""
 
 
 class Decisions(NamedTuple):
@@ -54,7 +57,7 @@ class Decisions(NamedTuple):
     reason: Series
     """The value of a `Reason`."""
     margin: Series
-    """Least clearance of the way out [m]."""
+    """Least clearance along the escape [m]."""
     conflict: Series
     """Time to the conflict that was seen [s]."""
     hazard: Series
@@ -94,15 +97,15 @@ class FlightRecord:
     height_above_ground: Series
     """(n,)."""
     setpoints: int
-    """How many were sent."""
+    """Number of setpoints that were sent."""
 
     R_nb: Matrices | None = None
     """(n, 3, 3) attitude of a rigid body, whose speed and body rates are held from one sample to
     the next: those that brought it to the later one. None: an aeroplane."""
     position_error_n: Vectors | None = None
-    """(n, 3) position that the autopilot tells less the true one; None: they are the same."""
+    """(n, 3) position that the autopilot reports less the true one; None: they are the same."""
     air: AirBelief | None = None
-    """What the companion makes of the air; None: there is none."""
+    """The companion's estimate of the air; None: there is no air."""
     decisions: Decisions | None = None
     """What the run-time assurance decided; None: nothing to keep clear of."""
     goals_from: float = 0.0

@@ -24,10 +24,11 @@ from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Scenario
 
 TOUCH = 0.3
-"""An aircraft whose centre is this low has touched the ground [m]."""
+"""Height of an aircraft's centre at which it has touched the ground [m]; chosen as the size of a
+small airframe."""
 FAR_AWAY = 1e7
-"""Beyond this from the origin on an axis a flight ends [m]. On the far side of the goal the paper's
-field leads away, and the speed grows with the distance."""
+"""Coordinate beyond which a flight ends [m]; chosen, because the paper's field leads away on the
+far side of the goal, with a speed that grows with the distance."""
 
 Range = tuple[float | None, float | None]
 

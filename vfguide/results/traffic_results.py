@@ -1,4 +1,4 @@
-"""How near other aircraft came, from the truth."""
+"""Distances of other aircraft, from the truth."""
 
 import math
 from dataclasses import dataclass
@@ -12,8 +12,8 @@ from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 
-FINEST = 0.02
-"""Between two instants that are looked at, at most [s]."""
+LONGEST_INTERVAL = 0.02
+"""Longest time between two compared positions [s]; chosen, 2 m at 100 m/s."""
 
 
 @dataclass(frozen=True)
@@ -61,10 +61,10 @@ def clearance(beside: Array, above: Array) -> Array:
 
 
 def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
-    """A path with instants in between, so that nothing fast is overlooked."""
+    """A path with additional instants in between, so that nothing fast is overlooked."""
     if len(time) < 2:
         return time, p_n
-    parts = math.ceil((time[1] - time[0]) / FINEST - 1e-9)
+    parts = math.ceil((time[1] - time[0]) / LONGEST_INTERVAL - 1e-9)
     fine = np.linspace(time[0], time[-1], parts * (len(time) - 1) + 1)
     return fine, np.column_stack([np.interp(fine, time, p_n[:, axis]) for axis in range(3)])
 

@@ -1,4 +1,4 @@
-"""How fast the program is: its parts and a whole run against bare JSBSim, in one process."""
+"""Benchmark: the parts of the program and a whole run against bare JSBSim, in one process."""
 
 import tempfile
 import time
@@ -25,12 +25,16 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 from vfguide.sim.plant import STEP
 
-SCENARIO = "first-flight"
+BENCH_SCENARIO = "first-flight"
+"""Name of the shipped scenario that is flown."""
 REPEATS = 7
-"""Every figure is the median of this many, taken in turn, so that a slow spell hits them all."""
+"""Number of repeats whose median every figure is, taken in turn, so that a slow moment of the
+machine affects all figures; chosen."""
 GUIDANCE_STEPS = 500
+"""Number of guidance steps in one repeat; chosen."""
 MESSAGES = 1000
-MEASURED = Measurement(
+"""Number of setpoints in one repeat; chosen."""
+SAMPLE_MEASUREMENT = Measurement(
     0.0,
     (0.0, 0.0, 0.0),
     (-300.0, 50.0, -120.0),
@@ -44,10 +48,12 @@ MEASURED = Measurement(
     0.02,
     int(Projection.AZIMUTHAL_EQUIDISTANT),
 )
-"""What the autopilot says, but for its time and its origin."""
-SETPOINT = SetAttitudeTarget(
+"""A measurement of an autopilot in flight, in the units of `Measurement`; its time and its origin
+are replaced."""
+SAMPLE_SETPOINT = SetAttitudeTarget(
     1000, 1, 1, AttitudeTypeMask.ATTITUDE_IGNORE, (1.0, 0.0, 0.0, 0.0), 0.1, 0.02, 0.03, 0.4
 )
+"""The setpoint whose encoding and decoding is measured, in the units of its message."""
 
 
 @dataclass(frozen=True)
@@ -55,13 +61,13 @@ class Bench:
     """Times of the parts and of the whole."""
 
     guidance_step_us: float
-    """One step of the companion, from what the autopilot said to the setpoint."""
+    """One step of the companion, from a measurement to the setpoint."""
     message_turnaround_us: float
     """One setpoint encoded, found in the stream and decoded."""
     jsbsim_steps_per_s: float
     """Bare JSBSim at the time step of a run, controls held."""
     jsbsim_realtime_factor: float
-    """The same, simulated over real time."""
+    """Ratio of simulated to real time of bare JSBSim."""
     run_realtime_factor: float
     """A whole run of one aircraft: all traffic as bytes, logs written."""
     run_over_bare: float
@@ -69,21 +75,21 @@ class Bench:
 
 
 class Times(NamedTuple):
-    """What one repeat took."""
+    """Times of one repeat."""
 
     guidance: float
-    """A guidance step [s]."""
+    """Time of a guidance step [s]."""
     message: float
-    """A setpoint to bytes and back [s]."""
+    """Time to encode and decode a setpoint [s]."""
     bare: float
-    """Bare JSBSim for a second of flight [s]."""
+    """Time of bare JSBSim for a second of flight [s]."""
     run: float
-    """A whole run for a second of flight [s]."""
+    """Time of a whole run for a second of flight [s]."""
 
 
 def measure() -> Bench:
     """Measure everything, the repeats in turn."""
-    loaded = load_scenario(SCENARIO)
+    loaded = load_scenario(BENCH_SCENARIO)
     vehicle = loaded.scenario.vehicles[0]
     plan = plan_of(loaded, vehicle)
     warm_up(loaded)
@@ -114,16 +120,16 @@ def measure() -> Bench:
 
 
 def seconds(work: Callable[[], None]) -> float:
-    """How long the work takes [s]."""
+    """Time that the work takes [s]."""
     started = time.perf_counter()
     work()
     return time.perf_counter() - started
 
 
 def guide_often(plan: Plan) -> None:
-    """Guidance steps in flight, each with the memory of the one before."""
+    """Guidance steps in flight, each with the state of the step before."""
     state = row_of_state(fresh_state())
-    _, *rest = MEASURED._replace(origin=plan.origin)
+    _, *rest = SAMPLE_MEASUREMENT._replace(origin=plan.origin)
     for k in range(GUIDANCE_STEPS):
         measured: Any = (0.02 * k, *rest)
         *_, state, _ = step_measured(
@@ -135,5 +141,5 @@ def turn_messages() -> None:
     """Setpoints to bytes and back."""
     encoder, parser = Encoder(1, MavComponent.PATHPLANNER), Parser()
     for _ in range(MESSAGES):
-        for frame in parser.feed(encoder.encode(SETPOINT)):
+        for frame in parser.feed(encoder.encode(SAMPLE_SETPOINT)):
             decode(frame)

@@ -18,10 +18,10 @@ class Ending(Enum):
     """The time allowed is over."""
     GROUND = "ground"
     """A vehicle touched the ground."""
-    OUTBOUND = "away"
-    """A vehicle has left for ever."""
+    FAR_AWAY = "away"
+    """A vehicle is farther away than `FAR_AWAY` of `vfguide.results.result`."""
     STOPPED = "interrupted"
-    """Somebody stopped it."""
+    """The user stopped it."""
 
 
 class Flown(Protocol):

@@ -33,7 +33,8 @@ Write = Callable[[int, bytes], None]
 """Takes a time [us since 1970] and the bytes of one frame."""
 
 ROUNDS = 4
-"""Messages go back and forth at most this often at one instant; the rest waits for the next."""
+"""Largest number of exchanges between autopilot and companion at one instant; chosen, later
+messages wait for the next."""
 numbers_of = flattener(Instant)
 
 

@@ -1,4 +1,4 @@
-"""What steers the rigid bodies of plant `kinematic`: law `paper` or law `flight`."""
+"""The laws that steer the rigid bodies of plant `kinematic`: `paper` or `flight`."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -69,7 +69,7 @@ class PaperKinematicLaw:
 
 
 class FlightKinematicLaw:
-    """Law `flight`: every body flies its own way at its airspeed."""
+    """Law `flight`: every body flies its own route at its airspeed."""
 
     def __init__(
         self, loaded: LoadedScenario, vehicles: Sequence[Vehicle], steps: Steps = STEPS

@@ -14,14 +14,14 @@ from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.warm_up import warm_up
 from vfguide.scenario.load import LoadedScenario
+from vfguide.sim.traffic import TIME_TOLERANCE
 
 AFTERWARDS = 5.0
-"""A run goes on for this long after the last goal [s]."""
-NEARLY = 1e-9
-"""Times that differ by less are equal [s]."""
+"""Time for which a run goes on after the last goal [s]; chosen, so that the flight behind it is
+seen."""
 
 Progress = Callable[[float, Sequence[Flown]], None]
-"""Told the simulated time [s] and the vehicles, after every update."""
+"""Called with the simulated time [s] and the vehicles after every update."""
 
 
 @dataclass(frozen=True)
@@ -30,8 +30,9 @@ class Flight:
 
     records: tuple[FlightRecord, ...]
     sim_s: float
+    """Simulated time [s]."""
     wall_s: float
-    """Of the loop alone."""
+    """Real time of the loop alone [s]."""
     ending: Ending
 
 
@@ -58,10 +59,10 @@ def fly_scenario(
     Args:
         loaded: the scenario.
         folder: where the logs go.
-        progress: told after every update.
-        stopped: asked before every update; once true, what was flown until then is returned.
-        realtime: fly no faster than the clock.
-        steps: that are called at each update.
+        progress: called after every update.
+        stopped: called before every update; the flight ends where it is true.
+        realtime: whether to fly no faster than real time.
+        steps: the compiled steps of each update.
 
     Raises:
         InputError: an aircraft's model cannot be flown.
@@ -110,11 +111,14 @@ class Lockstep:
     @property
     def ending(self) -> Ending | None:
         """Why the flight is over, if it is."""
-        if self._finished_at is not None and self.sim_s + NEARLY >= self._finished_at + AFTERWARDS:
+        if (
+            self._finished_at is not None
+            and self.sim_s + TIME_TOLERANCE >= self._finished_at + AFTERWARDS
+        ):
             return Ending.REACHED
         if (ending := self._fleet.ending) is not None:
             return ending
-        return Ending.TIME if self.sim_s + NEARLY >= self._duration else None
+        return Ending.TIME if self.sim_s + TIME_TOLERANCE >= self._duration else None
 
     def advance(self) -> None:
         """Every vehicle flies on to the next update."""

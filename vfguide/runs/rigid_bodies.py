@@ -75,7 +75,7 @@ class RigidBodies:
     @property
     def ending(self) -> Ending | None:
         """A body is far away."""
-        return Ending.OUTBOUND if np.abs(self._bodies.p_n).max() > FAR_AWAY else None
+        return Ending.FAR_AWAY if np.abs(self._bodies.p_n).max() > FAR_AWAY else None
 
     def advance(self) -> None:
         """Move all bodies on to the next update, then steer them anew.

@@ -1,4 +1,4 @@
-"""A run: a scenario flown, judged and reported, all in one folder."""
+"""A run: a scenario is flown, judged and reported, all in one folder."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from vfguide.runs.models import require_models
 from vfguide.scenario.load import LoadedScenario
 
 EARLY = frozenset({Ending.TIME, Ending.STOPPED})
-"""Endings that are reasons by themselves."""
+"""Endings that make a verdict bad by themselves."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The compiled steps that a flight calls; a study may put a stopwatch round one."""
+"""The compiled steps that a flight calls; a study may replace one, as by a timed one."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,15 +10,15 @@ from vfguide.loop.rows import step_body, step_measured
 
 @dataclass(frozen=True)
 class Steps:
-    """What flies a scenario at each update."""
+    """The functions that are called at each update."""
 
     measured: Callable[..., Any] = step_measured
-    """The loop for what an autopilot told."""
+    """The control loop on a measurement of an autopilot."""
     body: Callable[..., Any] = step_body
-    """The loop for a rigid body."""
+    """The control loop for a rigid body."""
     paper: Callable[..., Any] = fly_paper_law
     """The paper's own closed loop for a swarm of rigid bodies."""
 
 
 STEPS = Steps()
-"""The steps as they are."""
+"""The compiled steps of the product, unchanged."""

@@ -12,9 +12,12 @@ from vfguide.sim.kinematic import Sighting
 from vfguide.sim.truth import Truth
 
 TRUTH_COMPONENT = 25
-"""MAV_COMP_ID_USER1: a component of the vehicle's system that is nobody else's."""
-SHORT, WHOLE = 2**15 - 1, 2**31 - 1
-"""The largest numbers of fields of 16 and of 32 bits."""
+"""Number of the component that sends the truth, MAV_COMP_ID_USER1, which no other component of the
+vehicle has."""
+MAX_INT16 = 2**15 - 1
+"""Largest value of a signed field of 16 bits."""
+MAX_INT32 = 2**31 - 1
+"""Largest value of a signed field of 32 bits."""
 
 
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
@@ -75,7 +78,7 @@ def body_message(now: int, seen: Sighting, omega_b: Sequence[float]) -> HilState
         r,
         round(seen.latitude / DEG_E7),
         round(seen.longitude / DEG_E7),
-        fitting(seen.altitude / MM, WHOLE),
+        fitting(seen.altitude / MM, MAX_INT32),
         short(north / CM_S),
         short(east / CM_S),
         short(down / CM_S),
@@ -90,7 +93,7 @@ def body_message(now: int, seen: Sighting, omega_b: Sequence[float]) -> HilState
 @compiled
 def short(value: float) -> int:
     """As a 16-bit integer, the nearest one that fits."""
-    return fitting(value, SHORT)
+    return fitting(value, MAX_INT16)
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""From a scenario to what flies it: the simulated vehicles at their starts."""
+"""From a scenario to the simulated vehicles at their starts."""
 
 import math
 
@@ -23,8 +23,14 @@ from vfguide.sim.trim import TrimError, trim
 from vfguide.sim.vehicle import Setup
 from vfguide.sim.vehicle import Vehicle as SimVehicle
 
-GUSTS, STATE_ERRORS, RATE_ERRORS, TRAFFIC_ERRORS = 1, 2, 3, 4
-"""Purposes of random streams; the last is that of another aircraft, by its address."""
+GUSTS = 1
+"""Number of the random stream of a vehicle's gusts."""
+STATE_ERRORS = 2
+"""Number of the random stream of the errors of a vehicle's state."""
+RATE_ERRORS = 3
+"""Number of the random stream of the errors of a vehicle's body rates."""
+TRAFFIC_ERRORS = 4
+"""Number of the random stream of the errors of another aircraft, drawn by its address."""
 
 
 def simulate(loaded: LoadedScenario, vehicle: Vehicle) -> SimVehicle:

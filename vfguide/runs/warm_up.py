@@ -1,4 +1,4 @@
-"""Flights for nothing, so that a timed one finds all its code compiled."""
+"""Warm-up flights, so that a timed flight finds all its code compiled."""
 
 from functools import cache
 
@@ -8,7 +8,7 @@ from vfguide.scenario.hazards import hazards_of
 from vfguide.scenario.load import LoadedScenario, load_scenario
 
 UPDATES = 100
-"""Long enough for the companion to take over."""
+"""Number of updates of a warm-up flight; chosen, so that the companion takes over within it."""
 
 
 def warm_up(loaded: LoadedScenario) -> None:

@@ -1,4 +1,4 @@
-"""What has to hold between the values of a scenario and those of its aircraft."""
+"""Checks between the values of a scenario and those of its aircraft."""
 
 import math
 from collections.abc import Mapping
@@ -41,15 +41,16 @@ def _check_single_attempts(entry: ScenarioFile, source: Source) -> None:
                 raise source.error(at, rule, goal.attempts)
 
 
-AS_PRINTED = (
+PAPER_LAW_WARNING = (
     'law = "paper" on plant = "jsbsim" is the paper\'s field as printed, to see what it does: no '
     "route is planned, nothing assures that obstacles are kept clear of, and it knows no fence"
 )
+"""Warning of a scenario that flies law `paper` on an aeroplane."""
 
 
 def told_of_law(scenario: Scenario) -> tuple[str, ...]:
-    """What has to be said of the law that is flown."""
-    return (AS_PRINTED,) if scenario.law == "paper" and scenario.plant == "jsbsim" else ()
+    """The warnings about the law of a scenario."""
+    return (PAPER_LAW_WARNING,) if scenario.law == "paper" and scenario.plant == "jsbsim" else ()
 
 
 def check_ids(scenario: Scenario, source: Source) -> None:

@@ -1,4 +1,4 @@
-"""Whether hazards shut a place in, so that not even a point could get there at its heights."""
+"""Enclosure checks: whether hazards enclose a place, so that not even a point could get there."""
 
 import math
 from typing import Any
@@ -13,9 +13,9 @@ from vfguide.field.obstacle import Rows
 from vfguide.geometry.rows import columns
 
 CELL = 4.0
-"""Of the grid that is looked at [m]: no aeroplane flies through a gap that this misses ..."""
-MOST_CELLS = 500
-"""... and there are no more of them along a side, else nothing is said."""
+"""Size of a cell of the grid [m]; chosen, since no aeroplane flies through a gap that it misses."""
+MAX_CELLS = 500
+"""Largest number of cells along a side of the grid; chosen, larger areas are not checked."""
 Place = tuple[float, float]
 """North and east [m]."""
 
@@ -25,12 +25,12 @@ def is_enclosed(
 ) -> bool:
     """Whether no path in the band of heights leads from one place to the other."""
     hazards = joined(hazards_of(obstacles, band, 0.0), fence)
-    outlines = columns(KeepOutZone, hazards.table)
-    places = np.vstack((np.column_stack((outlines.x, outlines.y)), start, goal))
-    reach = np.append(outlines.bounding_radius, (CELL, CELL))[:, None]
+    zones = columns(KeepOutZone, hazards.table)
+    places = np.vstack((np.column_stack((zones.x, zones.y)), start, goal))
+    reach = np.append(zones.bounding_radius, (CELL, CELL))[:, None]
     low = (places - reach).min(axis=0) - 3.0 * CELL
     cells = np.ceil(((places + reach).max(axis=0) + 3.0 * CELL - low) / CELL).astype(int)
-    if cells.max() > MOST_CELLS:
+    if cells.max() > MAX_CELLS:
         return False
     north, east = (low[axis] + CELL * np.arange(cells[axis]) for axis in (0, 1))
     free = [[clearance_at(hazards, x, y, 0.0).distance > 0.0 for y in east] for x in north]

@@ -32,11 +32,13 @@ from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle
 
 COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "t")
-"""Of the file: position [m] and velocity [m/s] in the scenario frame, time [s]."""
-LARGEST = 1e9
-"""Of any number in a file of points."""
-MOMENT = 1e-3
-"""Over this long before and after the point the flight law's reference attitude is compared [s]."""
+"""Names of the columns of a file of points: position [m] and velocity [m/s] in the scenario frame,
+time [s]."""
+LARGEST_NUMBER = 1e9
+"""Largest value of any number in a file of points; chosen."""
+DIFFERENCE_TIME = 1e-3
+"""Time before and after a point between which the reference attitude is differentiated [s];
+chosen."""
 
 Points = Table
 """The rows of N points."""
@@ -44,14 +46,14 @@ LawName = Literal["paper", "flight"]
 
 
 class Point(NamedTuple):
-    """Where and when the field is wanted, in the scenario frame; in the order of COLUMNS."""
+    """A point at which the field is wanted, in the scenario frame, in the order of COLUMNS."""
 
     p_n: Vec3
-    """[m]."""
+    """Position [m]."""
     v_n: Vec3
-    """[m/s]."""
+    """Velocity [m/s]."""
     time: float
-    """[s]."""
+    """Time [s]."""
 
 
 point_of = python_reader(Point)
@@ -64,12 +66,13 @@ class FieldPoint(NamedTuple):
     """Law paper: F of the composite, not normalised. Law flight: the wanted direction through the
     air, a unit vector."""
     G: Vec3 | None
+    """G' of the same composite, orthogonal to F."""
     H: Vec3 | None
-    """Of the same composite, orthogonal to F and to each other."""
+    """H' of the same composite, orthogonal to F and G."""
     R_a: Mat3
     """The auxiliary attitude; law flight: the reference attitude that is flown. Body to NED."""
     Omega_a: Vec3
-    """Body rates of R_a on the way through the point [rad/s]."""
+    """Body rates of R_a for the motion through the point [rad/s]."""
     chi: tuple[float, ...]
     """One of each obstacle."""
 
@@ -109,8 +112,8 @@ def _number(path: Path, line: int, column: str, text: str) -> float:
         number = float(text)
     except ValueError:
         number = math.nan
-    if not abs(number) <= LARGEST:
-        rule = f"allowed is a number from -{LARGEST:g} to {LARGEST:g}"
+    if not abs(number) <= LARGEST_NUMBER:
+        rule = f"allowed is a number from -{LARGEST_NUMBER:g} to {LARGEST_NUMBER:g}"
         raise InputError(f'--points {path}: line {line}: {column} = "{text}": {rule}')
     return number
 
@@ -187,18 +190,18 @@ def velocity_at_start(scenario: Scenario, vehicle: Vehicle) -> Vec3:
 
 
 def flight_field(plan: Plan, point: Row) -> FieldPoint:
-    """What the flight law wants at a point on the way to the first goal, nothing flown before.
+    """The reference of the flight law at a point on a new leg to the first goal.
 
     The air is still, the airspeed the one to fly; the law looks at the velocity's direction only.
     """
     p_n, v_n, time = point_of(point.tolist())
     azimuth, gamma, R_a = flight_reference(plan, p_n, v_n, time)
-    step = scale(MOMENT, v_n)
-    *_, before = flight_reference(plan, sub(p_n, step), v_n, time - MOMENT)
-    *_, after = flight_reference(plan, add(p_n, step), v_n, time + MOMENT)
+    step = scale(DIFFERENCE_TIME, v_n)
+    *_, before = flight_reference(plan, sub(p_n, step), v_n, time - DIFFERENCE_TIME)
+    *_, after = flight_reference(plan, add(p_n, step), v_n, time + DIFFERENCE_TIME)
     level = math.cos(gamma)
     F = (level * math.cos(azimuth), level * math.sin(azimuth), -math.sin(gamma))
-    Omega_a = scale(0.5 / MOMENT, log(matmul(transpose(before), after)))
+    Omega_a = scale(0.5 / DIFFERENCE_TIME, log(matmul(transpose(before), after)))
     return FieldPoint(F, None, None, R_a, Omega_a, ())
 
 

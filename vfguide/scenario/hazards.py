@@ -1,4 +1,4 @@
-"""What the vehicles of a scenario have to keep clear of."""
+"""The hazards of a scenario."""
 
 import math
 
@@ -24,7 +24,7 @@ from vfguide.scenario.traffic import avoids_traffic
 
 
 def hazards_of(scenario: Scenario) -> Hazards | None:
-    """Everything to keep clear of that is written; obstacles are known from their distance on."""
+    """All hazards of a scenario, each obstacle with its visibility; None where there are none."""
     if not (scenario.obstacles or avoids_traffic(scenario)) and scenario.fence == Fence():
         return None
     fence = scenario.fence
@@ -43,7 +43,7 @@ def seen_from_afar(obstacle: Obstacle) -> PlacedObstacle:
 
 
 def hazard_names(scenario: Scenario) -> tuple[str, ...]:
-    """What the operator calls the hazards by their numbers; traffic has those after them."""
+    """The names of the hazards by their numbers, for the operator; traffic comes after them."""
     fence = scenario.fence
     heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
     return (
@@ -55,15 +55,15 @@ def hazard_names(scenario: Scenario) -> tuple[str, ...]:
 
 def keep_out_zones_of(fence: Fence) -> KeepOutZones:
     """The zones of the fence in the plane, at whatever height they hold."""
-    outlines = NO_FENCE
+    zones = NO_FENCE
     for zone in fence.zone:
         sign = KEEP_IN if zone.kind == "include" else KEEP_OUT
         if zone.polygon_m is not None:
-            outline = polygon(zone.polygon_m, sign)
+            joining = polygon(zone.polygon_m, sign)
         else:
-            outline = circle(*(zone.centre_m or (0.0, 0.0)), zone.radius_m or 0.0, sign)
-        outlines = joined(outlines, outline)
-    return outlines
+            joining = circle(*(zone.centre_m or (0.0, 0.0)), zone.radius_m or 0.0, sign)
+        zones = joined(zones, joining)
+    return zones
 
 
 def check_fence(scenario: Scenario, source: Source) -> None:

@@ -1,4 +1,4 @@
-"""From a scenario to what its companions are asked to do."""
+"""From a scenario to the plans of its companions."""
 
 from vfguide.aircraft.performance import turn_length
 from vfguide.companion.plan import Plan
@@ -14,10 +14,11 @@ from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import volume_from
 
-SIDES = {"right": 1.0, "left": -1.0}
+CIRCLE_SIDES = {"right": 1.0, "left": -1.0}
+"""Signs of the circle after the last goal by their names in scenario files."""
 LOITER_RADIUS = 1.57
-"""Of the circle after the last goal, in turn lengths (100 m at 25 m/s); more where wind and bank
-ask for it."""
+"""Default radius of the circle after the last goal [turn lengths]; chosen, 100 m at 25 m/s. Wind
+and bank may make it larger."""
 
 
 def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
@@ -34,12 +35,12 @@ def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
 
 
 def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
-    """What the companion of a vehicle is asked to do."""
+    """The plan of the companion of a vehicle."""
     guidance = loaded.scenario.guidance
     return Plan(
         place_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
-        SIDES[guidance.loiter],
+        CIRCLE_SIDES[guidance.loiter],
         guidance.loiter_radius_m
         or LOITER_RADIUS * turn_length(loaded.scenario.airspeed_of(vehicle)),
         guidance.rate_hz,

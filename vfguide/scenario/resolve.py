@@ -21,8 +21,8 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
 
-FARTHEST = 100_000.0
-"""A goal may be this far from the origin on each axis [m]."""
+MAX_GOAL_DISTANCE = 100_000.0
+"""Largest distance of a goal from the origin on each axis [m]; chosen."""
 
 
 def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Source) -> Scenario:
@@ -133,7 +133,7 @@ def _position(entry: GoalEntry, origin: Origin, source: Source, at: Location) ->
         )
         raise source.error(at, rule)
     p_n = geodetic_to_ned(plane_of(origin), latitude * DEG, longitude * DEG, altitude)
-    if max(map(abs, p_n)) > FARTHEST:
+    if max(map(abs, p_n)) > MAX_GOAL_DISTANCE:
         rule = f"{math.hypot(*p_n) / 1e3:.0f} km from the origin, allowed up to 100 km on each axis"
         raise source.error((*at, "latitude_deg"), rule, latitude)
     return p_n

@@ -1,7 +1,7 @@
-"""Before a flight among hazards: whether its starts have a way out, and its goals a way to them.
+"""Route checks before a flight among hazards: escapes from its starts, routes to its goals.
 
-What is not clear before the flight is an error where nothing could be flown, and a warning where
-the run-time assurance is going to overrule the guidance.
+A conflict is an error where nothing could be flown, and a warning where the run-time assurance is
+going to overrule guidance.
 """
 
 import math
@@ -39,7 +39,7 @@ from vfguide.scenario.resolved import Goal, Scenario, Vehicle
 from vfguide.scenario.traffic import avoids_traffic
 
 SPACING = 2.0
-"""Between two places that are looked at on the straight end of an approach [m]."""
+"""Distance between two checked positions on a final approach [m]; chosen."""
 
 
 class Flies(NamedTuple):

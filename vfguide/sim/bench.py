@@ -1,4 +1,4 @@
-"""A JSBSim model in the wind tunnel: what acts on it at any flight condition."""
+"""A JSBSim model in a virtual wind tunnel: accelerations and thrust at any flight condition."""
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3
@@ -30,7 +30,7 @@ class Bench:
 
     @property
     def mass(self) -> float:
-        """[kg]."""
+        """Mass [kg]."""
         return self._plant.mass()
 
     @property

@@ -1,4 +1,4 @@
-"""What a simulated flight starts from: the model, the place, the motion and the weather."""
+"""Initial conditions of a simulated flight: model, place, motion and weather."""
 
 import hashlib
 import math
@@ -41,8 +41,9 @@ class FlightCondition:
     airspeed: float
     """True airspeed [m/s]."""
     alpha: float = 0.0
+    """Angle of attack [rad]."""
     beta: float = 0.0
-    """Angles of attack and sideslip [rad]."""
+    """Sideslip [rad]."""
     bank: float = 0.0
     """Euler roll angle [rad]."""
     climb: float = 0.0
@@ -82,18 +83,19 @@ class Start:
     latitude: float
     """Geodetic latitude [rad]."""
     longitude: float
-    """[rad]."""
+    """Longitude [rad]."""
     altitude: float
     """Height above the WGS-84 ellipsoid [m]."""
     yaw: float
-    """[rad]."""
+    """Yaw [rad]."""
     condition: FlightCondition
 
 
 class Turbulence(Enum):
-    """MIL-F-8785C: wind at 20 ft [m/s], and JSBSim's index of the probability of exceedance.
+    """Intensity of turbulence by MIL-F-8785C (Dryden): wind at 20 ft [m/s], and JSBSim's index.
 
-    The wind counts below 1000 ft, the index above 2000 ft, both in between. JSBSim takes these
+    The index is that of the probability of exceedance. The wind counts below 1000 ft, the index
+    above 2000 ft, both in between. JSBSim takes these
     heights above the sea, not above ground: over high ground its gusts are stronger.
     """
 
@@ -116,7 +118,7 @@ class Weather:
     shear_n: Vec3 = (0.0, 0.0, 0.0)
     """Change of the wind for each metre of height [1/s]."""
     shear_height: float = 0.0
-    """Where the shear adds nothing: above the ground [m]."""
+    """Height above the ground at which the shear adds nothing [m]."""
 
     @property
     def varies(self) -> bool:

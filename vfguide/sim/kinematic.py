@@ -33,6 +33,7 @@ from vfguide.geometry.vector import (
 )
 
 FORWARD: Vec3 = (1.0, 0.0, 0.0)
+"""Unit vector along body x, dimensionless."""
 
 
 class Bodies(NamedTuple):
@@ -48,10 +49,11 @@ class Sighting(NamedTuple):
     """A body as it is seen on the earth."""
 
     latitude: float
+    """Geodetic latitude [rad]."""
     longitude: float
-    """[rad]."""
+    """Longitude [rad]."""
     altitude: float
-    """[m]."""
+    """Height above the WGS-84 ellipsoid [m]."""
     v_l: Vec3
     """Velocity v_x R e_x, north-east-down where the body is [m/s]."""
     q_lb: tuple[float, float, float, float]
@@ -59,7 +61,7 @@ class Sighting(NamedTuple):
 
 
 SIGHTING_WIDTH = width(Sighting)
-"""How many numbers the row of a sighting has."""
+"""Number of floats in the row of a `Sighting`."""
 write_sighting = writer(Sighting)
 
 
@@ -93,17 +95,17 @@ def mean_direction(w: Vec3) -> Vec3:
 def move(R_nb: Mat3, p_n: Vec3, speed: float, omega_b: Vec3, dt: float) -> tuple[Mat3, Vec3]:
     """Attitude and position after `dt` [s] at constant speed [m/s] and body rates [rad/s].
 
-    R exp(Omega dt), made a rotation again by way of its quaternion: over a million steps products
-    alone would leave the group by rounding.
+    The attitude is R exp(Omega dt), normalised through its quaternion: over a million steps,
+    products alone would leave SO(3) by rounding.
     """
     w = scale(dt, omega_b)
-    way = matvec(R_nb, scale(speed * dt, mean_direction(w)))
-    return from_quaternion(to_quaternion(matmul(R_nb, exp(w)))), add(p_n, way)
+    moved = matvec(R_nb, scale(speed * dt, mean_direction(w)))
+    return from_quaternion(to_quaternion(matmul(R_nb, exp(w)))), add(p_n, moved)
 
 
 @compiled
 def sightings(bodies: Bodies, commands: Commands, origin: Vec3) -> Rows:
-    """The bodies as seen on the earth, a `Sighting` a row, from the tangent plane at `origin`.
+    """The bodies as seen on the earth, one `Sighting` a row, from the tangent plane at `origin`.
 
     The origin is latitude, longitude [rad] and altitude [m].
     """

@@ -14,7 +14,7 @@ from vfguide.sim.signals import ControlTuple, InnerTuple
 from vfguide.sim.truth import Truth
 
 STEP = 1.0 / 200.0
-"""Default time step [s]."""
+"""Default time step of the simulation [s]; chosen, 200 Hz."""
 
 _TUSTIN = 4
 """JSBSim's number for MIL-F-8785C gusts discretised by Tustin's rule."""
@@ -152,7 +152,7 @@ class Plant:
         return Accelerations(self._v_dot_b(), self._omega_dot_b())
 
     def thrust(self) -> float:
-        """All force along body x but the aerodynamic one [N]."""
+        """Force along body x other than the aerodynamic force [N]."""
         return LBF * (self._force_x() - self._aero_force_x())
 
     def inertia(self) -> Mat3:
@@ -162,7 +162,7 @@ class Plant:
         return ((ixx, -ixy, ixz), (-ixy, iyy, -iyz), (ixz, -iyz, izz))
 
     def mass(self) -> float:
-        """[kg]."""
+        """Mass [kg]."""
         return LBF / G0 * self._weight()
 
     def _place_at(self, start: Start) -> None:

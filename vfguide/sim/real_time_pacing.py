@@ -2,8 +2,8 @@
 
 import math
 
-GIVEN_UP = 1.0
-"""Time that is lost beyond this is not made up for [s]."""
+LONGEST_BACKLOG = 1.0
+"""Delay beyond which lost time is not made up for [s]; chosen."""
 
 
 class RealTimePacing:
@@ -29,10 +29,10 @@ class RealTimePacing:
         if late < 0.0:
             return 0
         self.worst = max(self.worst, late)
-        if late > GIVEN_UP:
-            self._start += late - GIVEN_UP
-            self.lost += late - GIVEN_UP
-            late = GIVEN_UP
+        if late > LONGEST_BACKLOG:
+            self._start += late - LONGEST_BACKLOG
+            self.lost += late - LONGEST_BACKLOG
+            late = LONGEST_BACKLOG
         return 1 + math.floor(late / self.period)
 
     def take(self) -> int:

@@ -15,25 +15,30 @@ from vfguide.sim.udp import Channel
 from vfguide.sim.vehicle import Vehicle
 
 LATE = 0.1
-"""A schedule that is missed by more than this is worth a warning [s]."""
+"""Delay of a step behind its schedule above which the user is warned [s]; chosen."""
 SHORT_NAP = 0.05
-"""The wish to stop is looked at this often while nothing flies [s]."""
-RATES = AttitudeTypeMask.ATTITUDE_IGNORE
-ATTITUDES = (
+"""Longest wait for sockets before a request to stop is looked for [s]; chosen."""
+RATE_MASK = AttitudeTypeMask.ATTITUDE_IGNORE
+"""Type mask of a setpoint of body rates."""
+ATTITUDE_MASK = (
     AttitudeTypeMask.BODY_ROLL_RATE_IGNORE
     | AttitudeTypeMask.BODY_PITCH_RATE_IGNORE
     | AttitudeTypeMask.BODY_YAW_RATE_IGNORE
 )
-LEVEL = (1.0, 0.0, 0.0, 0.0)
+"""Type mask of a setpoint of an attitude."""
+LEVEL_QUATERNION = (1.0, 0.0, 0.0, 0.0)
+"""Level attitude towards north as a quaternion w, x, y, z, dimensionless."""
 
 Say = Callable[[str], None]
 
 
 def warm_up(scratch: Vehicle) -> None:
-    """Fly `scratch` a moment in every way: all compiled code is there before the clock runs."""
+    """Fly `scratch` in every mode: all code is compiled before the clock runs."""
     port = scratch.connect(ONBOARD)
-    for mask in (RATES, ATTITUDES):
-        setpoint = SetAttitudeTarget(0, scratch.sysid, 1, mask, LEVEL, 0.0, 0.0, 0.0, 0.3)
+    for mask in (RATE_MASK, ATTITUDE_MASK):
+        setpoint = SetAttitudeTarget(
+            0, scratch.sysid, 1, mask, LEVEL_QUATERNION, 0.0, 0.0, 0.0, 0.3
+        )
         scratch.autopilot.take_setpoint(setpoint)
         scratch.autopilot.happen(Event.OFFBOARD_ASKED)
         scratch.advance(1)
@@ -83,10 +88,10 @@ class RealtimeFlight:
 
         Args:
             stations: the vehicles.
-            speed: seconds of simulation in a second.
-            steps: of the plant, between two updates of the autopilots.
+            speed: ratio of simulated to real time.
+            steps: number of steps of the plant between two updates of the autopilots.
             observe: called with a vehicle at each of its updates.
-            warn: takes what the user should know.
+            warn: takes messages for the user.
         """
         self.flying = list(stations)
         self.pace = RealTimePacing(time.monotonic(), STEP / speed)

@@ -1,4 +1,4 @@
-"""Other aircraft in the air: their paths, their transponders, and the receiver that hears them."""
+"""Other aircraft: their paths, their transponders, and the receiver of their reports."""
 
 import math
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.sim.truth import Truth
 
-EVERYTHING = int(
+ALL_VALID = int(
     AdsbFlags.VALID_COORDS
     | AdsbFlags.VALID_ALTITUDE
     | AdsbFlags.VALID_HEADING
@@ -28,22 +28,24 @@ EVERYTHING = int(
     | AdsbFlags.VERTICAL_VELOCITY_VALID
     | AdsbFlags.SIMULATED
 )
-SMALL = 1
-"""ADSB_EMITTER_TYPE_LIGHT."""
-NEARLY = 1e-9
-"""Times that differ by less are equal [s]."""
-FULL_CIRCLE = 36_000
-"""[0.01 deg]."""
+"""Flags of an ADSB_VEHICLE message all of whose fields are valid."""
+LIGHT_EMITTER = 1
+"""Value of ADSB_EMITTER_TYPE_LIGHT, light aircraft."""
+TIME_TOLERANCE = 1e-9
+"""Difference below which two times count as equal [s]; chosen above rounding."""
+HEADINGS = 36_000
+"""Number of headings in a full circle of ADSB_VEHICLE [0.01 deg]."""
 
 
 class Turn(NamedTuple):
     """A velocity that the aircraft changes to, linearly."""
 
     time: float
-    """When it begins to [s]."""
+    """Time at which the change begins [s]."""
     within: float
-    """How long that takes [s]."""
+    """Duration of the change [s]."""
     v_n: Vec3
+    """Velocity after it, NED [m/s]."""
 
 
 class Flight(NamedTuple):
@@ -77,19 +79,19 @@ def motion_at(flight: Flight, t: Series) -> tuple[Vectors, Vectors]:
 
 
 class Transponder(NamedTuple):
-    """What another aircraft tells of itself."""
+    """The transponder of another aircraft."""
 
     icao: int
     callsign: str
     flight: Flight
     interval: float
-    """Between two reports [s]."""
+    """Time between two reports [s]."""
     delay: float
-    """From its position to the arrival of the report [s]."""
+    """Time from a position to the arrival of its report [s]."""
     error: float
-    """Standard deviation of each axis of the position told [m]."""
+    """Standard deviation of each axis of the reported position [m]."""
     seed: int
-    """Of those errors."""
+    """Seed of those errors."""
 
 
 class Sender:
@@ -104,7 +106,7 @@ class Sender:
     def take(self, time: float) -> list[tuple[Vec3, Vec3, Vec3]]:
         """The reports that have arrived by `time` [s]: place, error and velocity, NED."""
         taken: list[tuple[Vec3, Vec3, Vec3]] = []
-        while self._number * self.each.interval + self.each.delay <= time + NEARLY:
+        while self._number * self.each.interval + self.each.delay <= time + TIME_TOLERANCE:
             told = np.array([self._number * self.each.interval])
             p_n, v_n = motion_at(self.each.flight, told)
             error = self.each.error * self._rng.standard_normal(3)
@@ -156,12 +158,12 @@ def report(each: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> Adsb
         round(longitude / DEG_E7),
         AdsbAltitudeType.GEOMETRIC,
         round(altitude / MM),
-        round(math.atan2(east, north) / CDEG) % FULL_CIRCLE,
+        round(math.atan2(east, north) / CDEG) % HEADINGS,
         round(math.hypot(north, east) / CM_S),
         round(-down / CM_S),
         each.callsign,
-        SMALL,
+        LIGHT_EMITTER,
         int(each.delay),
-        EVERYTHING,
+        ALL_VALID,
         0,
     )

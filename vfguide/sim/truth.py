@@ -1,4 +1,4 @@
-"""The true state of a simulated vehicle: what no companion ever sees."""
+"""The true state of a simulated vehicle, which no companion sees."""
 
 from typing import NamedTuple
 
@@ -19,16 +19,19 @@ class Truth(NamedTuple):
     v_n: Vec3
     """Velocity over ground, north-east-down at the vehicle [m/s]."""
     roll: float
+    """Roll of the body FRD against north-east-down at the vehicle, Euler angles z-y-x [rad]."""
     pitch: float
+    """Pitch [rad]."""
     yaw: float
-    """Euler angles z-y-x of the body FRD against north-east-down at the vehicle [rad]."""
+    """Yaw [rad]."""
     omega_b: Vec3
     """Body rates [rad/s]."""
     airspeed: float
     """True airspeed, gusts included [m/s]."""
     alpha: float
+    """Angle of attack, gusts included [rad]."""
     beta: float
-    """Angles of attack and sideslip, gusts included [rad]."""
+    """Sideslip, gusts included [rad]."""
     wind_n: Vec3
     """Wind with gusts, the direction it blows toward, NED [m/s]."""
     force_b: Vec3
@@ -36,4 +39,4 @@ class Truth(NamedTuple):
     density: float
     """Air density [kg/m^3]."""
     height_above_ground: float
-    """[m]."""
+    """Height of the centre of gravity above the ground [m]."""

@@ -7,13 +7,16 @@ from typing import NamedTuple
 from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.vehicle import Vehicle
 
-HOST = "127.0.0.1"
-LARGEST = 65_535
-"""Bytes in a datagram."""
-MOST_AT_ONCE = 64
-"""Datagrams taken before the vehicle flies on: a flood must not hold it up."""
-BEYOND_TEN = 1000
-"""From the eleventh vehicle on, the companions' ports lie this much higher: 14550 is taken."""
+LOOPBACK = "127.0.0.1"
+"""Address of this machine alone, on which the simulator listens."""
+MAX_DATAGRAM = 65_535
+"""Largest size of a UDP datagram, a number of bytes (RFC 768)."""
+MOST_PER_STEP = 64
+"""Largest number of datagrams that are taken before the vehicle flies on; chosen, so that a flood
+does not delay it."""
+PORT_GAP = 1000
+"""Number by which the companions' ports lie higher from the eleventh vehicle on, since port 14550
+is that of ground stations."""
 
 Address = tuple[str, int]
 
@@ -30,7 +33,7 @@ class Numbers(NamedTuple):
 def offboard_numbers(sysid: int) -> Numbers:
     """Ports of the channel to the companion."""
     k = sysid - 1
-    return Numbers(14580 + k, 14540 + k + (BEYOND_TEN if k >= 10 else 0))
+    return Numbers(14580 + k, 14540 + k + (PORT_GAP if k >= 10 else 0))
 
 
 def ground_numbers(sysid: int) -> Numbers:
@@ -55,15 +58,15 @@ class Channel:
         """A channel with these streams [Hz] over the socket `bound` to its own port."""
         self.vehicle = vehicle
         self.numbers = numbers
-        self.peer: Address = (HOST, numbers.peer)
+        self.peer: Address = (LOOPBACK, numbers.peer)
         self.socket = bound
         self._port: MavlinkChannel = vehicle.connect(rates)
 
     def receive(self) -> None:
         """Take what has arrived, and answer it at once."""
-        for _ in range(MOST_AT_ONCE):
+        for _ in range(MOST_PER_STEP):
             try:
-                data, sender = self.socket.recvfrom(LARGEST)
+                data, sender = self.socket.recvfrom(MAX_DATAGRAM)
             except BlockingIOError:
                 return
             except ConnectionError:
@@ -93,11 +96,11 @@ def bound_socket(number: int) -> socket.socket:
     made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     made.setblocking(False)
     try:
-        made.bind((HOST, number))
+        made.bind((LOOPBACK, number))
     except OSError as error:
         made.close()
         raise PortTakenError(
-            f"UDP port {HOST}:{number} cannot be had: {error.strerror}; "
+            f"UDP port {LOOPBACK}:{number} cannot be had: {error.strerror}; "
             "is another simulation running?"
         ) from error
     return made

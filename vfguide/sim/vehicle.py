@@ -17,9 +17,9 @@ from vfguide.sim.traffic import Receiver, Transponder
 from vfguide.sim.truth import Truth
 
 STEP_US = round(STEP / US)
-"""Time step of the plant [us]."""
+"""Time step of the plant in whole microseconds [us]."""
 SLOWEST_UPDATE = 0.02
-"""The autopilot's estimate and streams are renewed at least this often [s]."""
+"""Longest time between two updates of the autopilot's estimate and streams [s]; chosen, 50 Hz."""
 
 
 def steps_between_updates(rate: float) -> int:
@@ -39,14 +39,14 @@ class Setup:
     start: Start
     weather: Weather
     ground_altitude: float
-    """[m] above the ellipsoid."""
+    """Height of the ground above the ellipsoid [m]."""
     instruments: Instruments = EXACT
     """What the autopilot measures with."""
     motor: Motor = SOUND
     transponders: tuple[Transponder, ...] = ()
-    """Of the other aircraft that its receiver may hear."""
+    """The other aircraft that its receiver may hear."""
     receiver_range: float = 0.0
-    """[m]."""
+    """Distance within which the receiver hears [m]."""
     frame_origin: Vec3 = (0.0, 0.0, 0.0)
     """Latitude, longitude [rad], altitude [m] of the frame of their paths."""
 
