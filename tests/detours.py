@@ -8,9 +8,9 @@ from vfguide.airspace.footprint import Band
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.se2 import Pose
 from vfguide.geometry.shapes import shape
 from vfguide.paths.edge import edge_in, pose_along, segments_of
-from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Air, Task, ground_speed
 from vfguide.planning.route_search import find_route
 

@@ -31,7 +31,7 @@ from search_worlds import World
 from vfguide.aircraft.envelope import turn_radius
 from vfguide.field.obstacle import PlacedObstacle
 from vfguide.geometry.rows import place
-from vfguide.paths.path_progress import Pose
+from vfguide.geometry.se2 import Pose
 from vfguide.results.fence_distance import fence_clearance
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import TOUCH, judge

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_distance, obstacle_rows
+from vfguide.geometry.se2 import Pose
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import Shape
 from vfguide.geometry.vector import Vec3
-from vfguide.paths.path_progress import Pose
 
 HEIGHT = 100.0
 """At which all is flown [m]."""

@@ -10,10 +10,10 @@ from vfguide.assurance.decision import Reason
 from vfguide.companion.hazard_annunciations import BACK, HazardAnnunciator, route_summary
 from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
+from vfguide.geometry.se2 import Pose
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.paths.dubins import DubinsPath
 from vfguide.paths.edge import Edge, edge_row
-from vfguide.paths.path_progress import Pose
 from vfguide.planning.route import fresh_route
 from vfguide.planning.route_following import RouteFollowing, fresh_following
 

@@ -23,6 +23,7 @@ from vfguide.control.airspeed_control import thrust_for
 from vfguide.control.control import ControlState
 from vfguide.estimation.estimation import known_state
 from vfguide.field.obstacle import obstacle_rows
+from vfguide.geometry.se2 import Pose
 from vfguide.geometry.so3 import from_euler, rot_z
 from vfguide.geometry.vector import matvec
 from vfguide.guidance import flight_law
@@ -30,7 +31,6 @@ from vfguide.guidance.flight_law import LEVEL_BANK
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.paths.edge import EDGE_WIDTH, Edge, edge_row, next_path
 from vfguide.paths.leg import new_leg
-from vfguide.paths.path_progress import Pose
 from vfguide.planning import planning
 from vfguide.planning.leg_planning import predicted_state
 from vfguide.planning.objective import objective_at

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from vfguide.field.navigation import navigation_field
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.se2 import Pose
 from vfguide.paths.course_laws import Planar, arc_to_goal, field_course, line_course, loiter_course
 
 RADIUS, SPEED = 80.0, 25.0
@@ -59,13 +60,13 @@ def test_the_remaining_path_is_the_arc_of_the_field(x, y):
 
 @given(PLACE, PLACE, COURSE, COURSE)
 def test_the_course_onto_a_line_leads_to_it_and_ends_along_it(x, y, along, course):
-    here, through = at(x, y, course), (30.0, -20.0)
-    found = line_course(here, through, along, RADIUS)
-    off = math.cos(along) * (y - through[1]) - math.sin(along) * (x - through[0])
+    here, line = at(x, y, course), Pose(30.0, -20.0, along)
+    found = line_course(here, line, RADIUS)
+    off = math.cos(along) * (y - line.y) - math.sin(along) * (x - line.x)
     onto = math.sin(wrap(found.chi - along))
     assert onto * off <= 0.0
     assert abs(onto) == pytest.approx(1.25 * abs(off) / math.hypot(RADIUS, 1.25 * off), abs=1e-9)
-    expected = rate(lambda place: line_course(place, through, along, RADIUS), here)
+    expected = rate(lambda place: line_course(place, line, RADIUS), here)
     assert found.chi_rate == pytest.approx(expected, rel=1e-4, abs=1e-6)
 
 

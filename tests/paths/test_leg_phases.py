@@ -170,7 +170,7 @@ def test_of_the_missing_path_only_what_is_no_full_circle_is_flown_away_from_the_
     short = 0.6 * FULL_TURN * RADIUS
     after = fly_leg(outbound, here, needing(needed - short), GAINS)
     assert after.phase == ON_PATH
-    assert after.progress.path.arc >= FULL_TURN
+    assert after.progress.edge.path.arc >= FULL_TURN
 
 
 def test_a_path_that_became_too_short_for_the_height_is_planned_anew_but_not_close_to_the_goal():

@@ -1,4 +1,4 @@
-"""Shortest words, and the ways along them."""
+"""Shortest Dubins paths, and the progress along them."""
 
 import math
 
@@ -8,19 +8,16 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from vfguide.geometry.angles import FULL_TURN, wrap
+from vfguide.geometry.se2 import Pose, after_turn, composed
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import CLOSED_TURN, length_of, shortest_path, turn_of
+from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, edge_end
 from vfguide.paths.path_progress import (
-    FIRST_TURN,
-    LAST_TURN,
-    MIDDLE,
-    after_turn,
+    PathProgress,
     along,
     at_segment,
-    begin_of,
     begin_path,
     beside,
-    middle_begin,
     path_course,
     path_left,
 )
@@ -34,7 +31,7 @@ def at(x, y, course):
     return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
-def way_from(x, y, course, circles=0):
+def progress_from(x, y, course, circles=0):
     path = shortest_path(x, y, course, RADIUS)
     return begin_path(at(x, y, course), path._replace(arc=path.arc + FULL_TURN * circles), RADIUS)
 
@@ -45,7 +42,7 @@ def is_exact(path):
 
 
 @given(PLACE, PLACE, COURSE)
-def test_a_word_is_as_long_as_dubins_path_or_shorter_by_turns_that_are_nearly_closed(x, y, course):
+def test_a_path_is_as_long_as_dubins_or_shorter_by_turns_that_are_nearly_closed(x, y, course):
     path = shortest_path(x, y, course, RADIUS)
     expected = dubins_length((x, y, course), (0.0, 0.0, 0.0), RADIUS) / RADIUS
     assert length_of(path) <= expected + 1e-6
@@ -53,16 +50,9 @@ def test_a_word_is_as_long_as_dubins_path_or_shorter_by_turns_that_are_nearly_cl
 
 
 @given(PLACE, PLACE, COURSE)
-def test_the_three_pieces_of_a_word_lead_to_the_origin_along_x(x, y, course):
-    progress = way_from(x, y, course)
-    path, middle = progress.path, middle_begin(progress)
-    if path.middle == 0.0:
-        reach = path.reach * RADIUS
-        ahead = (math.cos(middle.course), math.sin(middle.course))
-        last = middle._replace(x=middle.x + reach * ahead[0], y=middle.y + reach * ahead[1])
-    else:
-        last = after_turn(middle, path.middle, path.reach, RADIUS)
-    end = after_turn(last, path.last, path.end, RADIUS)
+def test_the_three_segments_lead_to_the_origin_with_course_0(x, y, course):
+    progress = progress_from(x, y, course)
+    path, end = progress.edge.path, edge_end(progress.edge, RADIUS)
     closed = 2.5 * CLOSED_TURN * max(RADIUS, math.hypot(x, y))
     exact = math.isclose(
         length_of(path) * RADIUS,
@@ -74,9 +64,9 @@ def test_the_three_pieces_of_a_word_lead_to_the_origin_along_x(x, y, course):
 
 
 @given(PLACE, PLACE, COURSE, st.integers(0, 2))
-def test_a_way_is_followed_to_its_end(x, y, course, circles):
+def test_a_path_is_followed_to_its_end(x, y, course, circles):
     assume(math.hypot(x, y) > 5.0)
-    progress, dt = way_from(x, y, course, circles), 0.04
+    progress, dt = progress_from(x, y, course, circles), 0.04
     here, flown, total = at(x, y, course), 0.0, path_left(progress)
     for _ in range(4000):
         progress = along(progress, here)
@@ -93,11 +83,11 @@ def test_a_way_is_followed_to_its_end(x, y, course, circles):
 
 @given(st.sampled_from([1.0, -1.0]), st.floats(0.8, 5.5), st.integers(0, 3))
 def test_whole_circles_are_counted_down(side, arc, circles):
-    progress = way_from(-500.0, 30.0, 0.0)
-    path = progress.path._replace(first=side, arc=arc + FULL_TURN * circles)
-    progress = progress._replace(path=path, left=path.arc)
+    progress = progress_from(-500.0, 30.0, 0.0)
+    path = progress.edge.path._replace(first=side, arc=arc + FULL_TURN * circles)
+    progress = progress._replace(edge=progress.edge._replace(path=path), left=path.arc)
     for gone in (0.05, 0.2, 0.4):
-        pose = after_turn(begin_of(progress), side, gone, RADIUS)
+        pose = after_turn(progress.edge.begin, side, gone, RADIUS)
         progress = along(progress, at(pose.x, pose.y, pose.course))
         assert progress.segment == FIRST_TURN
         assert progress.left == pytest.approx(path.arc - gone)
@@ -111,9 +101,25 @@ def test_the_roll_from_turn_to_turn_sets_in_twice_as_early_as_from_a_turn_to_a_s
         progress = begin_path(at(-300.0, 250.0, 2.0), path._replace(middle=middle), RADIUS)
         lack = lead * SPEED / RADIUS
         for slack, segment in ((0.01, FIRST_TURN), (-0.01, MIDDLE)):
-            pose = after_turn(begin_of(progress), 1.0, 2.0 - lack - slack, RADIUS)
+            pose = after_turn(progress.edge.begin, 1.0, 2.0 - lack - slack, RADIUS)
             here = at_segment(progress, FIRST_TURN, lack + slack)
             assert along(here, at(pose.x, pose.y, pose.course)).segment == segment
+
+
+@given(PLACE, PLACE, COURSE, st.builds(Pose, PLACE, PLACE, COURSE), st.integers(0, 2))
+def test_a_path_is_followed_alike_wherever_it_lies(x, y, course, end, segment):
+    own = progress_from(x, y, course)
+    own = at_segment(own, segment, 0.5)
+    moved = PathProgress(
+        Edge(composed(end, own.edge.begin), own.edge.path), end, RADIUS, segment, 0.5
+    )
+    c, s = math.cos(end.course), math.sin(end.course)
+    here, there = at(x, y, course), composed(end, Pose(x, y, course))
+    vehicle = Planar(there.x, there.y, c * here.vx - s * here.vy, s * here.vx + c * here.vy)
+    one, other = path_course(own, here), path_course(moved, vehicle)
+    assert wrap(other.chi - end.course - one.chi) == pytest.approx(0.0, abs=1e-6)
+    assert other.chi_rate == pytest.approx(one.chi_rate, abs=1e-6)
+    assert beside(moved, vehicle) == pytest.approx(beside(own, here), abs=1e-6)
 
 
 def test_a_turn_that_is_nearly_a_full_circle_is_none():

@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.geometry.angles import FULL_TURN
+from vfguide.geometry.se2 import Pose, after_turn
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import length_of, shortest_path
-from vfguide.paths.path_progress import Pose, after_turn
 from vfguide.paths.path_stretching import (
     LEAST_GAIN,
     LENGTH_SLACK,

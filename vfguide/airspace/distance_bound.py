@@ -6,7 +6,7 @@ convex functions), so nothing of the body is nearer than (f - 1) / |grad f|. Far
 it is the sharp body in which the body lies: the box, the upright cylinder or the cone's frustum.
 """
 
-from vfguide.field.obstacle import Rows, read_obstacle, shape_of
+from vfguide.field.obstacle import Rows, into_axes, read_obstacle, shape_of
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.shape import shape_bound
 from vfguide.geometry.vector import Vec3
@@ -20,8 +20,8 @@ def distance_bound(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
     tight at the surface from outside; negative inside, and there at most a size too low.
     """
     body = read_obstacle(obstacles[i])
-    p_o, v_o, c, s = body.p_n, body.v_n, body.heading_cos, body.heading_sin
+    p_o, v_o = body.p_n, body.v_n
     x = p_n[0] - p_o[0] - t * v_o[0]
     y = p_n[1] - p_o[1] - t * v_o[1]
     z = p_n[2] - p_o[2] - t * v_o[2]
-    return shape_bound(shape_of(body), (c * x + s * y, c * y - s * x, z))
+    return shape_bound(shape_of(body), into_axes(body, (x, y, z)))

@@ -13,6 +13,7 @@ import numpy as np
 from vfguide.field.obstacle import Rows, read_obstacle, shape_of
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table, reader, width, writer
+from vfguide.geometry.se2 import rotated
 from vfguide.geometry.shapes.base import Section, Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
 
@@ -106,8 +107,8 @@ def sides_round(section: Section, c: float, s: float) -> Table:
     for k in range(SIDES):
         nx, ny = math.cos(k * SIDE_ANGLE), math.sin(k * SIDE_ANGLE)
         mirrored = min(k % (SIDES // 2), -k % (SIDES // 2))
-        side = Side(c * nx - s * ny, s * nx + c * ny, quarter[mirrored], 0.0, 0.0)
-        write_side(side, sides[k])
+        normal_x, normal_y = rotated(nx, ny, c, s)
+        write_side(Side(normal_x, normal_y, quarter[mirrored], 0.0, 0.0), sides[k])
     for k in range(SIDES):
         write_side(with_corner(read_side(sides[k]), read_side(sides[k - 1])), sides[k])
     return sides

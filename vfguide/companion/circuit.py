@@ -12,6 +12,7 @@ from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.companion.plan import Plan
+from vfguide.geometry.se2 import rotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.loop.legs import Goal
@@ -118,5 +119,5 @@ def room(p_n: Vec3, hazards: Hazards | None, t: float) -> float:
 
 def moved(p_n: Vec3, course: float, ahead: float, right: float, up: float) -> Vec3:
     """A place from another one, in the directions of a course [m]."""
-    c, s = math.cos(course), math.sin(course)
-    return (p_n[0] + c * ahead - s * right, p_n[1] + s * ahead + c * right, p_n[2] - up)
+    north, east = rotated(ahead, right, math.cos(course), math.sin(course))
+    return p_n[0] + north, p_n[1] + east, p_n[2] - up

@@ -31,6 +31,7 @@ from vfguide.estimation.air_state import (
     WindEstimate,
 )
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 
@@ -173,10 +174,10 @@ def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float
     c, s = math.cos(azimuth), math.sin(azimuth)
     north, east = v_n[0] - x[NORTH], v_n[1] - x[EAST]
     speed = level * x[AIRSPEED]
-    along, across = c * north + s * east - speed, c * east - s * north
+    along, across = unrotated(north, east, c, s)
     h_across, h_along = (-s, c, 0.0, speed, 0.0, 0.0), (c, s, level, 0.0, 0.0, 0.0)
     measurement_update(estimate, h_across, across, ACROSS_NOISE * ACROSS_NOISE / dt)
-    measurement_update(estimate, h_along, along, ALONG_NOISE * ALONG_NOISE / dt)
+    measurement_update(estimate, h_along, along - speed, ALONG_NOISE * ALONG_NOISE / dt)
 
 
 @compiled

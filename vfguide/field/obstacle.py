@@ -12,6 +12,7 @@ from typing import NamedTuple
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.rows import Row, Table, reader, replacing, table_of, writer
+from vfguide.geometry.se2 import rotated, unrotated
 from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.distance import signed_distance
 from vfguide.geometry.shapes.shape import shape_level
@@ -141,14 +142,16 @@ def from_centre(obstacle: PlacedObstacle, p: Dual3, t: float) -> Dual3:
 def into_axes(obstacle: PlacedObstacle, a_n: Vec3) -> Vec3:
     """The vector `a_n` (NED) in the obstacle's axes."""
     c, s = obstacle.heading_cos, obstacle.heading_sin
-    return (c * a_n[0] + s * a_n[1], c * a_n[1] - s * a_n[0], a_n[2])
+    x, y = unrotated(a_n[0], a_n[1], c, s)
+    return x, y, a_n[2]
 
 
 @compiled
 def out_of_axes(obstacle: PlacedObstacle, a_o: Vec3) -> Vec3:
     """The vector `a_o` in the obstacle's axes, in NED."""
     c, s = obstacle.heading_cos, obstacle.heading_sin
-    return (c * a_o[0] - s * a_o[1], s * a_o[0] + c * a_o[1], a_o[2])
+    x, y = rotated(a_o[0], a_o[1], c, s)
+    return x, y, a_o[2]
 
 
 @compiled

@@ -13,9 +13,11 @@ R. W. Beard, Vector Field Path Following for Miniature Air Vehicles, 2007.
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.state import FlightState
 from vfguide.field.navigation import navigation_field, navigation_field_rate
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import Pose, unrotated
 
 CONVERGENCE_GAIN = 1.25
 """Gain from the distance beside a circle or line, in radii, to the tangent of the course angle
@@ -24,16 +26,31 @@ point-mass flights."""
 
 
 class Planar(NamedTuple):
-    """Position [m] and ground velocity [m/s] in the horizontal plane of the goal frame."""
+    """Position and ground velocity of the vehicle in the horizontal plane."""
 
     x: float
-    """Position along the goal's course [m]."""
+    """Position along the first axis, in the goal frame along the goal's course [m]."""
     y: float
-    """Position to its right [m]."""
+    """Position along the second axis, to the right of the first [m]."""
     vx: float
-    """Velocity along the goal's course [m/s]."""
+    """Velocity along the first axis [m/s]."""
     vy: float
-    """Velocity to its right [m/s]."""
+    """Velocity along the second axis [m/s]."""
+
+
+@compiled
+def planar_from(frame: Pose, at: Planar) -> Planar:
+    """The vehicle in the axes of a pose."""
+    c, s = math.cos(frame.course), math.sin(frame.course)
+    x, y = unrotated(at.x - frame.x, at.y - frame.y, c, s)
+    vx, vy = unrotated(at.vx, at.vy, c, s)
+    return Planar(x, y, vx, vy)
+
+
+@compiled
+def planar_of(state: FlightState) -> Planar:
+    """The vehicle in the horizontal plane, NED."""
+    return Planar(state.p_n[0], state.p_n[1], state.v_n[0], state.v_n[1])
 
 
 class Course(NamedTuple):
@@ -75,15 +92,14 @@ def arc_to_goal(x: float, y: float) -> float:
 
 
 @compiled
-def line_course(at: Planar, p: tuple[float, float], course: float, width: float) -> Course:
-    """Course onto the line through `p` [m] along `course` [rad], chi = course - atan(k e / width).
+def line_course(at: Planar, line: Pose, width: float) -> Course:
+    """Course onto the line through a pose along its course, chi = course - atan(k e / width).
 
     e is the distance to the right of the line [m], `width` the scale of the approach to it [m].
     """
-    c, s = math.cos(course), math.sin(course)
-    u = CONVERGENCE_GAIN * (c * (at.y - p[1]) - s * (at.x - p[0])) / width
-    u_rate = CONVERGENCE_GAIN * (c * at.vy - s * at.vx) / width
-    return Course(wrap(course - math.atan(u)), -u_rate / (1.0 + u * u), math.inf)
+    beside = planar_from(line, at)
+    u, u_rate = CONVERGENCE_GAIN * beside.y / width, CONVERGENCE_GAIN * beside.vy / width
+    return Course(wrap(line.course - math.atan(u)), -u_rate / (1.0 + u * u), math.inf)
 
 
 @compiled

@@ -8,8 +8,8 @@ import numpy as np
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, Table, reader, width, writer
+from vfguide.geometry.se2 import Pose, after_turn, straight_on
 from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_turns, three_turns
-from vfguide.paths.path_progress import Pose, after_turn
 
 PATH_KINDS = 6
 """Number of Dubins paths: three kinds, each with its first turn to either side."""
@@ -19,6 +19,13 @@ FARTHEST_THREE_TURNS = 4.0
 JOIN_TOLERANCE = 1e-10
 """Largest distance from its end pose at which a Dubins path counts as joined [turn radii, or rad];
 chosen above rounding."""
+
+FIRST_TURN = 0
+"""Number of the first segment of a Dubins path."""
+MIDDLE = 1
+"""Number of the second segment of a Dubins path, a straight or a turn."""
+LAST_TURN = 2
+"""Number of the last segment of a Dubins path."""
 
 RouteEdges = Table
 """A table with one `Edge` a row."""
@@ -51,10 +58,17 @@ class Segment(NamedTuple):
 @compiled
 def segments_of(edge: Edge, radius: float) -> tuple[Segment, Segment, Segment]:
     """The three segments of an edge with turns of `radius` [m]."""
-    path, begin = edge.path, edge.begin
-    first = Segment(begin, path.first, radius * path.arc)
-    second = Segment(segment_end(first, radius), path.middle, radius * path.reach)
-    return first, second, Segment(segment_end(second, radius), path.last, radius * path.end)
+    path = edge.path
+    first = Segment(edge.begin, path.first, radius * path.arc)
+    middle = Segment(segment_end(first, radius), path.middle, radius * path.reach)
+    return first, middle, Segment(segment_end(middle, radius), path.last, radius * path.end)
+
+
+@compiled
+def segment_at(edge: Edge, k: int, radius: float) -> Segment:
+    """Segment `k` of an edge with turns of `radius` [m]: FIRST_TURN, MIDDLE or LAST_TURN."""
+    first, middle, last = segments_of(edge, radius)
+    return first if k == FIRST_TURN else (middle if k == MIDDLE else last)
 
 
 @compiled
@@ -63,8 +77,7 @@ def pose_along(segment: Segment, travelled: float, radius: float) -> Pose:
     begin = segment.begin
     if segment.side != 0.0:
         return after_turn(begin, segment.side, travelled / radius, radius)
-    dx, dy = math.cos(begin.course), math.sin(begin.course)
-    return Pose(begin.x + travelled * dx, begin.y + travelled * dy, begin.course)
+    return straight_on(begin, travelled)
 
 
 @compiled

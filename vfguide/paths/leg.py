@@ -3,9 +3,11 @@
 from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import ORIGIN
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import DubinsPath
-from vfguide.paths.path_progress import LAST_TURN, PathProgress
+from vfguide.paths.edge import LAST_TURN, Edge
+from vfguide.paths.path_progress import PathProgress
 
 NEW = 0
 """Number of the phase before anything has been flown."""
@@ -37,8 +39,8 @@ class Leg(NamedTuple):
 @compiled
 def new_leg() -> Leg:
     """A leg in phase NEW."""
-    path = DubinsPath(1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-    return Leg(NEW, 0.0, 0.0, 0.0, 0.0, PathProgress(0.0, 0.0, 0.0, path, 1.0, LAST_TURN, 0.0))
+    edge = Edge(ORIGIN, DubinsPath(1.0, 0.0, 0.0, 0.0, 1.0, 0.0))
+    return Leg(NEW, 0.0, 0.0, 0.0, 0.0, PathProgress(edge, ORIGIN, 1.0, LAST_TURN, 0.0))
 
 
 @compiled

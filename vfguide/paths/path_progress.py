@@ -1,7 +1,8 @@
-"""Progress along a Dubins path onto the final approach.
+"""Progress along a Dubins path: the one follower, of the path of a leg and of edges of a route.
 
-Everything is in the horizontal plane of the goal frame, moved so that the path ends at the origin
-with course 0. The path is followed segment by segment, by the course laws of lines and circles.
+The path is followed segment by segment, by the course laws of lines and circles. The last turn is
+the one that ends at the end pose: a path from which a turn of nearly a full circle was left out
+still leads there.
 """
 
 import math
@@ -9,32 +10,25 @@ from typing import NamedTuple
 
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, writer
+from vfguide.geometry.rows import replacing
+from vfguide.geometry.se2 import ORIGIN, Pose, centre_beside, point_from
 from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
 from vfguide.paths.dubins import SHORT_LAST_TURN, DubinsPath
+from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, segment_at
 
 TURN_IN = 0.37
 """Time before the end of a segment at which the roll into the next one starts [s], twice that from
 one turn into the opposite one: the lag of the bank under the default gains, 1 / k_w + RATE_LAG of
 the point mass."""
-FIRST_TURN = 0
-"""Number of the first segment of a Dubins path."""
-MIDDLE = 1
-"""Number of the second segment of a Dubins path, a straight or a turn."""
-LAST_TURN = 2
-"""Number of the last segment of a Dubins path."""
 
 
 class PathProgress(NamedTuple):
     """A Dubins path in the plane, and how far along it the vehicle is."""
 
-    x: float
-    """Start of the path, along x [m]."""
-    y: float
-    """Start of the path, along y [m]."""
-    course: float
-    """Course at the start [rad]."""
-    path: DubinsPath
+    edge: Edge
+    """The path, and the pose at its start."""
+    end: Pose
+    """Pose at its end."""
     radius: float
     """Radius of the turns [m]."""
     segment: int
@@ -43,58 +37,23 @@ class PathProgress(NamedTuple):
     """Rest of the present segment: angle of a turn [rad], length of a straight [turn radii]."""
 
 
-class Pose(NamedTuple):
-    """A position and a course in the horizontal plane."""
-
-    x: float
-    """Position along the first axis [m]."""
-    y: float
-    """Position along the second axis, to the right of the first [m]."""
-    course: float
-    """Course, clockwise from the first axis [rad]."""
-
-
-read_pose, write_pose = reader(Pose), writer(Pose)
+at_segment = replacing(PathProgress, "segment", "left")
 
 
 @compiled
 def begin_path(at: Planar, path: DubinsPath, radius: float) -> PathProgress:
-    """The progress at the start of a Dubins path from here, with turns of `radius` [m]."""
-    return PathProgress(at.x, at.y, math.atan2(at.vy, at.vx), path, radius, FIRST_TURN, path.arc)
+    """The progress at the start of a Dubins path from here to the origin, course 0.
 
-
-@compiled
-def centre_beside(at: Pose, side: float, radius: float) -> tuple[float, float]:
-    """Centre of a turn to a side (+1 right, -1 left) that starts here [m]."""
-    turn = side * radius
-    return at.x - turn * math.sin(at.course), at.y + turn * math.cos(at.course)
-
-
-@compiled
-def after_turn(at: Pose, side: float, arc: float, radius: float) -> Pose:
-    """Pose at the end of a turn by `arc` [rad] that starts here."""
-    x, y = centre_beside(at, side, radius)
-    course = at.course + side * arc
-    turn = side * radius
-    return Pose(x + turn * math.sin(course), y - turn * math.cos(course), course)
-
-
-@compiled
-def begin_of(progress: PathProgress) -> Pose:
-    """Pose at the start of the path."""
-    return Pose(progress.x, progress.y, progress.course)
-
-
-@compiled
-def middle_begin(progress: PathProgress) -> Pose:
-    """Pose at the start of the middle segment."""
-    return after_turn(begin_of(progress), progress.path.first, progress.path.arc, progress.radius)
+    `radius` is that of the turns [m].
+    """
+    edge = Edge(Pose(at.x, at.y, math.atan2(at.vy, at.vx)), path)
+    return PathProgress(edge, ORIGIN, radius, FIRST_TURN, path.arc)
 
 
 @compiled
 def is_straight(progress: PathProgress) -> bool:
     """Whether the present segment is a straight."""
-    return progress.segment == MIDDLE and progress.path.middle == 0.0
+    return progress.segment == MIDDLE and progress.edge.path.middle == 0.0
 
 
 @compiled
@@ -119,14 +78,19 @@ class Turn(NamedTuple):
 @compiled
 def present_turn(progress: PathProgress) -> Turn:
     """The turn of the present segment."""
-    path, middle = progress.path, middle_begin(progress)
-    if progress.segment == FIRST_TURN:
-        x, y = centre_beside(begin_of(progress), path.first, progress.radius)
-        return Turn(x, y, path.first, middle.course)
-    if progress.segment == MIDDLE:
-        x, y = centre_beside(middle, path.middle, progress.radius)
-        return Turn(x, y, path.middle, middle.course + path.middle * path.reach)
-    return Turn(0.0, path.last * progress.radius, path.last, 0.0)
+    path, radius, end = progress.edge.path, progress.radius, progress.end
+    if progress.segment == LAST_TURN:
+        x, y = centre_beside(end, path.last, radius)
+        return Turn(x, y, path.last, end.course)
+    turn = segment_at(progress.edge, progress.segment, radius)
+    x, y = centre_beside(turn.begin, turn.side, radius)
+    return Turn(x, y, turn.side, turn.begin.course + turn.side * turn.length / radius)
+
+
+@compiled
+def on_straight(progress: PathProgress, at: Planar) -> tuple[float, float]:
+    """The vehicle along the present straight, and to the right of it [m]."""
+    return point_from(segment_at(progress.edge, MIDDLE, progress.radius).begin, at.x, at.y)
 
 
 @compiled
@@ -142,10 +106,8 @@ def segment_left(progress: PathProgress, at: Planar) -> float:
     The number of full circles is that of the step before.
     """
     if is_straight(progress):
-        begin = middle_begin(progress)
-        dx, dy = at.x - begin.x, at.y - begin.y
-        travelled = math.cos(begin.course) * dx + math.sin(begin.course) * dy
-        return progress.path.reach - travelled / progress.radius
+        travelled, _ = on_straight(progress, at)
+        return progress.edge.path.reach - travelled / progress.radius
     turn = present_turn(progress)
     here = about(turn, at)
     course = math.atan2(here.y, here.x) + turn.side * 0.5 * math.pi
@@ -154,25 +116,17 @@ def segment_left(progress: PathProgress, at: Planar) -> float:
 
 
 @compiled
-def at_segment(progress: PathProgress, segment: int, left: float) -> PathProgress:
-    """The path with the progress that is given."""
-    return PathProgress(
-        progress.x, progress.y, progress.course, progress.path, progress.radius, segment, left
-    )
-
-
-@compiled
 def along(progress: PathProgress, at: Planar) -> PathProgress:
     """The path with the progress of the vehicle, into the next segment in time for the roll."""
-    path, lead = progress.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
+    path, lead = progress.edge.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
     last = path.last * min(1.0, path.end / SHORT_LAST_TURN)
     middle = last if path.middle == 0.0 and path.reach < lead else path.middle
     progress = at_segment(progress, progress.segment, segment_left(progress, at))
     if progress.segment == FIRST_TURN and progress.left < lead * abs(middle - path.first):
-        progress = at_segment(progress, MIDDLE, progress.path.reach)
+        progress = at_segment(progress, MIDDLE, path.reach)
         progress = at_segment(progress, MIDDLE, segment_left(progress, at))
     if progress.segment == MIDDLE and progress.left < lead * abs(last - path.middle):
-        progress = at_segment(progress, LAST_TURN, progress.path.end)
+        progress = at_segment(progress, LAST_TURN, path.end)
         progress = at_segment(progress, LAST_TURN, segment_left(progress, at))
     return progress
 
@@ -180,11 +134,11 @@ def along(progress: PathProgress, at: Planar) -> PathProgress:
 @compiled
 def path_left(progress: PathProgress) -> float:
     """Length of the rest of the path along its segments [m]."""
-    rest = progress.left
+    rest, path = progress.left, progress.edge.path
     if progress.segment == FIRST_TURN:
-        rest += progress.path.reach
+        rest += path.reach
     if progress.segment != LAST_TURN:
-        rest += progress.path.end
+        rest += path.end
     return progress.radius * rest
 
 
@@ -192,8 +146,8 @@ def path_left(progress: PathProgress) -> float:
 def path_course(progress: PathProgress, at: Planar) -> Course:
     """Course onto and along the present segment, and the length of the rest of the path."""
     if is_straight(progress):
-        begin = middle_begin(progress)
-        onto = line_course(at, (begin.x, begin.y), begin.course, progress.radius)
+        begin = segment_at(progress.edge, MIDDLE, progress.radius).begin
+        onto = line_course(at, begin, progress.radius)
     else:
         turn = present_turn(progress)
         onto = loiter_course(about(turn, at), turn.side, progress.radius)
@@ -204,8 +158,7 @@ def path_course(progress: PathProgress, at: Planar) -> Course:
 def beside(progress: PathProgress, at: Planar) -> float:
     """Distance beside the present segment [m], not negative."""
     if is_straight(progress):
-        begin = middle_begin(progress)
-        dx, dy = at.x - begin.x, at.y - begin.y
-        return abs(math.cos(begin.course) * dy - math.sin(begin.course) * dx)
+        _, off = on_straight(progress, at)
+        return abs(off)
     here = about(present_turn(progress), at)
     return abs(math.hypot(here.x, here.y) - progress.radius)

@@ -7,9 +7,9 @@ shortest. Therefore several longer paths are tried, and the shortest of those th
 import math
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import Pose, after_turn, straight_on
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import length_of, shortest_path
-from vfguide.paths.path_progress import Pose, after_turn
 
 OUTBOUND_TURNS = 4
 """Number of turns to either side that are tried before an outbound straight; chosen."""
@@ -76,11 +76,11 @@ def outbound_length(begin: Pose, radius: float, distance_for_altitude: float) ->
     It is infinite where none of STRIDES lengths does, as far from the origin with the course
     towards it.
     """
-    c, s = math.cos(begin.course), math.sin(begin.course)
     for k in range(STRIDES):
         straight = STRIDE * radius * k
-        x, y = begin.x + straight * c, begin.y + straight * s
-        length = straight + radius * length_of(shortest_path(x, y, begin.course, radius))
+        there = straight_on(begin, straight)
+        path = shortest_path(there.x, there.y, there.course, radius)
+        length = straight + radius * length_of(path)
         if length >= distance_for_altitude:
             return length
     return math.inf

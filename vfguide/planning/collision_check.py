@@ -6,8 +6,8 @@ from typing import NamedTuple
 from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at, free_path, near_hazards
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import Pose, unrotated
 from vfguide.paths.edge import Edge, RouteEdges, Segment, edge_in, pose_along, segments_of
-from vfguide.paths.path_progress import Pose
 
 STEP_SHARE = 0.3
 """Least distance between two checked points, as a share of the wanted clearance; chosen."""
@@ -71,7 +71,7 @@ class Check(NamedTuple):
 def ground_speed(air: Air, course: float) -> float:
     """Speed over ground on a course over ground [m/s], at least LEAST_GROUND_SPEED."""
     c, s = math.cos(course), math.sin(course)
-    along, across = air.wind_x * c + air.wind_y * s, air.wind_y * c - air.wind_x * s
+    along, across = unrotated(air.wind_x, air.wind_y, c, s)
     square = air.airspeed * air.airspeed - across * across
     return max(LEAST_GROUND_SPEED, along + math.sqrt(max(0.0, square)))
 

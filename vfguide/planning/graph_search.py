@@ -17,8 +17,8 @@ import numpy as np
 from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.airspace.planar_clearance import NO_HAZARD
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import write_pose
 from vfguide.paths.edge import EDGE_WIDTH, RouteEdges, edge_row
-from vfguide.paths.path_progress import write_pose
 from vfguide.planning.collision_check import Demand, Task, check_edge
 from vfguide.planning.roadmap import (
     GOAL,

@@ -8,13 +8,14 @@ from vfguide.aircraft.performance import Gains, Performance, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.vector import Vec3, add, scale
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import Planar, planar_from, planar_of
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.paths.leg import Leg, keep_radius
 from vfguide.paths.leg_phases import fly_leg
 from vfguide.paths.leg_start import Paths
-from vfguide.planning.objective import GuidanceTarget, Objective
+from vfguide.planning.objective import GuidanceTarget, Objective, pose_of_target
 from vfguide.planning.route import Route
 from vfguide.planning.route_following import is_on_route
 
@@ -25,11 +26,8 @@ reserve."""
 
 @compiled
 def in_goal_plane(state: FlightState, target: GuidanceTarget) -> Planar:
-    """Position and ground velocity in the horizontal plane of the target, x along its course."""
-    c, s = math.cos(target.course), math.sin(target.course)
-    dx, dy = state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1]
-    vx, vy = state.v_n[0], state.v_n[1]
-    return Planar(c * dx + s * dy, c * dy - s * dx, c * vx + s * vy, c * vy - s * vx)
+    """Position and ground velocity in the horizontal plane of the target."""
+    return planar_from(pose_of_target(target), planar_of(state))
 
 
 @compiled
@@ -77,7 +75,8 @@ def distance_for_goal_altitude(
 @compiled
 def wind_along(wind_n: Vec3, course: float) -> float:
     """Tail wind on a course [rad], positive from behind [m/s]."""
-    return wind_n[0] * math.cos(course) + wind_n[1] * math.sin(course)
+    along, _ = unrotated(wind_n[0], wind_n[1], math.cos(course), math.sin(course))
+    return along
 
 
 @compiled

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import Pose
 from vfguide.geometry.vector import Vec3
 
 
@@ -20,6 +21,12 @@ class GuidanceTarget(NamedTuple):
     """0 for a goal; +1 or -1 for the circle that leaves the point to the right or to the left."""
     radius: float
     """Radius of the circle [m]; it grows where wind and bank ask for more."""
+
+
+@compiled
+def pose_of_target(target: GuidanceTarget) -> Pose:
+    """The pose of a target in the horizontal plane, NED."""
+    return Pose(target.p_n[0], target.p_n[1], target.course)
 
 
 class Objective(NamedTuple):

@@ -46,7 +46,7 @@ def update(
     route = clear_route(nav, goal, airspace, route, vehicle)
     leg = advance_leg(goal, route, slope, vehicle)
     was, following = route.leg, route.following
-    if leg.phase != was.phase or leg.progress.x != was.progress.x:
+    if leg.phase != was.phase or leg.progress.edge.begin.x != was.progress.edge.begin.x:
         following = with_shift(following, True)
     return Route(leg, following)
 

@@ -13,13 +13,14 @@ from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
 from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
-from vfguide.paths.course_laws import arc_to_goal
+from vfguide.geometry.se2 import Pose, composed, straight_on
+from vfguide.paths.course_laws import arc_to_goal, planar_from, planar_of
 from vfguide.paths.dubins import DubinsPath, length_of
 from vfguide.paths.edge import EDGE_WIDTH, Edge, Segment, edge_row, next_path
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, with_final_approach
-from vfguide.paths.path_progress import TURN_IN, Pose
+from vfguide.paths.path_progress import TURN_IN
 from vfguide.planning.collision_check import Air, Task, check_segment, demand_of, route_is_clear
-from vfguide.planning.objective import GuidanceTarget
+from vfguide.planning.objective import GuidanceTarget, pose_of_target
 from vfguide.planning.overflight import (
     NO_LEVEL,
     AltitudePlan,
@@ -37,7 +38,6 @@ from vfguide.planning.route_following import (
     edges_of,
     follow_route,
     is_on_route,
-    vehicle_from,
     with_level,
     with_look,
     with_overflight,
@@ -118,10 +118,7 @@ def task_from(context: PlanningContext, start: Pose, goal: Pose, radius: float, 
 @compiled
 def entry_of(target: GuidanceTarget, final_approach: float) -> Pose:
     """Pose at the start of a final approach of the length given [m], NED."""
-    c, s = math.cos(target.course), math.sin(target.course)
-    return Pose(
-        target.p_n[0] - final_approach * c, target.p_n[1] - final_approach * s, target.course
-    )
+    return straight_on(pose_of_target(target), -final_approach)
 
 
 @compiled
@@ -156,9 +153,9 @@ def is_clear(
         )
     if leg.phase == ON_PATH:
         progress = leg.progress
-        edge = Edge(placed(entry, Pose(progress.x, progress.y, progress.course)), progress.path)
+        edge = Edge(composed(entry, progress.edge.begin), progress.edge.path)
         rows = edge_row(edge).reshape(1, EDGE_WIDTH)
-        travelled = travelled_in(progress.path, progress.segment, progress.left, progress.radius)
+        travelled = travelled_in(edge.path, progress.segment, progress.left, progress.radius)
         return route_is_clear(hazards, task, wanted, rows, 0, progress.segment, travelled)
     if leg.phase == FIELD:
         return field_is_clear(state, leg, hazards, task, entry, wanted)
@@ -170,9 +167,9 @@ def field_is_clear(
     state: FlightState, leg: Leg, hazards: KeepOutZones, task: Task, entry: Pose, wanted: float
 ) -> bool:
     """Whether the arc of the paper's field from here to the final approach is clear."""
-    at = vehicle_from(entry, state)
+    at = planar_from(entry, planar_of(state))
     radius = max((at.x * at.x + at.y * at.y) / max(2.0 * abs(at.y), 1e-3), leg.radius)
-    begin = placed(entry, Pose(at.x, at.y, 2.0 * math.atan2(at.y, at.x)))
+    begin = composed(entry, Pose(at.x, at.y, 2.0 * math.atan2(at.y, at.x)))
     arc = Segment(begin, 1.0 if at.y > 0.0 else -1.0, arc_to_goal(at.x, at.y))
     if at.x >= 0.0:
         arc = Segment(entry, 0.0, leg.final_approach)
@@ -186,14 +183,6 @@ def travelled_in(path: DubinsPath, segment: int, left: float, radius: float) -> 
     """Length of a segment that has been flown [m]; `left` is its rest [turn radii]."""
     lengths = (path.arc, path.reach, path.end)
     return radius * max(0.0, lengths[segment] - left)
-
-
-@compiled
-def placed(frame: Pose, pose: Pose) -> Pose:
-    """A pose in NED that is given in the axes of another pose."""
-    c, s = math.cos(frame.course), math.sin(frame.course)
-    x = frame.x + c * pose.x - s * pose.y
-    return Pose(x, frame.y + s * pose.x + c * pose.y, frame.course + pose.course)
 
 
 @compiled

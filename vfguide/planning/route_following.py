@@ -13,21 +13,19 @@ from vfguide.aircraft.state import FlightState
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Shape, replacing
-from vfguide.paths.course_laws import Course, Planar
+from vfguide.geometry.se2 import ORIGIN, Pose, seen_from
+from vfguide.paths.course_laws import Course, planar_of
 from vfguide.paths.dubins import length_of
-from vfguide.paths.edge import EDGE_WIDTH, Edge, RouteEdges, edge_in
-from vfguide.paths.leg import ON_PATH, Leg, in_phase
+from vfguide.paths.edge import EDGE_WIDTH, FIRST_TURN, LAST_TURN, Edge, RouteEdges, edge_in
+from vfguide.paths.leg import ON_PATH, Leg, in_phase, with_radius
 from vfguide.paths.path_progress import (
-    FIRST_TURN,
-    LAST_TURN,
     TURN_IN,
     PathProgress,
-    Pose,
     along,
     beside,
     path_course,
+    path_left,
 )
-from vfguide.paths.path_progress import path_left as rest_of
 from vfguide.planning.overflight import NO_LEVEL
 from vfguide.planning.roadmap import MAX_ROUTE_EDGES
 from vfguide.planning.route_search import FoundRoute
@@ -75,6 +73,7 @@ with_overflight = replacing(RouteFollowing, "level", "fall", "clearance")
 _with_edges = replacing(RouteFollowing, "length", "radius", "end", "clearance", "route_edges")
 _at_edge = replacing(RouteFollowing, "present", "segment", "left")
 _without_edges = replacing(RouteFollowing, "length")
+_in_frame = replacing(PathProgress, "edge", "end")
 
 
 @compiled
@@ -123,50 +122,30 @@ def end_at(route: RouteFollowing, i: int) -> Pose:
 
 
 @compiled
-def edge_progress(route: RouteFollowing, i: int) -> PathProgress:
-    """Edge `i` as a path in the axes of its end pose."""
-    edge, end = edge_at(route, i), end_at(route, i)
-    x, y, course = seen_from(end, edge.begin)
-    return PathProgress(x, y, course, edge.path, route.radius, route.segment, route.left)
-
-
-@compiled
-def seen_from(frame: Pose, pose: Pose) -> Pose:
-    """A pose in the axes of another."""
-    c, s = math.cos(frame.course), math.sin(frame.course)
-    dx, dy = pose.x - frame.x, pose.y - frame.y
-    return Pose(c * dx + s * dy, c * dy - s * dx, wrap(pose.course - frame.course))
-
-
-@compiled
-def vehicle_from(frame: Pose, state: FlightState) -> Planar:
-    """The vehicle in the axes of a pose."""
-    c, s = math.cos(frame.course), math.sin(frame.course)
-    dx, dy = state.p_n[0] - frame.x, state.p_n[1] - frame.y
-    vx, vy = state.v_n[0], state.v_n[1]
-    return Planar(c * dx + s * dy, c * dy - s * dx, c * vx + s * vy, c * vy - s * vx)
+def progress_of(route: RouteFollowing) -> PathProgress:
+    """The present edge as a path with its progress, NED."""
+    i = route.present
+    return PathProgress(
+        edge_at(route, i), end_at(route, i), route.radius, route.segment, route.left
+    )
 
 
 @compiled
 def follow_route(route: RouteFollowing, state: FlightState, leg: Leg) -> tuple[RouteFollowing, Leg]:
     """The state after the edges that have been flown; the last edge becomes the leg's path."""
-    last = route.length - 1
+    last, at = route.length - 1, planar_of(state)
     while route.present < last:
         i = route.present
-        at = vehicle_from(end_at(route, i), state)
-        progress = along(edge_progress(route, i), at)
+        progress = along(progress_of(route), at)
         route = _at_edge(route, i, progress.segment, progress.left)
         if beside(progress, at) > OFF_EDGE * route.radius:
             route = with_shift(route, True)
-        if rest_of(progress) > lead_into(route, i, state):
+        if path_left(progress) > lead_into(route, i, state):
             return route, leg
         route = begin_edge(route, i + 1)
-    progress = edge_progress(route, last)
-    leg = in_phase(
-        Leg(ON_PATH, route.radius, leg.final_approach, leg.outbound, leg.circles, progress),
-        ON_PATH,
-        progress,
-    )
+    begin = seen_from(route.end, edge_at(route, last).begin)
+    progress = _in_frame(progress_of(route), Edge(begin, edge_at(route, last).path), ORIGIN)
+    leg = in_phase(with_radius(leg, route.radius), ON_PATH, progress)
     return _without_edges(route, 0), leg
 
 
@@ -183,13 +162,11 @@ def lead_into(route: RouteFollowing, i: int, state: FlightState) -> float:
 @compiled
 def route_course(route: RouteFollowing, state: FlightState, leg: Leg, course: float) -> Course:
     """Course along the present edge, relative to `course`, and the path length to the goal."""
-    i = route.present
-    end = end_at(route, i)
-    onto = path_course(edge_progress(route, i), vehicle_from(end, state))
+    onto = path_course(progress_of(route), planar_of(state))
     remaining = onto.remaining + leg.final_approach
-    for k in range(i + 1, route.length):
+    for k in range(route.present + 1, route.length):
         remaining += route.radius * length_of(edge_at(route, k).path)
-    return Course(wrap(end.course + onto.chi - course), onto.chi_rate, remaining)
+    return Course(wrap(onto.chi - course), onto.chi_rate, remaining)
 
 
 @compiled

@@ -7,6 +7,7 @@ import numpy as np
 from vfguide.airspace.keep_out import KeepOutZones, read_zone_row
 from vfguide.airspace.planar_clearance import NO_HAZARD
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.se2 import Pose, composed
 from vfguide.paths.edge import (
     EDGE_WIDTH,
     Edge,
@@ -16,7 +17,6 @@ from vfguide.paths.edge import (
     next_path,
     route_length,
 )
-from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Demand, Task, check_edge
 
 SLIDES = 0.3, 0.1
@@ -49,12 +49,10 @@ def slid(
     """The route with the start of edge `i` slid across and along its course, and turned."""
     for side in (1.0, -1.0):
         for k in range(3):
-            x, y, course = edge_in(route_edges, i).begin
             across = side * size * task.radius if k == 0 else 0.0
             along = side * size * task.radius if k == 1 else 0.0
-            c, s = math.cos(course), math.sin(course)
-            turned = course + (side * size if k == 2 else 0.0)
-            there = Pose(x + along * c - across * s, y + along * s + across * c, turned)
+            change = Pose(along, across, side * size if k == 2 else 0.0)
+            there = composed(edge_in(route_edges, i).begin, change)
             candidate = through(task, route_edges, i, there)
             if is_better(hazards, task, demand, candidate, route_edges, i - 1, i + 1):
                 route_edges = candidate

@@ -8,7 +8,7 @@ from vfguide.airspace.planar_clearance import clearance_at_rest
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Table
-from vfguide.paths.path_progress import Pose, after_turn, write_pose
+from vfguide.geometry.se2 import Pose, after_turn, straight_on, write_pose
 from vfguide.planning.collision_check import STEP_SHARE
 
 BEARINGS = 16
@@ -142,12 +142,10 @@ def add_fan(end: Pose, ahead: float, radius: float, tangents: Poses, used: int) 
     Returns the number of poses.
     """
     for run in STRAIGHTS:
-        travelled = ahead * run * radius
-        x, y = end.x + travelled * math.cos(end.course), end.y + travelled * math.sin(end.course)
+        begin = straight_on(end, ahead * run * radius)
         for arc in ARCS:
             if used < len(tangents):
                 side, turned = math.copysign(1.0, arc), ahead * abs(arc)
-                there = after_turn(Pose(x, y, end.course), side, turned, radius)
-                write_pose(there, tangents[used])
+                write_pose(after_turn(begin, side, turned, radius), tangents[used])
                 used += 1
     return used

@@ -21,12 +21,12 @@ from vfguide.field.obstacle import Rows
 from vfguide.files.fence import Fence
 from vfguide.files.source import Location, Source, dotted
 from vfguide.files.toml_types import in_words
+from vfguide.geometry.se2 import Pose, straight_on
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, Vector
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import next_path
-from vfguide.paths.path_progress import Pose
 from vfguide.planning.collision_check import Air, Task
 from vfguide.planning.objective import GuidanceTarget
 from vfguide.planning.overflight import altitude_plan_by, band_of, left_in_path, levels_for
@@ -147,9 +147,7 @@ def _check_way(
     radius = _radius(scenario, gains)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
     final_approach = gains.final_approach * radius
-    entry = Pose(
-        x - final_approach * math.cos(course), y - final_approach * math.sin(course), course
-    )
+    entry = straight_on(Pose(x, y, course), -final_approach)
     from_x, from_y, from_z = begin.p_n
     start = Pose(from_x, from_y, begin.course)
     band = Band(min(z, from_z), max(z, from_z))
