@@ -12,7 +12,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace
 from vfguide.companion.loop_report import goal_of_row
 from vfguide.companion.plan import Plan
-from vfguide.companion.route import GUST
+from vfguide.companion.route import ASSUMED_GUST
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import exp, from_euler
@@ -97,7 +97,7 @@ def fly(
         state = FlightState(body.time, body.p_n, v_n, body.R_nb, airspeed, wind_n)
         airspace = None
         if plan.hazards is not None:
-            airspace = Airspace(plan.hazards, plan.fence, body.time, GUST)
+            airspace = Airspace(plan.hazards, plan.fence, body.time, ASSUMED_GUST)
         omega_b, row, wish = step_told(state, row, plan.legs, airspace, plan.law, plan.vehicle_row)
         flown.append(Moment(state, row, wish))
         for _ in range(SUBSTEPS):

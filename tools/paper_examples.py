@@ -13,9 +13,16 @@ from matplotlib.ticker import MultipleLocator
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vector
-from vfguide.report.drawing import GOAL, MUTED, Flights, broken, line_of, vehicle_lines
+from vfguide.report.drawing import (
+    GOAL_COLOUR,
+    MUTED_COLOUR,
+    Flights,
+    broken,
+    line_of,
+    vehicle_lines,
+)
 from vfguide.report.meshes import outline
-from vfguide.report.obstacle_drawing import OBSTACLE
+from vfguide.report.obstacle_drawing import OBSTACLE_COLOUR
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.load import load_scenario
 
@@ -91,7 +98,7 @@ def draw_space(axes: Any, flights: Flights) -> None:
     """Obstacles, paths, starts and goals in space; axes to one scale."""
     for body in flights.bodies:
         axes.plot_surface(
-            *np.moveaxis(body.surface, -1, 0), color=OBSTACLE, alpha=0.55, lw=0, shade=True
+            *np.moveaxis(body.surface, -1, 0), color=OBSTACLE_COLOUR, alpha=0.55, lw=0, shade=True
         )
     for index, record in enumerate(flights.records):
         line = line_of(index)
@@ -100,8 +107,8 @@ def draw_space(axes: Any, flights: Flights) -> None:
     low, high = box(flights)
     for goal, ahead in goals(flights):
         length = 0.13 * float((high - low).max())
-        axes.scatter(*goal, color=GOAL, s=18)
-        axes.quiver(*goal, *ahead, length=length, color=GOAL, lw=1.8)
+        axes.scatter(*goal, color=GOAL_COLOUR, s=18)
+        axes.quiver(*goal, *ahead, length=length, color=GOAL_COLOUR, lw=1.8)
     xlim, ylim, zlim = zip(low, high, strict=True)
     axes.set(xlim=xlim, ylim=ylim, zlim=zlim)
     axes.set_box_aspect(high - low, zoom=0.95)
@@ -114,14 +121,18 @@ def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
     """The same seen along y or x: the coordinate `across` to the right, z upward."""
     for body in flights.bodies:
         axes.fill(
-            *outline(body.surface[..., [across, 2]]).T, fc=OBSTACLE, ec=MUTED, lw=0.6, alpha=0.6
+            *outline(body.surface[..., [across, 2]]).T,
+            fc=OBSTACLE_COLOUR,
+            ec=MUTED_COLOUR,
+            lw=0.6,
+            alpha=0.6,
         )
     for index, record in enumerate(flights.records):
         line = line_of(index)
         axes.plot(record.p_n[:, across], record.p_n[:, 2], **line)
         axes.plot(record.p_n[0, across], record.p_n[0, 2], "o", color=line["color"], ms=5)
     for goal, _ in goals(flights):
-        axes.plot(goal[across], goal[2], "o", color=GOAL, ms=4, zorder=5)
+        axes.plot(goal[across], goal[2], "o", color=GOAL_COLOUR, ms=4, zorder=5)
     low, high = box(flights)
     axes.set(xlim=(low[across], high[across]), ylim=(low[2], high[2]), aspect="equal")
     axes.set(xlabel=f"{AXES[across]} [m]", ylabel="z [m]")

@@ -14,7 +14,7 @@ from vfguide.field.obstacle import Obstacle, obstacle_rows, obstacle_surface
 from vfguide.geometry.dual import Dual3
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.vector import Vectors
-from vfguide.report.drawing import COLOURS, GOAL, MUTED
+from vfguide.report.drawing import COLOURS, GOAL_COLOUR, MUTED_COLOUR
 
 BLUE, ORANGE, GREEN = COLOURS[:3]
 STILL = (0.0, 0.0, 0.0)
@@ -52,10 +52,10 @@ def draw_coordinates(figure: Figure) -> None:
     segment(axes, (np.zeros(3), point), BLUE, r"$\rho$ ")
     segment(axes, (foot, point), ORANGE, "$r$ ")
     below = point * (1.0, 1.0, 0.0)
-    axes.plot(*np.column_stack((point, below, foot)), color=MUTED, lw=0.9, ls=":")
+    axes.plot(*np.column_stack((point, below, foot)), color=MUTED_COLOUR, lw=0.9, ls=":")
     arc(axes, 0.45 * turned(e_x, e_r, math.atan2(r, x)), r"$\varphi$")
     arc(axes, foot + 0.4 * turned([0, 1, 0], [0, 0, 1], theta), r"$\theta$")
-    axes.scatter(*point, color=GOAL, s=26)
+    axes.scatter(*point, color=GOAL_COLOUR, s=26)
     axes.text(*np.add(point, (0.0, 0.07, 0.07)), "$p$")
     axes.set(xlim=(0.0, 1.7), ylim=(0.0, 1.7), zlim=(0.0, 1.5))
     axes.set_box_aspect((1.7, 1.7, 1.5), zoom=1.0)
@@ -65,7 +65,7 @@ def draw_coordinates(figure: Figure) -> None:
 def draw_frame(axes: Any, along: np.ndarray, outward: np.ndarray) -> None:
     """The axes x, y, z and the plane xOr, a parallelogram."""
     for tip, name in zip(np.diag((1.75, 1.4, 1.45)), "xyz", strict=True):
-        axes.quiver(0, 0, 0, *tip, color=GOAL, lw=1.2, arrow_length_ratio=0.06)
+        axes.quiver(0, 0, 0, *tip, color=GOAL_COLOUR, lw=1.2, arrow_length_ratio=0.06)
         axes.text(*(1.06 * tip), f"${name}$", ha="center", va="center")
     corners = np.array([0.0 * along, along, along + outward, outward])
     axes.plot_trisurf(*corners.T, triangles=[[0, 1, 2], [0, 2, 3]], color=BLUE, alpha=0.13)
@@ -100,12 +100,12 @@ def draw_plane(figure: Figure) -> None:
     F = navigation_fields(np.stack([x, r, np.zeros_like(x)], axis=-1))
     size = np.linalg.norm(F, axis=-1)
     u, w = (np.divide(F[..., k], size, where=size > 0.0, out=0.0 * size) for k in (0, 1))
-    axes.quiver(x, r, u, w, color=MUTED, pivot="mid", scale=34, width=0.0028)
+    axes.quiver(x, r, u, w, color=MUTED_COLOUR, pivot="mid", scale=34, width=0.0028)
     for diameter in (1.0, 2.0, 3.5, 5.0):
         axes.add_patch(Circle((0.0, diameter / 2), diameter / 2, fill=False, ec=BLUE, lw=1.8))
         axes.annotate(f"C = {diameter:g}", (0.0, diameter), (0, 3), color=BLUE, fontsize=9, **LABEL)
     axes.annotate("", (1.3, 0.0), (0.0, 0.0), arrowprops={"arrowstyle": "-|>", "lw": 2.2})
-    axes.plot(0.0, 0.0, "o", color=GOAL, markersize=6)
+    axes.plot(0.0, 0.0, "o", color=GOAL_COLOUR, markersize=6)
     axes.set(xlim=(-4.3, 4.3), ylim=(-0.35, 5.9), aspect="equal")
     axes.set(xlabel="x [m]", ylabel="r [m]")
     axes.set_title("Field and its circles in a plane through the axis")
@@ -119,7 +119,7 @@ def draw_curves(figure: Figure) -> None:
         for diameter in (2.0, 4.0):
             aside = np.array([0.0, math.cos(theta), math.sin(theta)])
             axes.plot(*integral_curve(aside, diameter), color=COLOURS[k % 4], lw=1.2)
-    axes.quiver(0, 0, 0, 2.6, 0, 0, color=GOAL, lw=2.2, arrow_length_ratio=0.1)
+    axes.quiver(0, 0, 0, 2.6, 0, 0, color=GOAL_COLOUR, lw=2.2, arrow_length_ratio=0.1)
     axes.set(xlim=(-3.2, 3.2), ylim=(-4.2, 4.2), zlim=(-4.2, 4.2))
     axes.set_box_aspect((6.4, 8.4, 8.4), zoom=1.1)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")

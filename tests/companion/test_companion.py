@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
-from vfguide.companion.engagement import OVER, Phase
+from vfguide.companion.engagement import FINAL_PHASES, Phase
 from vfguide.link.enums import MavResult, MavState, MavType
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -142,7 +142,7 @@ def test_a_stop_before_it_flies_ends_at_once():
     talk = Conversation(engage=False)
     talk.fly(1.0)
     assert not talk.stop()
-    assert talk.companion.phase in OVER
+    assert talk.companion.phase in FINAL_PHASES
 
 
 def test_it_says_once_why_no_setpoints_go_out():

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.companion.engagement import NEXT, OVER, SENDING, Event, Phase
+from vfguide.companion.engagement import FINAL_PHASES, SENDING, TRANSITIONS, Event, Phase
 
 ALL = [(phase, event) for phase in Phase for event in Event]
 CONTROL = {Phase.FLYING, Phase.INTERRUPTED, Phase.RETURNING}
@@ -12,13 +12,13 @@ CONTROL = {Phase.FLYING, Phase.INTERRUPTED, Phase.RETURNING}
 def reachable(*begin):
     """All phases that can come after these."""
     found = set(begin)
-    while more := {NEXT[phase, event] for phase in found for event in Event} - found:
+    while more := {TRANSITIONS[phase, event] for phase in found for event in Event} - found:
         found |= more
     return found
 
 
 def test_every_pair_has_an_entry():
-    assert set(NEXT) == set(ALL)
+    assert set(TRANSITIONS) == set(ALL)
 
 
 @pytest.mark.parametrize("phase", [Phase.RELEASED, Phase.ENDED, Phase.UNCONFIRMED])
@@ -36,13 +36,15 @@ def test_every_phase_can_come_about():
 
 
 def test_only_the_autopilot_makes_it_fly():
-    ways = {event for (phase, event), after in NEXT.items() if after is Phase.FLYING is not phase}
+    ways = {
+        event for (phase, event), after in TRANSITIONS.items() if after is Phase.FLYING is not phase
+    }
     assert ways == {Event.FOLLOWING_SEEN}
 
 
 @pytest.mark.parametrize("phase", Phase)
 def test_a_mode_of_the_autopilots_own_ends_control_at_once(phase):
-    after = NEXT[phase, Event.OTHER_MODE_SEEN]
+    after = TRANSITIONS[phase, Event.OTHER_MODE_SEEN]
     assert after not in CONTROL
     if phase in CONTROL:
         assert after not in SENDING
@@ -50,26 +52,26 @@ def test_a_mode_of_the_autopilots_own_ends_control_at_once(phase):
 
 @pytest.mark.parametrize("phase", Phase)
 def test_a_stop_leads_to_the_end_or_to_the_hand_over(phase):
-    after = NEXT[phase, Event.STOP_ASKED]
-    assert after in {*OVER, Phase.RETURNING}
+    after = TRANSITIONS[phase, Event.STOP_ASKED]
+    assert after in {*FINAL_PHASES, Phase.RETURNING}
     may_be_flown = phase in {Phase.ASKING, Phase.FLYING, Phase.RETURNING}
     assert (after is Phase.RETURNING) == may_be_flown
 
 
 @pytest.mark.parametrize("phase", Phase)
 def test_without_a_link_nothing_is_sent(phase):
-    assert NEXT[phase, Event.LINK_LOST] not in SENDING
+    assert TRANSITIONS[phase, Event.LINK_LOST] not in SENDING
 
 
 @pytest.mark.parametrize("phase", Phase)
 def test_it_asks_only_while_the_autopilot_flies_in_a_mode_of_its_own(phase):
-    after = NEXT[phase, Event.FOLLOWING_ASKED]
+    after = TRANSITIONS[phase, Event.FOLLOWING_ASKED]
     assert after is (Phase.ASKING if phase is Phase.OFFERING else phase)
 
 
 @pytest.mark.parametrize("phase", Phase)
 def test_giving_up_the_question_touches_nothing_else(phase):
-    after = NEXT[phase, Event.ASKING_GIVEN_UP]
+    after = TRANSITIONS[phase, Event.ASKING_GIVEN_UP]
     assert after is (Phase.OFFERING if phase is Phase.ASKING else phase)
 
 
@@ -77,11 +79,11 @@ def test_giving_up_the_question_touches_nothing_else(phase):
 def test_somebody_elses_setpoints_are_never_joined(phase):
     """OFFBOARD that was there before the companion is not its own."""
     if phase is Phase.SEARCHING:
-        assert NEXT[phase, Event.FOLLOWING_SEEN] is Phase.SEARCHING
-    assert NEXT[phase, Event.FOLLOWING_SEEN] in {phase, Phase.FLYING}
+        assert TRANSITIONS[phase, Event.FOLLOWING_SEEN] is Phase.SEARCHING
+    assert TRANSITIONS[phase, Event.FOLLOWING_SEEN] in {phase, Phase.FLYING}
 
 
 @pytest.mark.parametrize(("phase", "event"), ALL)
 def test_the_same_event_twice_is_no_news(phase, event):
-    after = NEXT[phase, event]
-    assert NEXT[after, event] is after
+    after = TRANSITIONS[phase, event]
+    assert TRANSITIONS[after, event] is after

@@ -7,7 +7,7 @@ from conversations import plan
 from plans import AMONG_TOWERS
 
 from vfguide.assurance.decision import Reason
-from vfguide.companion.hazard_annunciations import BACK, HazardAnnunciator, route_summary
+from vfguide.companion.hazard_annunciations import BACK_ON_ROUTE, HazardAnnunciator, route_summary
 from vfguide.companion.plan import Plan
 from vfguide.geometry.rows import Row
 from vfguide.geometry.se2 import Pose
@@ -70,7 +70,7 @@ def test_an_escape_is_told_when_it_begins_and_when_it_is_over(among_towers: Plan
         (2.0, decided(ESCAPE, 4.21, 1)),
         (3.0, decided(CLEAR)),
     )
-    assert notes == [(1.02, "escape: middle tower in 4.2 s"), (4.0, BACK)]
+    assert notes == [(1.02, "escape: middle tower in 4.2 s"), (4.0, BACK_ON_ROUTE)]
 
 
 def test_an_escape_without_a_conflict_says_so(among_towers: Plan) -> None:

@@ -12,7 +12,7 @@ from plans import TEST_FLIGHT
 
 from vfguide.aircraft.state import FlightState
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.circuit import CHANGE, SPACING, circuit
+from vfguide.companion.circuit import AIRSPEED_CHANGE, ROOM_SPACING, circuit
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
 
@@ -25,7 +25,7 @@ NORTH = FlightState(
 def test_places_are_close_together_along_the_whole_circuit(side):
     legs = circuit(NORTH, TEST_FLIGHT, side)
     places = np.array([NORTH.p_n, *(place for leg in legs for place in leg.places)])
-    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= SPACING + 1e-9
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= ROOM_SPACING + 1e-9
     assert all(leg.places[-1] == leg.goal.p_n for leg in legs)
     length = np.linalg.norm(np.diff(places, axis=0), axis=1).sum()
     radius = 0.5 * np.ptp(places[:, 1])
@@ -58,8 +58,8 @@ def test_airspeeds_stay_inside_what_the_aircraft_flies(slowest, cruise, fastest)
 
 def test_it_changes_the_airspeed_by_as_much_as_it_says():
     speeds = [leg.airspeed for leg in circuit(NORTH, TEST_FLIGHT, 1.0)]
-    assert max(speeds) == pytest.approx(25.0 * (1.0 + CHANGE))
-    assert min(speeds) == pytest.approx(25.0 * (1.0 - CHANGE))
+    assert max(speeds) == pytest.approx(25.0 * (1.0 + AIRSPEED_CHANGE))
+    assert min(speeds) == pytest.approx(25.0 * (1.0 - AIRSPEED_CHANGE))
 
 
 class Testing(Conversation):

@@ -10,8 +10,8 @@ from vfguide.companion.annunciations import passage_note
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
-from vfguide.daemon.daemon import PATIENCE, Daemon, Outcome
-from vfguide.daemon.flight_log import FLUSH, FlightLog
+from vfguide.daemon.daemon import HOLD_TIMEOUT, Daemon, Outcome
+from vfguide.daemon.flight_log import FLUSH_INTERVAL, FlightLog
 from vfguide.daemon.warm_up import warm_up
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
@@ -109,7 +109,7 @@ def test_its_patience_has_an_end(fly):
     script = [*FLIES, *[heartbeat(Px4Mode.OFFBOARD)] * 1000]
     outcome, sent, _ = fly(script, [0, 0, 0])
     assert outcome is Outcome.UNCONFIRMED
-    assert len([m for m in sent if isinstance(m, Heartbeat)]) <= 2 + PATIENCE / 1e6
+    assert len([m for m in sent if isinstance(m, Heartbeat)]) <= 2 + HOLD_TIMEOUT / 1e6
 
 
 def test_a_link_that_is_lost_meanwhile_is_no_confirmation(fly):
@@ -147,9 +147,9 @@ def test_the_log_reaches_the_file_while_it_is_written(tmp_path):
     log.write(START, frame.raw)
     log.flush(START)
     log.write(START, frame.raw)
-    log.flush(START + FLUSH - 1)
+    log.flush(START + FLUSH_INTERVAL - 1)
     assert (tmp_path / "a.tlog").stat().st_size == 8 + len(frame.raw)
-    log.flush(START + FLUSH)
+    log.flush(START + FLUSH_INTERVAL)
     assert (tmp_path / "a.tlog").stat().st_size == 2 * (8 + len(frame.raw))
     log.close()
 
@@ -170,9 +170,11 @@ class FullDisk:
 def test_a_full_disk_is_told_once_and_does_not_end_the_flight(action):
     log = FlightLog(FullDisk())
     for _ in range(3):
-        {"write": lambda: log.write(0, b""), "flush": lambda: log.flush(FLUSH), "close": log.close}[
-            action
-        ]()
+        {
+            "write": lambda: log.write(0, b""),
+            "flush": lambda: log.flush(FLUSH_INTERVAL),
+            "close": log.close,
+        }[action]()
     (warning,) = log.warnings
     assert "No space left" in warning
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from scenario_samples import MINIMAL, loaded_from
 
-from vfguide.report.assurance_figure import SHADES, draw_assurance
+from vfguide.report.assurance_figure import EPISODE_SHADES, draw_assurance
 from vfguide.report.drawing import Flights
 from vfguide.report.figures import draw_figures
 from vfguide.report.path_figures import draw_plan, draw_side
@@ -90,7 +90,7 @@ def test_the_side_shows_floor_and_ceiling(flights: Flights) -> None:
 def test_the_nearest_hazard_over_time_is_shaded_where_the_assurance_acted(flights: Flights) -> None:
     (axes,) = drawn(draw_assurance, flights).axes
     shown = [(its.get_x(), its.get_width(), its.get_facecolor()[:3]) for its in axes.patches]
-    colours = [to_rgb(SHADES[reason]["facecolor"]) for reason in ("escape", "least bad")]
+    colours = [to_rgb(EPISODE_SHADES[reason]["facecolor"]) for reason in ("escape", "least bad")]
     assert [left for left, *_ in shown] == pytest.approx([10.0, 16.0])
     assert [width for _, width, _ in shown] == pytest.approx([1.0, 0.2])
     assert [colour for *_, colour in shown] == colours

@@ -13,10 +13,10 @@ from matplotlib.figure import Figure
 from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide.cli import flight_display
-from vfguide.report.distance_figures import MOST_OBSTACLES, draw_clearance, draw_separation, nearest
+from vfguide.report.distance_figures import MAX_OBSTACLES, draw_clearance, draw_separation, nearest
 from vfguide.report.drawing import Flights, to_png
 from vfguide.report.figures import draw_figures
-from vfguide.report.obstacle_drawing import LONGEST_NAME, TIMES, short
+from vfguide.report.obstacle_drawing import LONGEST_NAME, SHOWN_TIMES, short
 from vfguide.report.path_figures import draw_plan, draw_side, draw_space
 from vfguide.report.report import render, span, write_report
 from vfguide.report.time_figures import draw_attitude, draw_position, draw_rates, draw_speed
@@ -164,7 +164,7 @@ def test_speed_is_the_way_over_the_time(run: Run) -> None:
 
 def test_the_plan_shows_every_obstacle_where_it_is(run: Run) -> None:
     (axes,) = drawn(draw_plan, run.flights).axes
-    assert len(axes.patches) == len(OBSTACLES) + TIMES - 1
+    assert len(axes.patches) == len(OBSTACLES) + SHOWN_TIMES - 1
     assert {text.get_text() for text in axes.texts if text.get_text()} == {
         name for name, *_ in OBSTACLES
     }
@@ -180,14 +180,14 @@ def test_the_plan_shows_every_obstacle_where_it_is(run: Run) -> None:
 
 def test_a_moving_obstacle_is_drawn_at_several_times(run: Run) -> None:
     (axes,) = drawn(draw_plan, run.flights).axes
-    before, *_, after = shown = axes.patches[-TIMES:]
+    before, *_, after = shown = axes.patches[-SHOWN_TIMES:]
     seconds = run.flights.records[0].time[-1]
     way = np.array([-3.0, 2.0]) * seconds
     assert after.get_xy() - before.get_xy() == pytest.approx(
         np.broadcast_to(way, before.get_xy().shape)
     )
     eastward = [patch.get_xy()[0, 0] for patch in shown]
-    assert np.diff(eastward) == pytest.approx(np.full(TIMES - 1, way[0] / (TIMES - 1)))
+    assert np.diff(eastward) == pytest.approx(np.full(SHOWN_TIMES - 1, way[0] / (SHOWN_TIMES - 1)))
     assert before.get_facecolor()[3] < 0.5 * after.get_facecolor()[3]
     (track,) = [line for line in axes.lines if len(line.get_xdata()) == 2]
     assert track.get_xydata() == pytest.approx(
@@ -259,14 +259,14 @@ def test_clearances_of_one_vehicle_share_a_panel(tmp_path: Path) -> None:
 def test_of_many_obstacles_the_nearest_are_drawn(tmp_path: Path) -> None:
     many = tuple(
         (f"post {k}", "sphere", [0, 20 * k - 70, -80 - 3 * k], "radius_m = 4", STILL)
-        for k in range(MOST_OBSTACLES + 4)
+        for k in range(MAX_OBSTACLES + 4)
     )
     flights = flown(tmp_path, scenario_text(1, many))
     rows = rows_of(flights.loaded.scenario.obstacles)
     measured = clearances(flights.records[0], rows)
     shown = nearest(measured[None])
     left = set(range(len(many))) - set(shown)
-    assert len(shown) == MOST_OBSTACLES
+    assert len(shown) == MAX_OBSTACLES
     assert measured[:, shown].min(axis=0).max() <= measured[:, sorted(left)].min()
     title = drawn(draw_clearance, flights).axes[0].get_title()
     assert title == "Clearance from the nearest 8 of 12 obstacles"

@@ -8,7 +8,7 @@ from conversations import Conversation
 from vfguide.aircraft.state import FlightState
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.circuit import circuit, least_room
-from vfguide.companion.identification_flight import NEEDED
+from vfguide.companion.identification_flight import NEEDED_ROOM
 from vfguide.companion.plan import Plan
 from vfguide.geometry.so3 import from_euler
 from vfguide.scenario.load import load_scenario
@@ -54,7 +54,7 @@ def test_a_tower_anywhere_on_the_circuit_is_seen(along):
     )
     goal = ("vehicle.0.goal.0.position_m=[0,3000,-150]", "vehicle.0.position_m=[0,2500,-150]")
     hazards = plan(tower, *goal).hazards
-    assert least_room(legs, hazards, 0.0) < NEEDED
+    assert least_room(legs, hazards, 0.0) < NEEDED_ROOM
 
 
 def fenced(east: tuple[float, float]) -> Plan:

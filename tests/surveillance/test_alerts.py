@@ -8,7 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.airspace.hazards import Intruder
-from vfguide.surveillance.alerts import ENOUGH, HORIZON, LOOKS, WIDER, Alert, encounter, look
+from vfguide.surveillance.alerts import (
+    ENOUGH,
+    LOOKAHEAD,
+    LOOKS,
+    RELEASE_FACTOR,
+    Alert,
+    encounter,
+    look,
+)
 from vfguide.surveillance.report import Ownship, Report
 
 OWN = Ownship(1000, (0.0, 0.0, -100.0), (25.0, 0.0, 0.0))
@@ -35,7 +43,7 @@ def test_head_on():
         ((600.0, 0.0, 55.0), (-50.0, 0.0, -2.0), True),  # 31 m above when nearest, 29 m 1 s later
         ((600.0, 0.0, 64.0), (-50.0, 0.0, -2.0), False),
         ((600.0, 0.0, 0.0), (50.0, 0.0, 0.0), False),
-        ((50.0 * HORIZON + 51.0, 0.0, 0.0), (-50.0, 0.0, 0.0), False),
+        ((50.0 * LOOKAHEAD + 51.0, 0.0, 0.0), (-50.0, 0.0, 0.0), False),
         ((0.0, 0.0, 500.0), (0.0, 0.0, -20.0), True),
         ((0.0, 0.0, 10.0), (0.0, 0.0, 0.0), True),
     ],
@@ -46,7 +54,7 @@ def test_the_volume_is_entered_or_not(x_n, v_n, violates):
 
 @given(st.tuples(part, part, part), st.tuples(speed, speed, speed))
 def test_as_a_look_at_every_moment_says(x_n, v_n):
-    t = np.linspace(0.0, HORIZON, 3001)[:, None]
+    t = np.linspace(0.0, LOOKAHEAD, 3001)[:, None]
     there = np.array(x_n) + t * np.array(v_n)
     flat, upright = np.hypot(there[:, 0], there[:, 1]), np.abs(there[:, 2])
     met = encounter(x_n, v_n, 50.0, 30.0)
@@ -78,12 +86,12 @@ def test_it_ends_only_when_all_the_last_looks_are_clear_of_the_wider_volume():
     alert = Alert()
     for _ in range(LOOKS):
         alert, _ = look(alert, of(600.0), OWN)
-    between = 50.0 * 0.5 * (1.0 + WIDER)
+    between = 50.0 * 0.5 * (1.0 + RELEASE_FACTOR)
     for _ in range(3 * LOOKS):
         alert, note = look(alert, of(600.0, between), OWN)
         assert (alert.is_on, note) == (True, "")
     for number in range(LOOKS):
-        alert, note = look(alert, of(600.0, 50.0 * WIDER + 1.0), OWN)
+        alert, note = look(alert, of(600.0, 50.0 * RELEASE_FACTOR + 1.0), OWN)
         assert bool(note) is (number == LOOKS - 1)
     assert not alert.is_on
 
@@ -96,4 +104,4 @@ def test_an_old_report_counts_as_larger():
         for age in (0, 5000)
     }
     assert on == {0: False, 5000: True}
-    assert math.isclose(WIDER * (50.0 + 5.0 * 3.0), 97.5)
+    assert math.isclose(RELEASE_FACTOR * (50.0 + 5.0 * 3.0), 97.5)

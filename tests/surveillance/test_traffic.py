@@ -14,17 +14,17 @@ from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.boot_time import ROLLOVER
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
-from vfguide.surveillance.picture import FORGOTTEN, MOST, Picture
+from vfguide.surveillance.picture import LONGEST_SILENCE, MAX_AIRCRAFT, Picture
 from vfguide.surveillance.report import (
     ANY_HEIGHT,
-    BARO_DOUBT,
-    FASTEST,
+    ASSUMED_CLIMB,
+    ASSUMED_SPEED,
+    PRESSURE_ERROR,
     SMALL_AIRCRAFT,
-    STEEPEST,
     Ownship,
     report_of,
 )
-from vfguide.surveillance.surveillance import NEAREST, Surveillance, rows_of
+from vfguide.surveillance.surveillance import MAX_INTRUDERS, Surveillance, rows_of
 
 ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
 PLANE = tangent_plane(*ORIGIN)
@@ -83,9 +83,9 @@ def test_the_age_that_a_report_tells_is_heeded():
     ("lacking", "radius", "half_height", "uncertainty_rate", "uncertainty_rate_up"),
     [
         (AdsbFlags.VALID_ALTITUDE, 50.0, ANY_HEIGHT, 3.0, 1.5),
-        (AdsbFlags.VALID_VELOCITY, 50.0, 30.0, 3.0 + FASTEST, 1.5),
+        (AdsbFlags.VALID_VELOCITY, 50.0, 30.0, 3.0 + ASSUMED_SPEED, 1.5),
         (AdsbFlags.VALID_HEADING, 50.0, 30.0, 33.0, 1.5),
-        (AdsbFlags.VERTICAL_VELOCITY_VALID, 50.0, 30.0, 3.0, 1.5 + STEEPEST),
+        (AdsbFlags.VERTICAL_VELOCITY_VALID, 50.0, 30.0, 3.0, 1.5 + ASSUMED_CLIMB),
     ],
 )
 def test_what_is_not_told_makes_the_volume_larger_or_grow(
@@ -103,7 +103,7 @@ def test_a_velocity_without_a_course_is_none():
 
 def test_a_pressure_altitude_is_doubted():
     its = report(said(altitude_type=AdsbAltitudeType.PRESSURE_QNH)).intruder
-    assert its.half_height == 30.0 + BARO_DOUBT
+    assert its.half_height == 30.0 + PRESSURE_ERROR
 
 
 def test_without_a_callsign_the_address_is_the_name():
@@ -157,17 +157,17 @@ def test_a_leap_is_believed_only_when_the_next_report_agrees():
 def test_it_is_forgotten_also_across_the_rollover():
     picture = Picture(ORIGIN, SMALL_AIRCRAFT)
     picture.hear(said(), ROLLOVER - 5000)
-    picture.forget(round(1000 * FORGOTTEN) - 5001)
+    picture.forget(round(1000 * LONGEST_SILENCE) - 5001)
     assert len(picture) == 1
-    picture.forget(round(1000 * FORGOTTEN) - 5000)
+    picture.forget(round(1000 * LONGEST_SILENCE) - 5000)
     assert len(picture) == 0
 
 
 def test_no_more_than_so_many_are_remembered():
     picture = Picture(ORIGIN, SMALL_AIRCRAFT)
-    for icao in range(1, MOST + 50):
+    for icao in range(1, MAX_AIRCRAFT + 50):
         picture.hear(said(icao=icao), 5000)
-    assert len(picture) == MOST
+    assert len(picture) == MAX_AIRCRAFT
 
 
 def test_the_own_transponder_is_no_traffic():
@@ -208,8 +208,8 @@ def test_only_the_nearest_in_reach_are_for_the_step():
     assert not seen.is_due(5400)
     assert seen.is_due(5500)
     rows = seen.rows(5000, 0.0)
-    assert rows.shape == (NEAREST, width(Intruder))
-    nearest = [200.0 * number for number in range(1, NEAREST + 1)]
+    assert rows.shape == (MAX_INTRUDERS, width(Intruder))
+    nearest = [200.0 * number for number in range(1, MAX_INTRUDERS + 1)]
     norths = columns(Intruder, rows).p_n[:, 0]
     assert norths == pytest.approx(nearest, abs=0.02)  # the wire has 1e-7 deg
     seen.look(FAR_AWAY._replace(time_ms=6000))

@@ -1,7 +1,11 @@
 """Exit statuses of every command."""
 
 GOOD = 0
+"""Exit status of a command that was done with a good result."""
 BAD = 1
-"""Done, and the verdict is bad."""
+"""Exit status of a command that was done with a bad verdict."""
 BAD_INPUT = 2
+"""Exit status of a command that was given bad input."""
 INTERRUPTED = 130
+"""Exit status of a command that was interrupted: 128 plus the number of SIGINT, as shells have
+it."""

@@ -15,7 +15,7 @@ from vfguide.runs.fleet import Flown
 from vfguide.scenario.resolved import Scenario
 
 REFRESH = 1.0
-"""The bar is moved after this much simulated time [s]."""
+"""Simulated time between two updates of the progress bar [s]; chosen."""
 
 
 class FlightDisplay:

@@ -4,11 +4,12 @@ import signal
 from types import FrameType, TracebackType
 from typing import Any, Self
 
-ENDING = (signal.SIGINT, signal.SIGTERM)
+STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+"""The signals that ask a command to end."""
 
 
 class Signals:
-    """Counts the wishes to end while it is entered."""
+    """Counts the requests to end while it is entered."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -19,7 +20,7 @@ class Signals:
         return self.count > 0
 
     def __enter__(self) -> Self:
-        for number in ENDING:
+        for number in STOP_SIGNALS:
             self._before[number] = signal.signal(number, self._note)
         return self
 

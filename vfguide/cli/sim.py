@@ -18,14 +18,16 @@ if TYPE_CHECKING:
     from vfguide.sim.realtime import Station
     from vfguide.sim.vehicle import Vehicle as SimVehicle
 
-FASTEST = 1000.0
-SLOWEST = 0.01
+MAX_SPEED = 1000.0
+"""Largest ratio of simulated to real time; chosen."""
+MIN_SPEED = 0.01
+"""Least ratio of simulated to real time; chosen."""
 
 
 def sim(
     scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
     speed: Annotated[
-        float, typer.Option(help="Seconds of simulation in a second.", min=SLOWEST, max=FASTEST)
+        float, typer.Option(help="Seconds of simulation in a second.", min=MIN_SPEED, max=MAX_SPEED)
     ] = 1.0,
     log: Annotated[
         Path | None, typer.Option(help="Folder for truth.tlog, which no companion sees.")

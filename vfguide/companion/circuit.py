@@ -1,7 +1,7 @@
 """The circuit of a test flight: its legs, and the room that hazards leave it.
 
-Straight legs and two turns that lead back to where it began, with a climb, a descent, a fast and a
-slow leg.
+It is a closed circuit of straight legs and two turns, with a climb, a descent, a fast and a slow
+leg.
 """
 
 import math
@@ -17,26 +17,28 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.loop.legs import Goal
 
-PATH = 4.0 * DEG
-"""Path angle of climb and descent on average [rad]: between level ends they are steeper."""
-CHANGE = 0.15
-"""The airspeed goes up and down by this part of it."""
-STRAIGHT = 8.0
-"""A straight leg takes this time [s]."""
-SETTLING = 3.0
-"""The first leg, which nothing goes before, takes this time [s]."""
-END = 0.7
-"""A turn has a straight end, so many radii long."""
-MET = 10.0
-"""A leg that ends this close to its pose is reached [m]; one that does not is left all the same."""
+TEST_CLIMB = 4.0 * DEG
+"""Mean path angle of the climb and the descent [rad]; chosen, they are steeper between their level
+ends."""
+AIRSPEED_CHANGE = 0.15
+"""Share by which the airspeed is raised and lowered; chosen, so that its effect is seen."""
+STRAIGHT_TIME = 8.0
+"""Duration of a straight leg [s]; chosen."""
+FIRST_LEG_TIME = 3.0
+"""Duration of the first leg, before which nothing is flown [s]; chosen."""
+TURN_END = 0.7
+"""Length of the straight after a turn [turn radii]; chosen."""
+MET_DISTANCE = 10.0
+"""Distance from its pose at which a leg has reached it [m]; chosen, a leg that does not is left all
+the same."""
 MET_ANGLE = 30.0 * DEG
-"""Course and climb may be this far off where a leg counts as reached [rad]."""
-SPACING = 25.0
-"""Room is looked for at places on the circuit that are no farther apart than this [m]."""
-PATIENCE = 3.0
-"""A leg may take so many times what it takes in still air, if something is in its way."""
-SPARE = 10.0
-"""A leg may take so much longer than that [s]."""
+"""Error of course and climb with which a leg has reached its pose [rad]; chosen."""
+ROOM_SPACING = 25.0
+"""Largest distance between two checked positions on the circuit [m]; chosen."""
+LEG_TIME_FACTOR = 3.0
+"""Factor of the time in still air after which a leg is left; chosen."""
+SPARE_TIME = 10.0
+"""Time in addition to that after which a leg is left [s]; chosen."""
 
 
 class Manoeuvre(NamedTuple):
@@ -45,40 +47,40 @@ class Manoeuvre(NamedTuple):
     name: str
     goal: Goal
     airspeed: float
-    """To fly [m/s]."""
+    """True airspeed to fly [m/s]."""
     longest: float
-    """It is left after this time [s]."""
+    """Time after which the leg is left [s]."""
     places: tuple[Vec3, ...]
-    """On its way, no farther than SPACING apart, NED [m]."""
+    """Positions along it, no farther than ROOM_SPACING apart, NED [m]."""
 
 
 def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:
     """The legs of a test flight that begins and ends at `state`, its turns right (+1) or left."""
     gains, aircraft = plan.tuned, plan.aircraft
     speed = gains.airspeed
-    fast = max(speed, min((1.0 + CHANGE) * speed, 0.95 * aircraft.airspeed_max))
-    slow = min(speed, max((1.0 - CHANGE) * speed, 1.1 * aircraft.airspeed_min))
+    fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, 0.95 * aircraft.airspeed_max))
+    slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, 1.1 * aircraft.airspeed_min))
     still = state._replace(wind_n=tuple(0.0 if math.isnan(w) else w for w in state.wind_n))
     radius = flyable_radius(still, usable_bank(aircraft, gains, speed), gains)
     course = math.atan2(state.v_n[1], state.v_n[0])
-    up = min(PATH, 0.4 * aircraft.climb_max)
+    up = min(TEST_CLIMB, 0.4 * aircraft.climb_max)
     down = min(up, 0.4 * aircraft.descent_max)
-    long, turn, end = STRAIGHT * speed, side * math.pi, END * radius
+    long, turn, end = STRAIGHT_TIME * speed, side * math.pi, TURN_END * radius
     legs = (  # name, airspeed, turn, length after it and height on it [m]
-        ("level flight", speed, 0.0, SETTLING * speed, 0.0),
+        ("level flight", speed, 0.0, FIRST_LEG_TIME * speed, 0.0),
         ("a climb", speed, 0.0, long, long * math.tan(up)),
         ("a descent", speed, 0.0, long, -long * math.tan(down)),
         ("a turn", speed, turn, end, 0.0),
-        ("fast flight", fast, 0.0, STRAIGHT * fast, 0.0),
-        ("slow flight", slow, 0.0, STRAIGHT * fast, 0.0),
+        ("fast flight", fast, 0.0, STRAIGHT_TIME * fast, 0.0),
+        ("slow flight", slow, 0.0, STRAIGHT_TIME * fast, 0.0),
         ("a turn back", speed, turn, end, 0.0),
     )
     at, manoeuvres = state.p_n, list[Manoeuvre]()
     for name, airspeed, turned, length, height in legs:
         places = places_along(at, course, radius, turned, length, height)
         at, course = places[-1], course + turned
-        longest = PATIENCE * (radius * abs(turned) + length) / airspeed + SPARE
-        goal = Goal(at, course, 0.0, MET, MET_ANGLE, attempts=1)
+        longest = LEG_TIME_FACTOR * (radius * abs(turned) + length) / airspeed + SPARE_TIME
+        goal = Goal(at, course, 0.0, MET_DISTANCE, MET_ANGLE, attempts=1)
         manoeuvres.append(Manoeuvre(name, goal, airspeed, longest, places))
     return tuple(manoeuvres)
 
@@ -88,17 +90,17 @@ def places_along(
 ) -> tuple[Vec3, ...]:
     """Places on an arc that turns by `turned` [rad], right positive, and on the straight after it.
 
-    They are no farther than SPACING apart; the height [m] is gained on the straight.
+    They are no farther than ROOM_SPACING apart; the height [m] is gained on the straight.
     """
     places: list[Vec3] = []
-    steps = math.ceil(radius * abs(turned) / SPACING)
+    steps = math.ceil(radius * abs(turned) / ROOM_SPACING)
     side = math.copysign(radius, turned)
     for k in range(1, steps + 1):
         angle = abs(turned) * k / steps
         across = side * (1.0 - math.cos(angle))
         places.append(moved(p_n, course, radius * math.sin(angle), across, 0.0))
     at = places[-1] if places else p_n
-    steps = math.ceil(math.hypot(length, height) / SPACING)
+    steps = math.ceil(math.hypot(length, height) / ROOM_SPACING)
     for k in range(1, steps + 1):
         share = k / steps
         places.append(moved(at, course + turned, share * length, 0.0, share * height))

@@ -7,7 +7,7 @@ from what it received alone, so that a recording gives the same setpoints again.
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.companion.annunciations import origin_notes
 from vfguide.companion.control import Control
-from vfguide.companion.engagement import OVER, Event, Phase
+from vfguide.companion.engagement import FINAL_PHASES, Event, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
@@ -164,7 +164,7 @@ class Companion:
         if self._beat is None or now - self._beat >= SECOND:
             self._beat = now
             out.append(self._own_heartbeat())
-        if self.phase is Phase.SEARCHING or self.phase in OVER:
+        if self.phase is Phase.SEARCHING or self.phase in FINAL_PHASES:
             return out
         if self._known.origin is None and now - self._origin_asked >= ORIGIN_RETRY:
             self._origin_asked = now

@@ -4,7 +4,7 @@ from enum import IntEnum
 
 from vfguide.autopilots.makes import ASSUMED, autopilot_of
 from vfguide.companion.annunciations import SILENT_UNTIL_CHANGE, phase_note
-from vfguide.companion.engagement import NEXT, SENDING, Event, Phase
+from vfguide.companion.engagement import SENDING, TRANSITIONS, Event, Phase
 from vfguide.companion.requests import ModeRequest
 from vfguide.link.messages import CommandAck, CommandLong, Heartbeat
 
@@ -86,7 +86,7 @@ class Control:
 
     def happen(self, event: Event) -> None:
         """Go on in the table; say so."""
-        before, after = self.phase, NEXT[self.phase, event]
+        before, after = self.phase, TRANSITIONS[self.phase, event]
         if after is before:
             return
         self.phase = after

@@ -1,4 +1,4 @@
-"""Who flies: the table of the companion's phases.
+"""Engagement: whether companion or autopilot flies, as a table of phases and events.
 
 The companion takes control only when asked to, gives it back when stopped, and never takes
 it again after somebody else changed the mode.
@@ -8,14 +8,14 @@ from enum import Enum, auto
 
 
 class Phase(Enum):
-    """What the companion is doing."""
+    """The phases of the companion."""
 
     SEARCHING = auto()
     """No autopilot is heard, or one that already follows somebody's setpoints: silent."""
     OFFERING = auto()
     """Setpoints go out, the autopilot flies in a mode of its own."""
     ASKING = auto()
-    """The same, and the autopilot was asked to follow them."""
+    """Setpoints go out, and the autopilot was asked to follow them."""
     FLYING = auto()
     """The autopilot follows the setpoints."""
     INTERRUPTED = auto()
@@ -31,26 +31,26 @@ class Phase(Enum):
 
 
 class Event(Enum):
-    """What can happen."""
+    """The events that may change the phase."""
 
     FOLLOWING_SEEN = auto()
-    """The autopilot tells that it follows setpoints."""
+    """The autopilot reports that it follows setpoints."""
     OTHER_MODE_SEEN = auto()
-    """It tells of any other mode."""
+    """The autopilot reports any other mode."""
     LINK_LOST = auto()
     """No heartbeat for three seconds."""
     FOLLOWING_ASKED = auto()
     """The companion asks the autopilot to follow."""
     ASKING_GIVEN_UP = auto()
-    """It will not ask again: the decision is the operator's."""
+    """The companion will not ask again: the decision is the operator's."""
     STOP_ASKED = auto()
     """The operator of the companion ends it."""
 
 
 SENDING = (Phase.OFFERING, Phase.ASKING, Phase.FLYING, Phase.RETURNING)
-"""Phases in which setpoints go out."""
-OVER = (Phase.ENDED, Phase.UNCONFIRMED)
-"""Phases after which nothing comes."""
+"""Phases in which setpoints are sent."""
+FINAL_PHASES = (Phase.ENDED, Phase.UNCONFIRMED)
+"""Phases that have no successor."""
 
 _CHANGES: dict[tuple[Phase, Event], Phase] = {
     (Phase.SEARCHING, Event.OTHER_MODE_SEEN): Phase.OFFERING,
@@ -74,7 +74,8 @@ _CHANGES: dict[tuple[Phase, Event], Phase] = {
     (Phase.RELEASED, Event.STOP_ASKED): Phase.ENDED,
 }
 
-NEXT: dict[tuple[Phase, Event], Phase] = {
+TRANSITIONS: dict[tuple[Phase, Event], Phase] = {
     (phase, event): _CHANGES.get((phase, event), phase) for phase in Phase for event in Event
 }
-"""Every pair of phase and event; what is not listed as a change changes nothing."""
+"""The next phase for every pair of phase and event; pairs without an entry in `_CHANGES` change
+nothing."""

@@ -1,4 +1,4 @@
-"""What the operator should read of obstacles and the fence: each thing when it begins and ends."""
+"""Annunciations of hazards to the operator: each at its start and its end."""
 
 import math
 from itertools import pairwise
@@ -19,16 +19,21 @@ from vfguide.paths.edge import edge_in
 from vfguide.planning.replanning import CHECK_INTERVAL, SEARCH_INTERVAL
 from vfguide.planning.route_following import RouteFollowing
 
-QUIET = 1.0
-"""Two notes of a kind are at least so far apart, and an escape is over after so long [s]."""
-BACK = "back on the way"
+NOTE_INTERVAL = 1.0
+"""Least time between two notes of a kind, and after the last action of an escape until it is over
+[s]; chosen."""
+BACK_ON_ROUTE = "back on the way"
+"""Note at the end of an escape."""
 NO_ROUTE = "no way to goal {goal} found among what is known: only the assurance keeps it clear"
+"""Note where the search finds no route to a goal."""
 ROUTE_AGAIN = "the way to goal {goal} is clear again"
+"""Note where the route to a goal is clear again."""
 NOTHING_CLEAR = "NOTHING IS CLEAR: {what}, the least bad is flown, take over if you can"
+"""Note where no escape stays clear."""
 
 
 class HazardAnnunciator:
-    """Tells what a companion does among hazards; it remembers what was told."""
+    """Makes notes of what a companion does among hazards, and remembers those it made."""
 
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
@@ -38,23 +43,23 @@ class HazardAnnunciator:
         """When the assurance acted last, while its escape lasts [s]."""
         self._sought = -math.inf
         self._lost: int | None = None
-        """The goal to which no way was found."""
+        """The goal to which no route was found."""
 
     def notes(self, after: Row, now: float) -> list[str]:
-        """What is new with a step, which left the memory `after` at `now`.
+        """The notes of a step that left the state `after` at `now`.
 
-        Times are on the clock of the obstacles [s].
+        The time is that on the clock of the obstacles [s].
         """
         if self._plan.hazards is None:
             return []
-        return [*self._assurance(after, now), *self._ways(after, now)]
+        return [*self._assurance(after, now), *self._routes(after, now)]
 
     def _assurance(self, after: Row, now: float) -> list[str]:
         if reason_of_row(after) == Reason.NOMINAL:
-            if self._acted is None or abs(now - self._acted) < QUIET:
+            if self._acted is None or abs(now - self._acted) < NOTE_INTERVAL:
                 return []
             self._acted = None
-            return [BACK]
+            return [BACK_ON_ROUTE]
         decision = decision_of_row(after)
         new, self._acted = self._acted is None, now
         what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
@@ -62,7 +67,7 @@ class HazardAnnunciator:
             return self._tell("nothing", NOTHING_CLEAR.format(what=what), now)
         return self._tell("escape", f"escape: {what}", now) if new else []
 
-    def _ways(self, after: Row, now: float) -> list[str]:
+    def _routes(self, after: Row, now: float) -> list[str]:
         sought, goal = sought_of_row(after), goal_of_row(after)
         if self._lost is not None and self._lost != goal:
             self._lost = None
@@ -78,27 +83,27 @@ class HazardAnnunciator:
             self._lost is not None
             and looked_of_row(after) - sought > SEARCH_INTERVAL + CHECK_INTERVAL
         ):
-            self._lost = None  # it was looked along without need to search
+            self._lost = None  # it was checked, and no search was needed
             return [ROUTE_AGAIN.format(goal=goal + 1)]
         return []
 
     def _tell(self, kind: str, note: str, now: float) -> list[str]:
         """The note, unless one of its kind was told just now."""
-        if abs(now - self._told.get(kind, -math.inf)) < QUIET:
+        if abs(now - self._told.get(kind, -math.inf)) < NOTE_INTERVAL:
             return []
         self._told[kind] = now
         return [note]
 
 
 def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
-    """What would have been hit, and when."""
+    """The hazard of a conflict, and the time until it."""
     if hazard < 0 or not math.isfinite(conflict):
         return "else no way out would be left"
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
 
 
 def route_summary(route: RouteFollowing) -> str:
-    """How the way round winds, and how long it is; or how high it is over what is in it."""
+    """The turns and the length of a route, or the level of an overflight."""
     if math.isfinite(route.level) and route.length == 0:
         return f"over what is in the way, at {-route.level:.0f} m"
     route_edges = route.length or route.present + 1  # the last one flies as the leg's own
@@ -110,6 +115,6 @@ def route_summary(route: RouteFollowing) -> str:
 
 
 def sides_of(path: DubinsPath) -> list[float]:
-    """To which side each part of a word that is longer than a degree turns, 0 for a straight."""
+    """Sides of the segments of a Dubins path longer than a degree, 0 for a straight."""
     parts = ((path.first, path.arc), (path.middle, path.reach), (path.last, path.end))
     return [side for side, length in parts if length > 0.0175]

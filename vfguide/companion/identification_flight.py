@@ -1,6 +1,6 @@
-"""A test flight before the first goal: the companion finds out what its aircraft is like.
+"""The identification flight before the first goal: it shows what the aircraft is like.
 
-What the circuit shows is flown by from then on.
+The estimates that its circuit yields are used from then on.
 """
 
 import math
@@ -15,19 +15,21 @@ from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.detection import in_sight
 from vfguide.airspace.hazards import Hazards
-from vfguide.companion.circuit import SPACING, Manoeuvre, circuit, least_room, room
+from vfguide.companion.circuit import ROOM_SPACING, Manoeuvre, circuit, least_room, room
 from vfguide.companion.plan import Plan
 from vfguide.estimation.local_frame import Measurement, place_measured
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 
-BANK = 30.0 * DEG
-"""The turns are for this bank [rad]."""
-CAREFUL = 0.3
-"""As long as the roll response is not known, the gains are for one that is at least so slow [s]."""
-NEEDED = 50.0
-"""Without so much room round the circuit nothing is tested [m]."""
+TEST_BANK = 30.0 * DEG
+"""Bank of the turns of a test flight [rad]; chosen, so that the load factor changes enough to be
+seen."""
+CAREFUL_ROLL = 0.3
+"""Roll response time for which the gains are made while it is unknown [s]; chosen on the slow
+side."""
+NEEDED_ROOM = 50.0
+"""Least distance of the circuit from hazards with which a test is flown [m]; chosen."""
 
 
 class IdentificationFlight:
@@ -38,7 +40,7 @@ class IdentificationFlight:
         self.plan = plan
         """What is flown now."""
         self._known = plan
-        self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL), identify=False)
+        self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL_ROLL), identify=False)
         self._legs: tuple[Manoeuvre, ...] = ()
         self._vehicles: tuple[Row, ...] = ()
         self._flown: list[Sample] = []
@@ -58,7 +60,7 @@ class IdentificationFlight:
         state, wide = place_measured(heard, self._then.origin), with_wide_turns(self._then)
         layouts = [circuit(state, wide, side) for side in (1.0, -1.0)]
         rooms = [least_room(legs, hazards, t) for legs in layouts]
-        if max(rooms) < NEEDED + 0.5 * SPACING:
+        if max(rooms) < NEEDED_ROOM + 0.5 * ROOM_SPACING:
             return None
         self._legs = layouts[rooms.index(max(rooms))]
         self.plan = replace(wide, goals=tuple(leg.goal for leg in self._legs))
@@ -114,9 +116,9 @@ class IdentificationFlight:
 
 
 def with_wide_turns(plan: Plan) -> Plan:
-    """The plan with turns for a bank of BANK; escapes may take all that there is."""
+    """The plan with turns for a bank of TEST_BANK; escapes may take all that there is."""
     bank = usable_bank(plan.aircraft, plan.tuned, plan.gains.airspeed)
-    wider = max(1.0, math.tan(bank) / math.tan(BANK))
+    wider = max(1.0, math.tan(bank) / math.tan(TEST_BANK))
     gains = plan.gains._replace(turn_margin=wider * plan.gains.turn_margin)
     return replace(plan, gains=gains)
 

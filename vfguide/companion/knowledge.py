@@ -1,4 +1,4 @@
-"""What the companion has been told by its autopilot, and what of it can be flown on."""
+"""The newest messages of the autopilot, and the measurement that they make."""
 
 import math
 from typing import Any, NamedTuple
@@ -19,27 +19,29 @@ from vfguide.link.messages import (
 from vfguide.link.plausibility import is_plausible
 
 STALE = 0.5
-"""A position, an attitude or an airspeed older than this is not flown on [s]; without an airspeed
-the flight goes on."""
+"""Age above which a position, an attitude or an airspeed is not used [s]; chosen. The flight goes
+on without an airspeed."""
 WIND_STALE = 5.0
-"""A wind older than this is not flown on, but estimated [s]."""
+"""Age above which the autopilot's wind is not used, but estimated [s]; chosen."""
 FIRST_DATE = 946_684_800_000_000
-"""An earlier date than the year 2000 is none [us since 1970]."""
+"""Earliest date that counts as one, the year 2000 [us since 1970]; chosen, since clocks that were
+never set are earlier."""
 UNKNOWN = (math.nan, math.nan, math.nan)
+"""A wind that was not measured, not a number [m/s]."""
 
 
 class Knowledge(NamedTuple):
-    """The newest message of each kind; None: never heard."""
+    """The newest message of each kind; None where there was none."""
 
     origin: GpsGlobalOrigin | None = None
     attitude: AttitudeQuaternion | None = None
     position: LocalPositionNed | None = None
     hud: VfrHud | None = None
     hud_time: int = 0
-    """time_boot_ms of the attitude that was newest when the airspeed came."""
+    """time_boot_ms of the attitude that was newest when the airspeed arrived."""
     wind: WindCov | None = None
     wind_time: int = 0
-    """The same of the wind."""
+    """time_boot_ms of the attitude that was newest when the wind arrived."""
     date: SystemTime | None = None
     projection: int = int(ASSUMED.projection)
     """The `Projection` of the autopilot's local frame."""
@@ -60,11 +62,11 @@ _TIMES: dict[type[Message], int] = {
 }
 """Where the time of a message is kept that does not tell it."""
 OBSERVED = tuple(_PLACES)
-"""The kinds of messages that anything is known from."""
+"""The kinds of messages from which a measurement is made."""
 
 
 def observe(known: Knowledge, message: Message) -> Knowledge:
-    """What is known after `message`; nothing new after one that cannot be true."""
+    """The knowledge after `message`; unchanged after an implausible one."""
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
@@ -76,10 +78,10 @@ def observe(known: Knowledge, message: Message) -> Knowledge:
 
 
 def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
-    """What `place_state` makes the flight state of; None while anything is missing or old.
+    """The measurement for `place_state`; None while anything is missing or too old.
 
-    Airspeed and wind that are not told, or not any more, are not a number. `lead`: how long after
-    the attitude the state is wanted [s].
+    Airspeed and wind are not numbers where they are missing or too old. `lead` is the time after
+    the attitude for which the state is predicted [s].
     """
     attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
     if attitude is None or position is None or hud is None or origin is None:

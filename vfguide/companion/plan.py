@@ -1,4 +1,4 @@
-"""What the companion is asked to do, and with which aircraft."""
+"""The plan of a companion: the goals, and the aircraft that flies to them."""
 
 from dataclasses import dataclass, field
 
@@ -25,36 +25,36 @@ class Plan:
     goals' coordinates, north-east-down, touches."""
     goals: tuple[Goal, ...]
     loiter_side: float
-    """Of the circle after the last goal: +1 right-hand, -1 left-hand."""
+    """Side of the circle after the last goal: +1 right-hand, -1 left-hand."""
     loiter_radius: float
-    """Of that circle [m]; it grows where wind and bank ask for more."""
+    """Radius of that circle [m]; it grows where wind and bank ask for more."""
     rate: float
-    """Guidance steps in a second [Hz]."""
+    """Rate of guidance steps [Hz]."""
     aircraft: Performance
     gains: Gains
-    """For an aircraft that follows at once."""
+    """Gains for a roll response within FAST_ROLL."""
     roll_time: float = FAST_ROLL
-    """How fast this one does, 63 % of a step of the roll rate [s]."""
+    """Roll response time: 63 % of a step of the roll rate [s]."""
     identify: bool = False
     """Whether a test flight before the first goal has to show what the aircraft is like."""
     hazards: Hazards | None = None
-    """What to keep clear of; None: nothing."""
+    """The hazards; None: there are none."""
     hazard_names: tuple[str, ...] = ()
-    """What the operator calls them, by their numbers."""
+    """Names of the hazards for the operator, by their numbers."""
     fence: KeepOutZones = NO_FENCE
-    """Its fence as the search for ways takes it."""
+    """The fence as keep-out zones of the route search."""
     epoch: int = 0
-    """When the obstacles are at their places [us since 1970]."""
+    """Date of time zero on the clock of the obstacles [us since 1970]."""
     volume: Volume = SMALL_AIRCRAFT
-    """To keep out of around other aircraft."""
+    """Volume to keep out of around other aircraft."""
     own_icao: int = 0
     """Address of the own transponder; 0: there is none."""
     law: Law = FLIGHT
-    """That guides."""
+    """The law of guidance."""
     is_point: bool = False
     """Whether the vehicle is the paper's rigid body."""
     legs: Legs = field(init=False, compare=False)
-    """Goals and circle, of `leg_rows`."""
+    """Goals and circle as rows, from `leg_rows`."""
     tuned: Gains = field(init=False, compare=False)
     """The gains that suit the roll response."""
     vehicle: Vehicle = field(init=False, compare=False)

@@ -1,4 +1,4 @@
-"""The way along the plan: when a step is due, what it remembers of the one before."""
+"""One vehicle's flight along its plan: when a step is due, and the state between steps."""
 
 import math
 from collections.abc import Callable
@@ -54,15 +54,15 @@ from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship
 from vfguide.surveillance.surveillance import Surveillance
 
-HELD = 1.0
-"""A setpoint is made for the state so many of its periods after it begins to act: half of one for
-its own middle, half because the reference's turning is known for the period before."""
+HELD_PERIODS = 1.0
+"""Number of guidance periods for which the state is predicted beyond the delay: half of one because
+a setpoint is held for it, half because the reference's rate is that of the period before."""
 
 Step = Callable[..., tuple[Vec3, float, Quaternion, Row, float]]
-"""What `step_measured` is."""
-GUST = 1.0
-"""Speed of the gusts that tracks are predicted for, one standard deviation [m/s]: nothing tells the
-true one."""
+"""The type of `step_measured`."""
+ASSUMED_GUST = 1.0
+"""Standard deviation of gusts with which trajectories are predicted [m/s]; chosen, since it is not
+measured."""
 
 
 class Route:
@@ -93,7 +93,7 @@ class Route:
 
     @property
     def air(self) -> AirReport:
-        """What is believed of the air."""
+        """The estimate of the air."""
         return air_report(self._state)
 
     @property
@@ -111,7 +111,7 @@ class Route:
         """
         if known.attitude is None or not self._due(known.attitude.time_boot_ms):
             return None
-        state = heard(known, delay + HELD / self.plan.rate)
+        state = heard(known, delay + HELD_PERIODS / self.plan.rate)
         if state is None:
             return None
         t = obstacle_time(known, self.plan.epoch, self._began)
@@ -131,7 +131,7 @@ class Route:
             plan.origin,
             before,
             plan.legs,
-            None if hazards is None else unnested_airspace(Airspace(hazards, plan.fence, t, GUST)),
+            None if hazards is None else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
             plan.law,
             plan.vehicle_row
             if self._identification is None

@@ -12,7 +12,8 @@ Record = Callable[[int, bytes], None]
 
 
 AUTOPILOT = int(MavComponent.AUTOPILOT1)
-"""As a plain integer: the name of a member costs more than the rest of the comparison."""
+"""Component number of the autopilot as a plain integer: the name of a member costs more time than
+the rest of the comparison."""
 
 
 class Session:

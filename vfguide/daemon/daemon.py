@@ -5,16 +5,16 @@ from collections.abc import Callable
 from enum import Enum, auto
 
 from vfguide.aircraft.identification import Identified
-from vfguide.companion.engagement import OVER, Phase
+from vfguide.companion.engagement import FINAL_PHASES, Phase
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
 from vfguide.daemon.flight_log import FlightLog
 from vfguide.daemon.transport import Transport
 
-POLL = 0.05
-"""The companion is asked what is due at least this often [s]."""
-PATIENCE = 5_000_000
-"""The autopilot has this long to confirm its hold [us]."""
+POLL_INTERVAL = 0.05
+"""Longest time between two polls of the companion [s]; chosen."""
+HOLD_TIMEOUT = 5_000_000
+"""Time in which the autopilot must confirm its hold [us]; chosen."""
 
 
 class Outcome(Enum):
@@ -62,14 +62,14 @@ class Daemon:
     def run(self, stops: Callable[[], int]) -> Outcome:
         """Fly until `stops`, the number of times the operator asked for an end, is not 0.
 
-        The first wish hands over, the second ends at once.
+        The first request hands over, the second ends at once.
         """
         with selectors.SelectSelector() as selector:
             selector.register(self._transport, selectors.EVENT_READ)
             while (outcome := self._outcome(stops())) is None:
-                selector.select(POLL)
+                selector.select(POLL_INTERVAL)
                 self._take_all()
-                if self._companion.phase not in OVER:
+                if self._companion.phase not in FINAL_PHASES:
                     self._send(self._session.poll(self._clock.now()))
                 self._tell()
                 if self._save and (found := self._companion.route.identified) is not None:
@@ -80,7 +80,7 @@ class Daemon:
         return outcome
 
     def _outcome(self, stops: int) -> Outcome | None:
-        """How it ended, if it did; begins the end when it is wished for."""
+        """How it ended, if it did; begins to stop when the operator asks for it."""
         now = self._clock.now()
         if stops and self._stopped_at is None:
             self._stopped_at = now
@@ -92,13 +92,13 @@ class Daemon:
         if stops > 1:
             return Outcome.CUT_SHORT
         waited = 0 if self._stopped_at is None else now - self._stopped_at
-        return Outcome.UNCONFIRMED if waited > PATIENCE else None
+        return Outcome.UNCONFIRMED if waited > HOLD_TIMEOUT else None
 
     def _take_all(self) -> None:
         """Take what has arrived; answers go out at once."""
         now = self._clock.now()
         for frame in self._transport.receive(now):
-            if self._companion.phase in OVER:
+            if self._companion.phase in FINAL_PHASES:
                 return
             self._send(self._session.take(now, frame))
 

@@ -2,8 +2,9 @@
 
 from vfguide.link.tlog import TlogError, TlogWriter
 
-FLUSH = 1_000_000
-"""The log goes to the file at least this often [us]: what a power cut may cost."""
+FLUSH_INTERVAL = 1_000_000
+"""Longest time that frames stay in memory before they are written [us]; chosen as what a power cut
+may cost."""
 
 
 class FlightLog:
@@ -25,7 +26,7 @@ class FlightLog:
 
     def flush(self, now: int) -> None:
         """Put into the file what has waited for long enough at `now` [us]."""
-        if self._writer is None or now - self._flushed < FLUSH:
+        if self._writer is None or now - self._flushed < FLUSH_INTERVAL:
             return
         self._flushed = now
         try:

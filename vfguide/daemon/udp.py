@@ -10,14 +10,15 @@ from vfguide.link.codec import Frame, Parser
 from vfguide.link.enums import MavComponent
 from vfguide.link.url import NetworkUrl
 
-LARGEST = 65_535
-"""Bytes in a datagram."""
+MAX_DATAGRAM = 65_535
+"""Largest size of a UDP datagram, a number of bytes (RFC 768)."""
 MOST_AT_ONCE = 256
-"""Datagrams taken at once: a flood must not keep the companion from its other duties."""
+"""Largest number of datagrams that are taken at once; chosen, so that a flood does not keep the
+companion from its other duties."""
 PEER_SILENT = 3_000_000
-"""A peer that was not heard for this long may be followed by another one [us]."""
-MOST_STRANGERS = 5
-"""The operator is told of so many senders that are not the peer."""
+"""Time of silence after which a peer may be replaced by another [us]; chosen."""
+MAX_STRANGERS = 5
+"""Largest number of other senders that the operator is told of; chosen."""
 
 Address = tuple[Any, ...]
 
@@ -83,7 +84,7 @@ class UdpLink:
 
     def _tell_of(self, stranger: Address, text: str) -> None:
         """Tell the operator once of each of the first strangers."""
-        if stranger not in self._strangers and len(self._strangers) < MOST_STRANGERS:
+        if stranger not in self._strangers and len(self._strangers) < MAX_STRANGERS:
             self._strangers.add(stranger)
             self.warnings.append(f"{name_of(stranger)}: {text}")
 
@@ -144,7 +145,7 @@ def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
     """What waits in a socket, with its senders."""
     for _ in range(MOST_AT_ONCE):
         try:
-            yield opened.recvfrom(LARGEST)
+            yield opened.recvfrom(MAX_DATAGRAM)
         except ConnectionError:
             continue  # nobody listened to something that was sent before
         except OSError:

@@ -19,10 +19,10 @@ from vfguide.link.messages import (
     WindCov,
 )
 
-APART = 100
-"""Between two states of the flight [ms]."""
-NEAR = AdsbFlags.VALID_COORDS | AdsbFlags.VALID_ALTITUDE
-"""Somebody flies near the goal."""
+STATE_INTERVAL = 100
+"""Time between two states of the warm-up flight [ms]; chosen."""
+NEARBY_TRAFFIC = AdsbFlags.VALID_COORDS | AdsbFlags.VALID_ALTITUDE
+"""Flags of a report of an aircraft near the goal."""
 
 
 def warm_up(plan: Plan) -> None:
@@ -40,9 +40,11 @@ def warm_up(plan: Plan) -> None:
     c, s = math.cos(goal.course), math.sin(goal.course)
     q_nb = quaternion_from_euler(0.0, 0.0, goal.course)
     for step, along in enumerate((-1.0, 1.0, 2.0)):
-        time = step * APART
+        time = step * STATE_INTERVAL
         place, velocity = (along * c, along * s, 0.0), (speed * c, speed * s, 0.0)
         companion.receive(0, LocalPositionNed(time, *place, *velocity))
         companion.receive(0, VfrHud(speed, speed, 0, 0, altitude, 0.0))
         companion.receive(0, AttitudeQuaternion(time, *q_nb, 0.0, 0.0, 0.0))
-        companion.receive(0, AdsbVehicle(1, *origin[:2], 0, origin[2], 0, 0, 0, "", 0, 0, NEAR, 0))
+        companion.receive(
+            0, AdsbVehicle(1, *origin[:2], 0, origin[2], 0, 0, 0, "", 0, 0, NEARBY_TRAFFIC, 0)
+        )

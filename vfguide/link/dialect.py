@@ -41,4 +41,5 @@ def wire_fields(msgid: int) -> list[WireField]:
 CRC_EXTRA: dict[int, bytes] = {
     msgid: bytes((message.crc_extra,)) for msgid, message in dialect.mavlink_map.items()
 }
-"""The byte that makes the checksum of a message depend on its definition, by message id."""
+"""The byte by which the checksum of a message depends on its definition, by message id (CRC_EXTRA
+of MAVLink)."""

@@ -22,9 +22,12 @@ from fastcrc.crc16 import mcrf4xx
 from vfguide.link.dialect import CRC_EXTRA
 
 MAGIC_1 = 0xFE
+"""First byte of a frame of MAVLink 1, as a number (MAV_STX)."""
 MAGIC_2 = 0xFD
+"""First byte of a frame of MAVLink 2, as a number (MAV_STX)."""
 SIGNED = 0x01
-"""The one incompatibility flag that is defined: 13 bytes of signature follow the checksum."""
+"""Incompatibility flag of a frame whose checksum is followed by 13 bytes of signature
+(MAVLINK_IFLAG_SIGNED), the only one that is defined."""
 
 _MAGICS = (MAGIC_2, MAGIC_1)
 _MAGIC = re.compile(b"[\xfd\xfe]")

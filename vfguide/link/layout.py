@@ -29,6 +29,7 @@ _MISFITS = (struct.error, ValueError, OverflowError, TypeError, AttributeError)
 _HEADER_CODES = "<6B3s"
 """Length, flags that change the frame, other flags, sequence, system, component, message id."""
 HEADER_BYTES = 9
+"""Number of bytes of a MAVLink 2 header after its first byte."""
 
 
 class EncodeError(ValueError):
@@ -153,3 +154,4 @@ def _kind(field: WireField) -> str:
 
 
 LAYOUTS: dict[type[Message], Layout] = {record: Layout(record) for record in RECORDS}
+"""The layout of every message that the codec reads and writes, by its class."""

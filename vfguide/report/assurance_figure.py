@@ -10,8 +10,8 @@ from matplotlib.patches import Patch
 
 from vfguide.assurance.decision import assurance
 from vfguide.report.distance_axis import make_near_large
-from vfguide.report.drawing import GOAL, Flights, line_of
-from vfguide.report.panels import LIMIT, lay_out, name_axis
+from vfguide.report.drawing import GOAL_COLOUR, Flights, line_of
+from vfguide.report.panels import LIMIT_LINE, lay_out, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.fence_distance import fence_distances
 from vfguide.results.interventions import interventions_of
@@ -19,28 +19,31 @@ from vfguide.results.record import Array, FlightRecord
 from vfguide.results.traffic_results import volume_distance
 from vfguide.scenario.obstacles import rows_of
 
-TALL = 2.8
+STRIP_HEIGHT = 2.8
 """Height of a panel [inch]."""
-SHADES: dict[str, Any] = {
+EPISODE_SHADES: dict[str, Any] = {
     "escape": {"facecolor": "#f6c667", "alpha": 0.6, "linewidth": 0},
     "least bad": {"facecolor": "#d9480f", "alpha": 0.6, "linewidth": 0},
 }
-LABELS = {"escape": "An escape is flown", "least bad": "Nothing is clear"}
-MARGIN: Any = {"color": GOAL, "linestyle": (0, (1, 1.5)), "linewidth": 1.2}
-SHORTEST = 0.004
-"""An episode is drawn at least so wide, in parts of the flight."""
+"""Style of the shade of an intervention, by its reason."""
+EPISODE_LABELS = {"escape": "An escape is flown", "least bad": "Nothing is clear"}
+"""Legend entry of an intervention, by its reason."""
+MARGIN_LINE: Any = {"color": GOAL_COLOUR, "linestyle": (0, (1, 1.5)), "linewidth": 1.2}
+"""Style of the line at the margin of the assurance."""
+SHORTEST_EPISODE = 0.004
+"""Least width of a drawn intervention, as a share of the flight."""
 
 
 def draw_assurance(figure: Figure, flights: Flights) -> None:
     """Distance of each vehicle from its nearest hazard, the margin, and the episodes shaded."""
     marks = [
         Line2D([], [], **line_of(0), label="Nearest obstacle, aircraft or fence"),
-        Line2D([], [], **MARGIN, label="Margin of the assurance"),
-        Line2D([], [], **LIMIT, label="Surface, volume or the fence"),
-        *(Patch(label=LABELS[reason], **look) for reason, look in SHADES.items()),
+        Line2D([], [], **MARGIN_LINE, label="Margin of the assurance"),
+        Line2D([], [], **LIMIT_LINE, label="Surface, volume or the fence"),
+        *(Patch(label=EPISODE_LABELS[reason], **look) for reason, look in EPISODE_SHADES.items()),
     ]
     title = "Nearest hazard, and when the assurance acted"
-    grid = lay_out(figure, title, len(flights.records), marks, TALL)
+    grid = lay_out(figure, title, len(flights.records), marks, STRIP_HEIGHT)
     for axes, record in zip(grid, flights.records, strict=True):
         _draw_vehicle(axes, flights, record)
 
@@ -60,10 +63,10 @@ def _draw_vehicle(axes: Axes, flights: Flights, record: FlightRecord) -> None:
     loaded, seconds = flights.loaded, float(record.time[-1])
     margin = assurance(loaded.performance(record.vehicle), loaded.gains(record.vehicle)).margin
     for episode in interventions_of(loaded.scenario, record):
-        end = max(episode.to_s, episode.from_s + SHORTEST * seconds)
-        axes.axvspan(episode.from_s, end, zorder=0.5, **SHADES[episode.reason])
-    axes.axhline(0.0, **LIMIT)
-    axes.axhline(margin, **MARGIN)
+        end = max(episode.to_s, episode.from_s + SHORTEST_EPISODE * seconds)
+        axes.axvspan(episode.from_s, end, zorder=0.5, **EPISODE_SHADES[episode.reason])
+    axes.axhline(0.0, **LIMIT_LINE)
+    axes.axhline(margin, **MARGIN_LINE)
     axes.plot(record.time, nearest_hazard(flights, record), **line_of(0))
     which = f", vehicle {record.vehicle.id}" if flights.several else ""
     name_axis(axes, f"Clearance{which} [m]")

@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import FixedLocator, NullLocator, StrMethodFormatter
 
-APART = 0.25
-"""Numbers on the axis are at least so far apart [inch]."""
+TICK_SPACING = 0.25
+"""Least distance between two numbers on the axis [inch]."""
 
 
 def make_near_large(axes: Axes, scale: float) -> None:
@@ -21,7 +21,7 @@ def make_near_large(axes: Axes, scale: float) -> None:
     figure: Any = axes.figure
     height = axes.get_position().height * figure.get_figheight()
     low, high = np.arcsinh(np.array(axes.get_ylim()) / even)
-    apart = APART * (high - low) / height
+    apart = TICK_SPACING * (high - low) / height
     powers = 10.0 ** np.arange(math.floor(math.log10(even)), 10)
     values = np.outer(powers, (1, 2, 5) if apart < math.log(2.0) else (1,)).ravel()
     values = values[np.arcsinh(values / even) >= apart]

@@ -13,17 +13,17 @@ from vfguide.geometry.vector import Matrices
 from vfguide.report.distance_axis import make_near_large
 from vfguide.report.drawing import Flights, line_of, vehicle_lines
 from vfguide.report.obstacle_drawing import short
-from vfguide.report.panels import LIMIT, lay_out, name_axis
+from vfguide.report.panels import LIMIT_LINE, lay_out, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.record import Array
 from vfguide.scenario.obstacles import rows_of
 
-MOST_OBSTACLES = 8
-"""Of more obstacles only those that came nearest are drawn."""
-MOST_PAIRS = 6
-"""Of more pairs of vehicles the lines have no names."""
+MAX_OBSTACLES = 8
+"""Largest number of obstacles that are drawn, those that came nearest."""
+MAX_PAIRS = 6
+"""Largest number of pairs of vehicles whose lines have names."""
 TALL = 3.6
-"""Height of a panel that stands alone [inch]."""
+"""Height of a single panel [inch]."""
 _PAIR: Any = {"color": "#c3cad4", "linewidth": 1.0}
 
 
@@ -37,7 +37,7 @@ def draw_clearance(figure: Figure, flights: Flights) -> None:
     title = "Clearance from obstacles"
     if len(shown) < len(obstacles):
         title = f"Clearance from the nearest {len(shown)} of {len(obstacles)} obstacles"
-    surface = Line2D([], [], **LIMIT, label="Surface")
+    surface = Line2D([], [], **LIMIT_LINE, label="Surface")
     if flights.several:
         grid = lay_out(figure, title, len(shown), [*vehicle_lines(flights), surface])
         for axes, which, name in zip(grid, shown, names, strict=True):
@@ -51,11 +51,11 @@ def draw_clearance(figure: Figure, flights: Flights) -> None:
 def nearest(measured: Array) -> list[int]:
     """Which obstacles came nearest, in their own order, from clearances (vehicles, n, M)."""
     least = np.fmin.reduce(measured, axis=(0, 1))
-    return sorted(np.argsort(least, kind="stable")[:MOST_OBSTACLES].tolist())
+    return sorted(np.argsort(least, kind="stable")[:MAX_OBSTACLES].tolist())
 
 
 def _draw_clearances(axes: Axes, flights: Flights, lines: Array, label: str) -> None:
-    axes.axhline(0.0, **LIMIT)
+    axes.axhline(0.0, **LIMIT_LINE)
     for index, values in enumerate(lines):
         axes.plot(flights.records[0].time, values, **line_of(index))
     name_axis(axes, label)
@@ -68,10 +68,10 @@ def draw_separation(figure: Figure, flights: Flights) -> None:
     keep = 2.0 * avoidance.safety_radius_m
     lines, legend = _pairs(flights)
     if avoidance.between_vehicles:
-        legend = [*legend, Line2D([], [], **LIMIT, label=f"To keep: {keep:g} m")]
+        legend = [*legend, Line2D([], [], **LIMIT_LINE, label=f"To keep: {keep:g} m")]
     (axes,) = lay_out(figure, "Distance between vehicles", 1, legend, TALL)
     if avoidance.between_vehicles:
-        axes.axhline(keep, **LIMIT)
+        axes.axhline(keep, **LIMIT_LINE)
     for values, look in lines:
         axes.plot(flights.records[0].time, values, **look)
     name_axis(axes, "Distance [m]")
@@ -83,7 +83,7 @@ def _pairs(flights: Flights) -> tuple[Sequence[tuple[Array, Any]], Sequence[Line
     """Distances of all pairs with their looks, and the legend; of many the nearest stands out."""
     pairs = list(combinations(flights.records, 2))
     apart = [np.linalg.norm(one.p_n - other.p_n, axis=1) for one, other in pairs]
-    if len(pairs) > MOST_PAIRS:
+    if len(pairs) > MAX_PAIRS:
         looks = {"Each pair": _PAIR, "Nearest pair": line_of(0)}
         lines = [*((values, _PAIR) for values in apart), (np.fmin.reduce(apart), line_of(0))]
     else:

@@ -20,12 +20,16 @@ from vfguide.results.record import FlightRecord
 from vfguide.scenario.load import LoadedScenario
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-"""Okabe and Ito's palette, of which the yellow is too light on white."""
-STYLES = ("solid", "dashed", "dashdot", "dotted")
-COLUMNS = 6
-"""Entries in a row of a legend."""
-GOAL = "#111111"
-MUTED = "#6b7280"
+"""Colours of lines that the colour-blind can distinguish: the palette of Okabe and Ito (2008)
+without its yellow, which is too light on white."""
+LINE_STYLES = ("solid", "dashed", "dashdot", "dotted")
+"""Styles of lines of one colour, in their order."""
+LEGEND_COLUMNS = 6
+"""Number of entries in a row of a legend."""
+GOAL_COLOUR = "#111111"
+"""Colour of goals, and of what is commanded."""
+MUTED_COLOUR = "#6b7280"
+"""Colour of limits and other secondary lines."""
 
 _LOOK: Any = {
     "font.family": "DejaVu Sans",
@@ -100,7 +104,7 @@ def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
 
 def line_of(index: int) -> dict[str, Any]:
     """Colour and style of the line of a vehicle, by its place in the scenario."""
-    style = STYLES[index // len(COLOURS) % len(STYLES)]
+    style = LINE_STYLES[index // len(COLOURS) % len(LINE_STYLES)]
     return {"color": COLOURS[index % len(COLOURS)], "linestyle": style}
 
 

@@ -10,12 +10,16 @@ from matplotlib.patches import Circle, Patch, Polygon
 from vfguide.files.fence import Fence, ZoneEntry
 from vfguide.geometry.vector import Vector, Vectors
 
-INSIDE, OUTSIDE = "#00674a", "#a83c00"
-"""Borders of what is to be stayed in, and of what is to be stayed out of."""
-BORDER: Any = {"linewidth": 1.4, "linestyle": (0, (7, 2))}
-HEIGHT: Any = {"color": INSIDE, **BORDER}
-RING = 32
-"""Points of a circle for the view."""
+INSIDE_COLOUR = "#00674a"
+"""Colour of the border of a zone to stay in."""
+OUTSIDE_COLOUR = "#a83c00"
+"""Colour of the border of a zone to stay out of."""
+BORDER_LINE: Any = {"linewidth": 1.4, "linestyle": (0, (7, 2))}
+"""Style of the border of a zone."""
+HEIGHT_LINE: Any = {"color": INSIDE_COLOUR, **BORDER_LINE}
+"""Style of the lines at floor and ceiling."""
+RING_POINTS = 32
+"""Number of points of a circle of the fence, for the limits of the view."""
 
 
 def draw_zones(axes: Axes, fence: Fence) -> None:
@@ -28,7 +32,7 @@ def draw_heights(axes: Axes, fence: Fence) -> None:
     """Floor and ceiling from the side."""
     for height in (fence.floor_m, fence.ceiling_m):
         if height is not None:
-            axes.axhline(height, zorder=1.1, **HEIGHT)
+            axes.axhline(height, zorder=1.1, **HEIGHT_LINE)
 
 
 def zone_marks(fence: Fence) -> list[Patch]:
@@ -43,7 +47,7 @@ def height_marks(fence: Fence) -> list[Line2D]:
     named = (("Floor", fence.floor_m), ("Ceiling", fence.ceiling_m))
     names = [name for name, height in named if height is not None]
     label = " and ".join(names).capitalize()
-    return [Line2D([], [], label=f"{label} of the fence", **HEIGHT)] if names else []
+    return [Line2D([], [], label=f"{label} of the fence", **HEIGHT_LINE)] if names else []
 
 
 def places_of(fence: Fence, p_n: Vector) -> Vectors:
@@ -58,7 +62,7 @@ def _border(zone: ZoneEntry) -> list[tuple[float, float]]:
     if zone.polygon_m is not None:
         return zone.polygon_m
     (north, east), radius = zone.centre_m or (0.0, 0.0), zone.radius_m or 0.0
-    angles = np.linspace(0.0, 2.0 * np.pi, RING)
+    angles = np.linspace(0.0, 2.0 * np.pi, RING_POINTS)
     return [(north + radius * np.cos(a), east + radius * np.sin(a)) for a in angles]
 
 
@@ -72,5 +76,5 @@ def _outline(zone: ZoneEntry) -> Patch:
 
 def _look(kind: str) -> dict[str, Any]:
     if kind == "include":
-        return {"facecolor": "none", "edgecolor": INSIDE, **BORDER}
-    return {"facecolor": "#fbeee6", "edgecolor": OUTSIDE, "hatch": "///", **BORDER}
+        return {"facecolor": "none", "edgecolor": INSIDE_COLOUR, **BORDER_LINE}
+    return {"facecolor": "#fbeee6", "edgecolor": OUTSIDE_COLOUR, "hatch": "///", **BORDER_LINE}

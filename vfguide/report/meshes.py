@@ -13,12 +13,14 @@ from vfguide.geometry.so3 import rot_z
 
 Array = NDArray[np.float64]
 
-ROWS, COLUMNS = 25, 49
-"""Of a mesh: from pole to pole, and round the vertical; they meet the middle of every edge."""
+MESH_ROWS = 25
+"""Number of rows of a mesh from pole to pole, odd so that they meet the middle of every edge."""
+MESH_COLUMNS = 49
+"""Number of columns of a mesh around the vertical, which meet the middle of every edge too."""
 
 
 def surface_mesh(obstacle: Obstacle) -> Array:
-    """Points of the surface U = 1 at t = 0, (ROWS, COLUMNS, 3), NED [m].
+    """Points of the surface U = 1 at t = 0, (MESH_ROWS, MESH_COLUMNS, 3), NED [m].
 
     They lie on rays from the centre that crowd where the shape has an edge. The first and the last
     column are the same; all points of the first row are one pole, all of the last row the other.
@@ -27,13 +29,13 @@ def surface_mesh(obstacle: Obstacle) -> Array:
     rays = mesh_rays(shape).reshape(-1, 3).tolist()
     points = np.array([onto_surface(shape, (x, y, z)) for x, y, z in rays])
     R_no: Any = np.array(rot_z(obstacle.heading))
-    return (points @ R_no.T + obstacle.p_n).reshape(ROWS, COLUMNS, 3)
+    return (points @ R_no.T + obstacle.p_n).reshape(MESH_ROWS, MESH_COLUMNS, 3)
 
 
 def mesh_rays(shape: Shape) -> Array:
-    """Directions in the body's own axes, (ROWS, COLUMNS, 3), from z < 0 to z > 0 [m]."""
-    latitude = np.linspace(-np.pi / 2.0, np.pi / 2.0, ROWS)[:, None]
-    longitude = np.linspace(-np.pi, np.pi, COLUMNS)
+    """Directions in the body's own axes, (MESH_ROWS, MESH_COLUMNS, 3), from z < 0 to z > 0 [m]."""
+    latitude = np.linspace(-np.pi / 2.0, np.pi / 2.0, MESH_ROWS)[:, None]
+    longitude = np.linspace(-np.pi, np.pi, MESH_COLUMNS)
     rays = np.broadcast_arrays(*surface_rays(shape, latitude, longitude))
     return np.stack(rays, axis=-1) * shape.semi_axes
 

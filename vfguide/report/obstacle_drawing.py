@@ -15,16 +15,19 @@ from vfguide.report.meshes import Array, outline, surface_mesh
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle
 
-OBSTACLE = "#b8c2cf"
-EDGE = "#7d8a9b"
-FAINT = 0.35
-"""Opacity of where a moving obstacle was before, in parts of that of where it ended."""
-TIMES = 5
-"""A moving obstacle is shown so often, at equal times from the start to the end."""
+OBSTACLE_COLOUR = "#b8c2cf"
+"""Colour of the surfaces of obstacles."""
+EDGE_COLOUR = "#7d8a9b"
+"""Colour of the edges of obstacles."""
+EARLIER_OPACITY = 0.35
+"""Ratio of the opacity of a moving obstacle at earlier times to that at the end."""
+SHOWN_TIMES = 5
+"""Number of times at which a moving obstacle is shown, equally spaced over the flight."""
 LONGEST_NAME = 20
-MOST_NAMES = 20
-"""More obstacles than these are not named in a figure."""
-_TRACK: Any = {"color": EDGE, "linestyle": (0, (5, 3)), "linewidth": 1.1}
+"""Largest number of characters of a name in a figure."""
+MAX_NAMES = 20
+"""Largest number of obstacles that are named in a figure."""
+_TRACK: Any = {"color": EDGE_COLOUR, "linestyle": (0, (5, 3)), "linewidth": 1.1}
 
 
 @dataclass(frozen=True)
@@ -46,8 +49,8 @@ class Body:
     def places(self) -> list[tuple[Vector, float]]:
         """The ways to where it is shown, (3,) each, and how opaque it is there."""
         way = self.track[1] - self.track[0]
-        parts: Series = np.linspace(0.0, 1.0, TIMES if self.moves else 1)
-        return [(part * way, FAINT) for part in parts[:-1]] + [(way, 1.0)]
+        parts: Series = np.linspace(0.0, 1.0, SHOWN_TIMES if self.moves else 1)
+        return [(part * way, EARLIER_OPACITY) for part in parts[:-1]] + [(way, 1.0)]
 
 
 def body_of(obstacle: Obstacle, seconds: float) -> Body:
@@ -69,7 +72,7 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
         corners = outline(body.surface @ onto)
         for way, opacity in body.places:
             x, y = (corners + way @ onto).T
-            face, edge = (OBSTACLE, 0.6 * opacity), (EDGE, opacity)
+            face, edge = (OBSTACLE_COLOUR, 0.6 * opacity), (EDGE_COLOUR, opacity)
             axes.fill(x, y, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=1.2)
         if body.moves:
             axes.plot(*(body.track @ onto).T, zorder=1.3, **_TRACK)
@@ -77,7 +80,7 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
 
 def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
     """Their names where they are at the end, unless there are too many."""
-    for body in bodies if len(bodies) <= MOST_NAMES else ():
+    for body in bodies if len(bodies) <= MAX_NAMES else ():
         write_name(axes, body.name, body.track[1] @ onto, "#374151")
 
 
@@ -94,7 +97,7 @@ def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
         for way, opacity in body.places:
             x, y, z = np.moveaxis(east_north_up(body.surface + way), -1, 0)
             grid: Any = {"rcount": len(x), "ccount": len(x.T), "axlim_clip": True}
-            look: Any = {"color": OBSTACLE, "alpha": 0.35 * opacity, "linewidth": 0.0}
+            look: Any = {"color": OBSTACLE_COLOUR, "alpha": 0.35 * opacity, "linewidth": 0.0}
             axes.plot_surface(x, y, z, zorder=1.0, **grid, **look)
             shadow: Vectors = outline(np.stack((x, y), axis=-1))
             axes.plot(
@@ -116,10 +119,15 @@ def east_north_up(p_n: Vectors) -> Vectors:
 
 def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
     """Entries of a legend."""
-    here = Patch(facecolor=OBSTACLE, edgecolor=EDGE, alpha=0.7)
+    here = Patch(facecolor=OBSTACLE_COLOUR, edgecolor=EDGE_COLOUR, alpha=0.7)
     if not any(body.moves for body in bodies):
         here.set_label("Obstacle")
         return [here] if bodies else []
     here.set_label("Obstacle, at the end")
-    before = Patch(facecolor=OBSTACLE, edgecolor=EDGE, alpha=FAINT * 0.7, label="Obstacle, before")
+    before = Patch(
+        facecolor=OBSTACLE_COLOUR,
+        edgecolor=EDGE_COLOUR,
+        alpha=EARLIER_OPACITY * 0.7,
+        label="Obstacle, before",
+    )
     return [here, before, Line2D([], [], **_TRACK, label="Way of its centre")]

@@ -9,14 +9,23 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from vfguide.report.drawing import COLUMNS, GOAL, MUTED, Flights, line_of, vehicle_lines
+from vfguide.report.drawing import (
+    GOAL_COLOUR,
+    LEGEND_COLUMNS,
+    MUTED_COLOUR,
+    Flights,
+    line_of,
+    vehicle_lines,
+)
 from vfguide.results.record import Array, FlightRecord
 
-LIMIT: Any = {"color": MUTED, "linestyle": (0, (4, 3)), "linewidth": 1.2}
-WANTED: Any = {"color": GOAL, "linewidth": 0.9}
-WIDTH = 8.6
-"""Of the figures [inch]."""
-ROW = 1.75
+LIMIT_LINE: Any = {"color": MUTED_COLOUR, "linestyle": (0, (4, 3)), "linewidth": 1.2}
+"""Style of the lines at limits."""
+WANTED_LINE: Any = {"color": GOAL_COLOUR, "linewidth": 0.9}
+"""Style of the lines of commanded values."""
+FIGURE_WIDTH = 8.6
+"""Width of the figures [inch]."""
+PANEL_HEIGHT = 1.75
 """Height of one of several panels [inch]."""
 
 
@@ -43,13 +52,13 @@ def draw_panels(
 
 
 def lay_out(
-    figure: Figure, title: str, rows: int, legend: Sequence[Artist], row: float = ROW
+    figure: Figure, title: str, rows: int, legend: Sequence[Artist], row: float = PANEL_HEIGHT
 ) -> Sequence[Axes]:
     """Empty axes, `rows` of them of the height `row` [inch], and the legend below."""
     columns = _columns(legend)
     bottom = 0.55 + 0.24 * math.ceil(len(legend) / columns)
     height = 0.4 + row * rows + bottom
-    figure.set_size_inches(WIDTH, height)
+    figure.set_size_inches(FIGURE_WIDTH, height)
     figure.subplots_adjust(0.1, bottom / height, 0.97, 1.0 - 0.4 / height, hspace=0.13)
     grid: list[Axes] = [*figure.subplots(rows, 1, sharex=True, squeeze=False).ravel()]
     grid[0].set_title(title)
@@ -62,7 +71,7 @@ def lay_out(
 def _columns(legend: Sequence[Artist]) -> int:
     """How many entries of the legend have room beside each other."""
     longest = max((len(str(entry.get_label())) for entry in legend), default=0)
-    return max(1, min(len(legend), COLUMNS, int(WIDTH / (0.67 + 0.084 * longest))))
+    return max(1, min(len(legend), LEGEND_COLUMNS, int(FIGURE_WIDTH / (0.67 + 0.084 * longest))))
 
 
 def name_axis(axes: Axes, label: str) -> None:
@@ -74,9 +83,9 @@ def name_axis(axes: Axes, label: str) -> None:
 
 def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
     for limit in panel.limits:
-        axes.axhline(limit, **LIMIT)
+        axes.axhline(limit, **LIMIT_LINE)
     for index, record in enumerate(flights.records):
         axes.plot(record.time, panel.values(record), **line_of(index))
         if panel.wanted is not None:
-            axes.plot(record.time, panel.wanted(record), **WANTED)
+            axes.plot(record.time, panel.wanted(record), **WANTED_LINE)
     name_axis(axes, panel.label)

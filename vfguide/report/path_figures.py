@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from vfguide.geometry.vector import Series
-from vfguide.report.drawing import GOAL, MUTED, Flights, goal_axis, line_of
+from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR, Flights, goal_axis, line_of
 from vfguide.report.fence_figure import draw_heights, draw_zones, height_marks, zone_marks
 from vfguide.report.meshes import outline
 from vfguide.report.obstacle_drawing import draw_outlines, draw_surfaces, east_north_up, write_names
@@ -17,7 +17,12 @@ from vfguide.report.wind_arrow import draw_wind
 from vfguide.results.record import Array
 from vfguide.scenario.resolved import Goal
 
-EAST, NORTH, UP = np.array(((0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, -1.0)))
+EAST_AXIS = np.array((0.0, 1.0, 0.0))
+"""Unit vector to the east, NED, dimensionless."""
+NORTH_AXIS = np.array((1.0, 0.0, 0.0))
+"""Unit vector to the north, NED, dimensionless."""
+UP_AXIS = np.array((0.0, 0.0, -1.0))
+"""Unit vector upwards, NED, dimensionless."""
 
 
 def draw_space(figure: Figure, flights: Flights) -> None:
@@ -25,7 +30,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
     figure.set_size_inches(8.6, 6.4)
     figure.set_layout_engine("constrained")
     axes: Any = figure.add_subplot(projection="3d", computed_zorder=False)
-    view = view_of(flights, np.array((EAST, NORTH, UP)))
+    view = view_of(flights, np.array((EAST_AXIS, NORTH_AXIS, UP_AXIS)))
     box, floor = view.limits, float(view.limits[2, 0])
     axes.set(xlim=box[0], ylim=box[1], zlim=box[2])
     draw_surfaces(axes, flights.bodies, floor)
@@ -54,10 +59,10 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     figure.set_size_inches(8.0, 7.4)
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
-    _draw_flat(axes, flights, EAST, NORTH)
+    _draw_flat(axes, flights, EAST_AXIS, NORTH_AXIS)
     draw_zones(axes, flights.loaded.scenario.fence)
-    write_names(axes, flights.bodies, np.column_stack((EAST, NORTH)))
-    name_traffic(axes, flights.passers, np.column_stack((EAST, NORTH)))
+    write_names(axes, flights.bodies, np.column_stack((EAST_AXIS, NORTH_AXIS)))
+    name_traffic(axes, flights.passers, np.column_stack((EAST_AXIS, NORTH_AXIS)))
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
     wind = flights.loaded.scenario.wind
@@ -73,7 +78,7 @@ def draw_side(figure: Figure, flights: Flights) -> None:
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
     course = flights.records[0].vehicle.goals[-1].heading_deg
-    _draw_flat(axes, flights, np.array(goal_axis(course, 0.0)), UP)
+    _draw_flat(axes, flights, np.array(goal_axis(course, 0.0)), UP_AXIS)
     slope = np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim())
     figure.set_size_inches(8.6, float(np.clip(7.7 * slope + 1.7, 4.4, 7.4)))
     axes.set_xlabel(f"From the origin along the course {course % 360.0:03.0f}° [m]")
@@ -103,15 +108,15 @@ def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:
 
 def _arrow(axes: Axes, at: Array, tip: Array, label: str) -> None:
     (x, y), (to_x, to_y) = at, tip
-    look = {"arrowstyle": "-|>", "color": GOAL, "lw": 1.8, "shrinkA": 0}
-    axes.plot(x, y, "o", color=GOAL, markersize=5, zorder=5)
+    look = {"arrowstyle": "-|>", "color": GOAL_COLOUR, "lw": 1.8, "shrinkA": 0}
+    axes.plot(x, y, "o", color=GOAL_COLOUR, markersize=5, zorder=5)
     axes.annotate("", (to_x, to_y), (x, y), arrowprops=look)
-    axes.annotate(label, (x, y), (-8, 6), textcoords="offset points", ha="right", color=GOAL)
+    axes.annotate(label, (x, y), (-8, 6), textcoords="offset points", ha="right", color=GOAL_COLOUR)
 
 
 def _arrow_in_space(axes: Any, goal: Goal, floor: float, length: float) -> None:
     x, y, z = east_north_up(np.array(goal.position_m))
     ahead = east_north_up(np.array(goal_axis(goal.heading_deg, goal.climb_deg)))
-    axes.plot([x, x], [y, y], [floor, z], color=MUTED, lw=0.9, ls=":")
-    axes.scatter([x], [y], [z], color=GOAL, s=20, zorder=3)
-    axes.quiver(x, y, z, *ahead, length=length, color=GOAL, lw=1.8, zorder=3)
+    axes.plot([x, x], [y, y], [floor, z], color=MUTED_COLOUR, lw=0.9, ls=":")
+    axes.scatter([x], [y], [z], color=GOAL_COLOUR, s=20, zorder=3)
+    axes.quiver(x, y, z, *ahead, length=length, color=GOAL_COLOUR, lw=1.8, zorder=3)

@@ -14,7 +14,8 @@ from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result
 from vfguide.scenario.load import LoadedScenario
 
-NONE = "-"
+NO_VALUE = "-"
+"""Text of a value that does not exist."""
 
 
 def write_report(
@@ -68,18 +69,18 @@ def render(
 
 def number(value: float | None, digits: int = 2) -> str:
     """A number for a table; a dash where there is none."""
-    return NONE if value is None else f"{value:.{digits}f}"
+    return NO_VALUE if value is None else f"{value:.{digits}f}"
 
 
 def figure(value: float | None, digits: int = 3) -> str:
     """A number of any size for a table."""
-    return NONE if value is None else f"{value:.{digits}g}"
+    return NO_VALUE if value is None else f"{value:.{digits}g}"
 
 
 def span(values: tuple[float | None, float | None], digits: int = 1) -> str:
     """A range for a table; a dash where there is none."""
     if values == (None, None):
-        return NONE
+        return NO_VALUE
     return f"{number(values[0], digits)} to {number(values[1], digits)}"
 
 

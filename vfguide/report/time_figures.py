@@ -8,8 +8,8 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Series
-from vfguide.report.drawing import GOAL, Flights, broken, line_of
-from vfguide.report.panels import LIMIT, WANTED, Panel, draw_panels
+from vfguide.report.drawing import GOAL_COLOUR, Flights, broken, line_of
+from vfguide.report.panels import LIMIT_LINE, WANTED_LINE, Panel, draw_panels
 from vfguide.results.record import AirBelief, FlightRecord
 
 
@@ -20,7 +20,9 @@ def draw_position(figure: Figure, flights: Flights) -> None:
         Panel("East [m]", lambda each: each.p_n[:, 1]),
         Panel("Above the origin [m]", lambda each: -each.p_n[:, 2]),
     ]
-    mark = Line2D([], [], color=GOAL, marker="D", linestyle="none", markersize=5, label="Goal")
+    mark = Line2D(
+        [], [], color=GOAL_COLOUR, marker="D", linestyle="none", markersize=5, label="Goal"
+    )
     grid = draw_panels(figure, flights, "Position", panels, [mark])
     for record in flights.records:
         for goal, best in zip(record.vehicle.goals, record.legs().best(), strict=True):
@@ -28,7 +30,7 @@ def draw_position(figure: Figure, flights: Flights) -> None:
                 continue
             north, east, down = goal.position_m
             for axes, value in zip(grid, (north, east, -down), strict=True):
-                axes.plot(best.time, value, "D", color=GOAL, markersize=5, zorder=5)
+                axes.plot(best.time, value, "D", color=GOAL_COLOUR, markersize=5, zorder=5)
 
 
 def draw_attitude(figure: Figure, flights: Flights) -> None:
@@ -67,7 +69,7 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
         Panel("Thrust setpoint", lambda record: record.thrust, (0.0, 1.0)),
     ]
     draw_panels(
-        figure, flights, "Flight envelope", panels, [Line2D([], [], **LIMIT, label="Limit")]
+        figure, flights, "Flight envelope", panels, [Line2D([], [], **LIMIT_LINE, label="Limit")]
     )
 
 
@@ -92,7 +94,7 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
         )
     ]
     flown = [] if flights.several else [Line2D([], [], **line_of(0), label="Flown")]
-    wanted = Line2D([], [], **WANTED, label="Commanded")
+    wanted = Line2D([], [], **WANTED_LINE, label="Commanded")
     draw_panels(
         figure, flights, "Body rates", panels, [] if flights.kinematic else [*flown, wanted]
     )
@@ -118,7 +120,7 @@ def draw_air(figure: Figure, flights: Flights) -> None:
         ),
     ]
     true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]
-    estimated = Line2D([], [], **WANTED, label="Estimated by the companion")
+    estimated = Line2D([], [], **WANTED_LINE, label="Estimated by the companion")
     draw_panels(figure, flights, "Wind: true and estimated", panels, [*true, estimated])
 
 

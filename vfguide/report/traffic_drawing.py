@@ -11,18 +11,23 @@ from matplotlib.patches import Patch
 
 from vfguide.geometry.vector import Vector, Vectors
 from vfguide.report.meshes import outline
-from vfguide.report.obstacle_drawing import MOST_NAMES, east_north_up, write_name
+from vfguide.report.obstacle_drawing import MAX_NAMES, east_north_up, write_name
 from vfguide.results.record import Array, FlightRecord
 from vfguide.results.traffic_results import volume_distance
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 
-AIRCRAFT = "#7a4fa3"
-CORNERS = 48
-"""A volume is drawn with so many corners around it."""
-_PATH: Any = {"color": AIRCRAFT, "linestyle": (0, (5, 2, 1, 2)), "linewidth": 1.3}
-_VOLUME: Any = {"facecolor": (AIRCRAFT, 0.15), "edgecolor": AIRCRAFT, "linewidth": 0.9}
+AIRCRAFT_COLOUR = "#7a4fa3"
+"""Colour of other aircraft and their volumes."""
+VOLUME_CORNERS = 48
+"""Number of corners around a drawn volume."""
+_PATH: Any = {"color": AIRCRAFT_COLOUR, "linestyle": (0, (5, 2, 1, 2)), "linewidth": 1.3}
+_VOLUME: Any = {
+    "facecolor": (AIRCRAFT_COLOUR, 0.15),
+    "edgecolor": AIRCRAFT_COLOUR,
+    "linewidth": 0.9,
+}
 
 
 @dataclass(frozen=True)
@@ -51,9 +56,13 @@ def traffic_paths_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tup
 
 
 def _edges(radius: float, half_height: float) -> Array:
-    """The two circles about an upright cylinder, (2 CORNERS, 3) [m]."""
-    angle = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
-    x, y, down = radius * np.cos(angle), radius * np.sin(angle), np.full(CORNERS, half_height)
+    """The two circles about an upright cylinder, (2 VOLUME_CORNERS, 3) [m]."""
+    angle = np.linspace(0.0, 2.0 * np.pi, VOLUME_CORNERS, endpoint=False)
+    x, y, down = (
+        radius * np.cos(angle),
+        radius * np.sin(angle),
+        np.full(VOLUME_CORNERS, half_height),
+    )
     return np.vstack((np.column_stack((x, y, -down)), np.column_stack((x, y, down))))
 
 
@@ -66,18 +75,18 @@ def draw_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
 
 def name_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
     """Their names where they came nearest, unless there are too many."""
-    for each in passers if len(passers) <= MOST_NAMES else ():
-        write_name(axes, each.name, each.nearest @ onto, AIRCRAFT)
+    for each in passers if len(passers) <= MAX_NAMES else ():
+        write_name(axes, each.name, each.nearest @ onto, AIRCRAFT_COLOUR)
 
 
 def draw_traffic_in_space(axes: Any, passers: Sequence[Passer]) -> None:
     """Their paths and volumes in axes east, north, up."""
     for each in passers:
         axes.plot(*east_north_up(each.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
-        for circle in each.volume.reshape(2, CORNERS, 3):
-            around = np.arange(CORNERS + 1) % CORNERS
+        for circle in each.volume.reshape(2, VOLUME_CORNERS, 3):
+            around = np.arange(VOLUME_CORNERS + 1) % VOLUME_CORNERS
             x, y, z = east_north_up(circle[around]).T
-            axes.plot(x, y, z, color=AIRCRAFT, linewidth=0.9, zorder=1.6, axlim_clip=True)
+            axes.plot(x, y, z, color=AIRCRAFT_COLOUR, linewidth=0.9, zorder=1.6, axlim_clip=True)
 
 
 def passer_marks(passers: Sequence[Passer]) -> list[Patch | Line2D]:

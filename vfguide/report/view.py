@@ -9,23 +9,32 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.vector import Vectors
-from vfguide.report.drawing import GOAL, MUTED, Flights, goal_axis, vehicle_lines
+from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR, Flights, goal_axis, vehicle_lines
 from vfguide.report.fence_figure import places_of
 from vfguide.report.obstacle_drawing import body_marks
 from vfguide.report.traffic_drawing import passer_marks
 from vfguide.results.record import Array
 from vfguide.scenario.resolved import Goal
 
-NEAR = 0.5
-"""Obstacles are in view as far from paths and goals as this part of their longest extent."""
-ARROW = 0.15
-"""Length of the arrow of a goal, in parts of that extent."""
-WIDE, NARROW = 5, 4
-"""Entries of a legend that fit in one row, and in each of several."""
+VIEW_MARGIN = 0.5
+"""Distance within which obstacles are in view, as a share of the longest extent of paths and
+goals."""
+ARROW_LENGTH = 0.15
+"""Length of the arrow of a goal, as a share of that extent."""
+WIDE_LEGEND = 5
+"""Largest number of entries of a legend in one row."""
+NARROW_LEGEND = 4
+"""Number of entries in each row of a legend of several rows."""
 _MARKS = [
-    Line2D([], [], color=MUTED, marker="o", linestyle="none", markersize=6, label="Start"),
+    Line2D([], [], color=MUTED_COLOUR, marker="o", linestyle="none", markersize=6, label="Start"),
     Line2D(
-        [], [], color=GOAL, marker=">", linestyle="-", markersize=6, label="Goal and its course"
+        [],
+        [],
+        color=GOAL_COLOUR,
+        marker=">",
+        linestyle="-",
+        markersize=6,
+        label="Goal and its course",
     ),
 ]
 
@@ -51,13 +60,13 @@ def view_of(flights: Flights, axes_n: Vectors) -> View:
     points = points[np.isfinite(points).all(axis=1)] @ axes_n.T
     longest = max(float(np.ptp(points, axis=0).max()), 20.0)
     ahead = np.array([goal_axis(goal.heading_deg, goal.climb_deg) for goal in goals])
-    points = np.vstack((points, (places + ARROW * longest * ahead) @ axes_n.T))
-    points = np.vstack((points, *_bodies_near(flights, points, NEAR * longest, axes_n)))
+    points = np.vstack((points, (places + ARROW_LENGTH * longest * ahead) @ axes_n.T))
+    points = np.vstack((points, *_bodies_near(flights, points, VIEW_MARGIN * longest, axes_n)))
     low, high = points.min(axis=0), points.max(axis=0)
     longest_shown = max(float((high - low).max()), 20.0)
     least = np.where(axes_n[:, 2] == 0.0, 0.35, 0.25) * longest_shown
     centre, half = (low + high) / 2.0, np.maximum(high - low, least) / 2.0 + 0.07 * longest_shown
-    return View(np.column_stack((centre - half, centre + half)), ARROW * longest)
+    return View(np.column_stack((centre - half, centre + half)), ARROW_LENGTH * longest)
 
 
 def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -> Iterator[Array]:
@@ -88,5 +97,5 @@ def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -
     """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
     handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
     handles += [*passer_marks(flights.passers), *more]
-    columns = len(handles) if len(handles) <= WIDE else NARROW
+    columns = len(handles) if len(handles) <= WIDE_LEGEND else NARROW_LEGEND
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)

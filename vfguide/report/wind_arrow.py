@@ -7,11 +7,11 @@ from matplotlib.transforms import ScaledTranslation, Transform
 
 from vfguide.files.scenario_file import Wind
 from vfguide.geometry.units import DEG
-from vfguide.report.drawing import MUTED
+from vfguide.report.drawing import MUTED_COLOUR
 from vfguide.results.record import Array
 
-ROW = 84.0
-"""From one arrow to the next below it [pt]."""
+ARROW_SPACING = 84.0
+"""Distance from one arrow to the next below it [pt]."""
 
 
 def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
@@ -21,15 +21,17 @@ def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
     and north.
     """
     corner = _emptiest_corner(axes, drawn)
-    highest = 52.0 + (1.0 - corner[1]) * ROW * (len(wind.stages) - 1)
+    highest = 52.0 + (1.0 - corner[1]) * ARROW_SPACING * (len(wind.stages) - 1)
     centre = np.array((42.0, highest)) * (1.0 - 2.0 * np.array(corner)) + (0.0, 12.0 * corner[1])
     for row, (time, speed, from_deg) in enumerate(wind.stages):
-        here = centre - (0.0, ROW * row)
+        here = centre - (0.0, ARROW_SPACING * row)
         text = f"Wind {speed:g} m/s\nfrom {from_deg % 360.0:03.0f}°" + f"\nat {time:g} s" * (
             row > 0
         )
         below = _points_from(figure, axes, here - (0.0, 20.0))
-        axes.annotate(text, corner, xycoords=below, ha="center", va="top", color=MUTED, fontsize=9)
+        axes.annotate(
+            text, corner, xycoords=below, ha="center", va="top", color=MUTED_COLOUR, fontsize=9
+        )
         if speed > 0.0:
             _draw_arrow(figure, axes, corner, here, from_deg)
 
@@ -46,7 +48,7 @@ def _draw_arrow(
         corner,
         xycoords=_points_from(figure, axes, centre + half),
         textcoords=_points_from(figure, axes, centre - half),
-        arrowprops={"arrowstyle": "-|>", "color": MUTED, "lw": 2.2, "mutation_scale": 16},
+        arrowprops={"arrowstyle": "-|>", "color": MUTED_COLOUR, "lw": 2.2, "mutation_scale": 16},
     )
 
 

@@ -1,4 +1,7 @@
-"""Alerts: which of the others comes too near, said once, and not withdrawn at the first doubt."""
+"""Traffic alerts: which other aircraft comes too near, with hysteresis.
+
+Conflicts are found at the closest point of approach of two straight flights (CPA), as in DO-365.
+"""
 
 import math
 from typing import NamedTuple
@@ -7,52 +10,57 @@ from vfguide.geometry.vector import Vec3, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.surveillance.report import Ownship, Report, placed_at
 
-HORIZON = 30.0
-"""Conflicts are looked for so far ahead [s]."""
-LOOKS, ENOUGH = 5, 3
-"""An alert begins when so many of the last looks saw a conflict ..."""
-WIDER = 1.5
-"""... and ends when none of them sees one with a volume so much larger."""
+LOOKAHEAD = 30.0
+"""Time ahead within which conflicts are looked for [s]; chosen."""
+LOOKS = 5
+"""Number of the last looks that an alert depends on: N of the M-of-N filter of NASA DAIDALUS, the
+reference implementation of DO-365; chosen."""
+ENOUGH = 3
+"""Number of those looks with a conflict at which an alert begins: M of that filter; chosen."""
+RELEASE_FACTOR = 1.5
+"""Factor of the volume whose conflicts keep an alert on; chosen as hysteresis."""
 
 
 class Encounter(NamedTuple):
-    """How two that fly straight on come nearest."""
+    """The closest point of approach of two aircraft that fly straight on."""
 
     time: float
-    """Until they are nearest horizontally [s]."""
+    """Time until their horizontal distance is least [s]."""
     miss: float
-    """Horizontal distance then [m]."""
+    """Horizontal distance at that time [m]."""
     violates: bool
-    """Whether one enters the volume of the other before the horizon."""
+    """Whether one enters the volume of the other within LOOKAHEAD."""
 
 
 class Alert(NamedTuple):
     """The last looks at one aircraft."""
 
     conflicts: tuple[bool, ...] = ()
+    """Whether each look saw a conflict."""
     near: tuple[bool, ...] = ()
-    """The same for the wider volume."""
+    """Whether each look saw a conflict with the volume of RELEASE_FACTOR."""
     is_on: bool = False
+    """Whether the operator has been alerted."""
 
 
 def encounter(x_n: Vec3, v_n: Vec3, radius: float, half_height: float) -> Encounter:
-    """How an aircraft at `x_n` [m] that moves with `v_n` [m/s], both relative, comes nearest.
+    """The encounter with an aircraft at `x_n` [m] that moves with `v_n` [m/s], both relative, NED.
 
-    It is inside the cylinder of `radius` and `half_height` while it is so near horizontally and
-    vertically at the same time.
+    It violates the volume while it is within `radius` horizontally and within `half_height`
+    vertically [m] at the same time.
     """
     square = v_n[0] * v_n[0] + v_n[1] * v_n[1]
     closing = -(x_n[0] * v_n[0] + x_n[1] * v_n[1])
-    time = min(max(closing / square, 0.0), HORIZON) if square > 1e-9 else 0.0
+    time = min(max(closing / square, 0.0), LOOKAHEAD) if square > 1e-9 else 0.0
     miss = math.hypot(x_n[0] + time * v_n[0], x_n[1] + time * v_n[1])
     beside = _beside(x_n, v_n, radius)
     level = _level(x_n[2], v_n[2], half_height)
-    begin, end = max(beside[0], level[0], 0.0), min(beside[1], level[1], HORIZON)
+    begin, end = max(beside[0], level[0], 0.0), min(beside[1], level[1], LOOKAHEAD)
     return Encounter(time, miss, begin <= end)
 
 
 def _beside(x_n: Vec3, v_n: Vec3, radius: float) -> tuple[float, float]:
-    """From when until when it is nearer than `radius` horizontally [s]; turned round: never."""
+    """First and last time within `radius` horizontally [s]; never if the first is later."""
     a = v_n[0] * v_n[0] + v_n[1] * v_n[1]
     b = x_n[0] * v_n[0] + x_n[1] * v_n[1]
     c = x_n[0] * x_n[0] + x_n[1] * x_n[1] - radius * radius
@@ -65,7 +73,7 @@ def _beside(x_n: Vec3, v_n: Vec3, radius: float) -> tuple[float, float]:
 
 
 def _level(z: float, v_z: float, half_height: float) -> tuple[float, float]:
-    """From when until when it is no farther than `half_height` above or below [s]."""
+    """First and last time within `half_height` vertically [s]; never if the first is later."""
     if abs(v_z) < 1e-9:
         return (-math.inf, math.inf) if abs(z) <= half_height else (math.inf, -math.inf)
     one, other = (-half_height - z) / v_z, (half_height - z) / v_z
@@ -73,7 +81,7 @@ def _level(z: float, v_z: float, half_height: float) -> tuple[float, float]:
 
 
 def look(alert: Alert, report: Report, ownship: Ownship) -> tuple[Alert, str]:
-    """The alert after another look, and what the operator should read; empty: nothing new."""
+    """The alert after another look, and a note to the operator, empty if there is none."""
     each = report.intruder
     age = max(0.0, elapsed(report.time_ms, ownship.time_ms))
     radius, half_height = (
@@ -82,7 +90,7 @@ def look(alert: Alert, report: Report, ownship: Ownship) -> tuple[Alert, str]:
     )
     x_n, v_n = sub(placed_at(report, ownship.time_ms), ownship.p_n), sub(each.v_n, ownship.v_n)
     met = encounter(x_n, v_n, radius, half_height)
-    wide = encounter(x_n, v_n, WIDER * radius, WIDER * half_height)
+    wide = encounter(x_n, v_n, RELEASE_FACTOR * radius, RELEASE_FACTOR * half_height)
     conflicts = (*alert.conflicts, met.violates)[-LOOKS:]
     near = (*alert.near, wide.violates)[-LOOKS:]
     is_on = any(near) if alert.is_on else sum(conflicts) >= ENOUGH

@@ -1,4 +1,4 @@
-"""The traffic picture: whom of the others is heard of, and which of their reports are believed."""
+"""The traffic picture: other aircraft by their reports, and which of the reports are used."""
 
 from typing import NamedTuple
 
@@ -7,19 +7,25 @@ from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.surveillance.report import Ownship, Report, Volume, placed_at, report_of
 
-FORGOTTEN = 20.0
-"""A report as old as this is dropped [s]: twenty were missed, and its volume is twice as wide."""
-JUMP, SWIFT = 300.0, 100.0
-"""A report farther than this from where the last one is now, and this much a second [m, m/s], is
-believed only when the next one agrees with it."""
-ECHO, ECHO_SPEED = 15.0, 3.0
-"""Nearer than this to the own position [m] and velocity [m/s] it is the own transponder."""
-MOST = 200
-"""Aircraft that are remembered; of more, those heard of last are not."""
+LONGEST_SILENCE = 20.0
+"""Age at which a report is dropped [s]; chosen: twenty reports were missed, and its volume has
+doubled."""
+JUMP_DISTANCE = 300.0
+"""Distance from the prediction of the last report beyond which a report is used only if the next
+one agrees with it [m]; chosen."""
+JUMP_SPEED = 100.0
+"""Growth of that distance with the time between the reports [m/s]; chosen."""
+ECHO_DISTANCE = 15.0
+"""Distance from the ownship within which a report may be an echo of its own transponder [m];
+chosen."""
+ECHO_SPEED = 3.0
+"""Difference of the velocities within which such a report is an echo [m/s]; chosen."""
+MAX_AIRCRAFT = 200
+"""Largest number of aircraft that are remembered; chosen, further ones are ignored."""
 
 
 class Heard(NamedTuple):
-    """What is kept of one aircraft."""
+    """The reports that are kept of one aircraft."""
 
     report: Report
     odd: Report | None = None
@@ -27,14 +33,14 @@ class Heard(NamedTuple):
 
 
 def fits(before: Report, after: Report) -> bool:
-    """Whether one aircraft can have sent both."""
+    """Whether both reports can come from one aircraft."""
     apart = norm(sub(placed_at(before, after.time_ms), after.intruder.p_n))
-    return apart <= JUMP + SWIFT * abs(elapsed(before.time_ms, after.time_ms))
+    return apart <= JUMP_DISTANCE + JUMP_SPEED * abs(elapsed(before.time_ms, after.time_ms))
 
 
 def is_ownship_echo(report: Report, ownship: Ownship) -> bool:
-    """Whether it is where the own vehicle is and flies as it does."""
-    near = norm(sub(placed_at(report, ownship.time_ms), ownship.p_n)) < ECHO
+    """Whether a report has the position and the velocity of the ownship."""
+    near = norm(sub(placed_at(report, ownship.time_ms), ownship.p_n)) < ECHO_DISTANCE
     return near and norm(sub(report.intruder.v_n, ownship.v_n)) < ECHO_SPEED
 
 
@@ -72,7 +78,7 @@ class Picture:
             return
         known = self._heard.get(report.icao)
         if known is None:
-            if len(self._heard) < MOST:
+            if len(self._heard) < MAX_AIRCRAFT:
                 self._heard[report.icao] = Heard(report)
         elif elapsed(known.report.time_ms, report.time_ms) < 0.0:
             return
@@ -87,7 +93,7 @@ class Picture:
         self._heard = {
             icao: each
             for icao, each in self._heard.items()
-            if abs(elapsed(each.report.time_ms, now_ms)) < FORGOTTEN
+            if abs(elapsed(each.report.time_ms, now_ms)) < LONGEST_SILENCE
         }
 
     def others(self, ownship: Ownship) -> list[Report]:

@@ -1,7 +1,7 @@
 """Reports of other aircraft: ADSB_VEHICLE as a volume to keep out of.
 
-No clock: times are the autopilot's `time_boot_ms`. What is heard gets the time of the newest
-attitude, less the age that the report tells of itself.
+It has no clock: times are the autopilot's `time_boot_ms`. A report gets the time of the newest
+attitude, less the age that it contains.
 """
 
 import math
@@ -16,52 +16,60 @@ from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.link.plausibility import is_plausible
 
-FASTEST = 60.0
-"""Who does not tell a velocity may go anywhere as fast as this [m/s]: small aircraft cruise so."""
-STEEPEST = 5.0
-"""Who does not tell a vertical rate may climb or sink so fast [m/s], a thousand feet a minute."""
-BARO_DOUBT = 20.0
-"""Half height is larger by this where the height is a pressure altitude [m]."""
+ASSUMED_SPEED = 60.0
+"""Speed that is assumed of an aircraft that reports no velocity [m/s]; chosen as the cruise of
+small aircraft."""
+ASSUMED_CLIMB = 5.0
+"""Vertical speed that is assumed of an aircraft that reports none [m/s]; chosen, 1000 ft/min."""
+PRESSURE_ERROR = 20.0
+"""Addition to the half height where the altitude is a pressure altitude [m]; chosen."""
 ANY_HEIGHT = 20_000.0
-"""Half height of what does not tell its altitude [m]."""
+"""Half height of the volume of an aircraft that reports no altitude [m]; chosen, so that every
+height is in it."""
 
 
 class Volume(NamedTuple):
-    """What to keep out of around another small aircraft.
+    """The volume to keep out of around another small aircraft, an upright cylinder.
 
-    The radius holds 10 m for the wings of both, 10 m each for their receivers and 20 m that a
+    The radius contains 10 m for the wings of both, 10 m each for their receivers and 20 m that a
     report of a second ago is off in a turn; the half height is the 100 ft of a near miss that
     ASTM F3442 draws. Its radius of 500 ft is meant for crewed aircraft.
     """
 
     radius: float = 50.0
+    """Radius [m]."""
     half_height: float = 30.0
-    """[m]."""
+    """Half height [m]."""
     uncertainty_rate: float = 3.0
+    """Growth of the radius with the age of a report [m/s]."""
     uncertainty_rate_up: float = 1.5
-    """Of both with the age of a report [m/s]."""
+    """Growth of the half height with the age of a report [m/s]."""
 
 
 SMALL_AIRCRAFT = Volume()
+"""The volume around a small aircraft, which scenarios may change."""
 
 
 class Report(NamedTuple):
-    """The newest word of one aircraft."""
+    """The newest report of one aircraft."""
 
     icao: int
     name: str
     time_ms: int
-    """time_boot_ms of when it was there."""
+    """time_boot_ms at which it was there."""
     intruder: Intruder
     """Its time is not set."""
 
 
 class Ownship(NamedTuple):
-    """Where the own vehicle is at a time, in the frame of the plan."""
+    """State of the ownship at a time, in the frame of the plan."""
 
     time_ms: int
+    """Time as time_boot_ms [ms]."""
     p_n: Vec3
+    """Position, NED [m]."""
     v_n: Vec3
+    """Velocity over ground, NED [m/s]."""
 
 
 def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> Report | None:
@@ -79,7 +87,7 @@ def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> R
 
 
 def velocity_of(said: AdsbVehicle) -> Vec3:
-    """North-east-down at the aircraft [m/s]; zero where it is not told."""
+    """Velocity, north-east-down at the aircraft [m/s]; zero where it is not reported."""
     up = said.ver_velocity * CM_S if said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID else 0.0
     if not said.flags & AdsbFlags.VALID_VELOCITY or not said.flags & AdsbFlags.VALID_HEADING:
         return (0.0, 0.0, -up)
@@ -88,22 +96,22 @@ def velocity_of(said: AdsbVehicle) -> Vec3:
 
 
 def volume_of(said: AdsbVehicle, volume: Volume) -> Volume:
-    """What to keep out of, larger or growing faster where something is not told."""
+    """The volume of a report, larger or growing faster where something is not reported."""
     radius, half_height, uncertainty_rate, uncertainty_rate_up = volume
     if not said.flags & AdsbFlags.VALID_ALTITUDE:
         half_height = ANY_HEIGHT
     elif said.altitude_type == AdsbAltitudeType.PRESSURE_QNH:
-        half_height += BARO_DOUBT
+        half_height += PRESSURE_ERROR
     if not said.flags & AdsbFlags.VALID_VELOCITY:
-        uncertainty_rate += FASTEST
+        uncertainty_rate += ASSUMED_SPEED
     elif not said.flags & AdsbFlags.VALID_HEADING:
         uncertainty_rate += said.hor_velocity * CM_S
     if not said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID:
-        uncertainty_rate_up += STEEPEST
+        uncertainty_rate_up += ASSUMED_CLIMB
     return Volume(radius, half_height, uncertainty_rate, uncertainty_rate_up)
 
 
 def placed_at(report: Report, time_ms: int) -> Vec3:
-    """Where it is at a time if it flies straight on, NED [m]."""
+    """Position of a reported aircraft at a time if it flies straight on, NED [m]."""
     each = report.intruder
     return add(each.p_n, scale(elapsed(report.time_ms, time_ms), each.v_n))

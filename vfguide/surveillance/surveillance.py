@@ -1,4 +1,4 @@
-"""What the companion makes of traffic: rows for the step, notes for the operator."""
+"""Surveillance of traffic: rows for the step, alerts for the operator."""
 
 from collections.abc import Sequence
 
@@ -11,12 +11,13 @@ from vfguide.surveillance.alerts import Alert, look
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship, Report, placed_at
 
-LOOK = 0.5
-"""Between two looks round [s]."""
+LOOK_INTERVAL = 0.5
+"""Time between two looks at the traffic [s]; chosen."""
 REACH = 40.0
-"""Who cannot be here within this time is left out of the step [s]."""
-NEAREST = 8
-"""At most so many are in the step: more than a few at once cost more time than they are worth."""
+"""Time within which an aircraft must be able to meet the vehicle to be in the step [s]; chosen
+above the lookahead of alerts."""
+MAX_INTRUDERS = 8
+"""Largest number of aircraft in the step, the nearest ones; chosen for the time they take."""
 
 
 class Surveillance:
@@ -37,14 +38,14 @@ class Surveillance:
         """Whether there is somebody to look at, and nobody has looked lately."""
         if self._picture.is_empty:
             return False
-        return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK
+        return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK_INTERVAL
 
     def look(self, ownship: Ownship) -> list[str]:
-        """Look round; returns what the operator should read."""
+        """Look at all others; returns notes for the operator."""
         self._looked = ownship.time_ms
         self._picture.forget(ownship.time_ms)
         others = [each for each in self._picture.others(ownship) if within_reach(each, ownship)]
-        self._near = tuple(each.icao for each in others)[:NEAREST]
+        self._near = tuple(each.icao for each in others)[:MAX_INTRUDERS]
         before, self._alerts = self._alerts, {}
         notes: list[str] = []
         for each in others:
