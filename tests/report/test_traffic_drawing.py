@@ -45,7 +45,7 @@ def apart(flights: Flights) -> np.ndarray:
 
 
 def test_a_volume_is_shown_where_it_came_nearest(flights: Flights) -> None:
-    (its,) = flights.passers
+    (its,) = flights.traffic
     beside = np.hypot(*apart(flights)[:, :2].T)
     assert 0 < beside.argmin() < len(beside) - 1, "neither the start nor the end"
     assert its.nearest == pytest.approx(its.p_n[beside.argmin()])
@@ -58,7 +58,7 @@ def test_where_the_vehicle_is_not_known_no_aircraft_is_near(flights: Flights) ->
     record = flights.records[0]
     p_n = record.p_n.copy()
     p_n[len(p_n) // 10 :] = np.nan
-    (its,) = Flights(flights.loaded, [replace(record, p_n=p_n)]).passers
+    (its,) = Flights(flights.loaded, [replace(record, p_n=p_n)]).traffic
     assert its.nearest == pytest.approx(its.p_n[len(p_n) // 10 - 1])
 
 
@@ -87,5 +87,5 @@ def test_without_other_aircraft_there_is_nothing_of_them(tmp_path: Path) -> None
     flights = Flights(loaded, [record_of(loaded.scenario.vehicles[0], straight, SECONDS)])
     figure = Figure()
     draw_plan(figure, flights)
-    assert flights.passers == ()
+    assert flights.traffic == ()
     assert "Other aircraft" not in str([its.texts for its in figure.legends])

@@ -68,9 +68,8 @@ class Gains(NamedTuple):
     smoothing: float = 0.08
     """Time constant of the reference attitude's angular velocity [s]."""
     response_lag: float = 0.0
-    """How much longer the roll rate takes for 63 % of a step than the 0.08 s for which these
-    defaults are made [s]: the course is planned for half of it ahead, and turns become wider by
-    half the way that is flown meanwhile."""
+    """Roll response time beyond the 0.08 s for which these defaults are made [s]: the course is
+    planned for half of it ahead, and turns are wider by half the length that is flown in it."""
 
 
 @compiled

@@ -40,15 +40,15 @@ class Samples(NamedTuple):
     v_n: Vectors
     """(N, 3) velocity over ground [m/s]."""
     airspeed: Series
-    """(N,) true airspeed [m/s]; no number: not told, or not believed."""
+    """(N,) true airspeed [m/s]; not a number where it was not measured, or not trusted."""
     roll_rate: Series
     """(N,) [rad/s]."""
     roll_rate_asked: Series
     """(N,) setpoint that answers this state [rad/s]."""
     thrust: Series
-    """(N,) the same of the thrust, 0 to 1."""
+    """(N,) thrust setpoint that answers this state, 0 to 1."""
     delay: Series
-    """(N,) so long after the attitude the setpoint begins to act [s]."""
+    """(N,) time from the attitude until the setpoint acts [s]."""
 
 
 class Means(NamedTuple):
@@ -67,12 +67,12 @@ class Means(NamedTuple):
 
 
 def samples_of(flown: Iterable[Sample]) -> Samples:
-    """The flight of so many instants."""
+    """The samples of a flight as arrays."""
     return Samples(*cast("tuple[Array, ...]", columns(Sample, table_of(Sample, flown))))
 
 
 def sound(samples: Samples) -> Samples:
-    """The samples that can be reckoned with: of numbers alone but for the airspeed, in order."""
+    """The usable samples: finite except for the airspeed, in the order of time."""
     told = samples._replace(airspeed=samples.time)
     numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in told]
     good: Mask = np.logical_and.reduce(numbers)
@@ -103,10 +103,10 @@ def means_of(samples: Samples) -> Means:
 
 
 def wind_of(samples: Samples) -> Array:
-    """The mean wind, NED [m/s]: with it velocity over ground and airspeed fit on all courses.
+    """The mean wind, NED [m/s], with which velocity over ground and airspeed fit on all courses.
 
-    V^2 = |v - w|^2, linear in w but for |w|^2. That is left free, and takes what the airspeed
-    sensor tells too much. On one course alone nothing is known of it, and it is no number.
+    V^2 = |v - w|^2 is linear in w but for |w|^2, which is a free parameter and absorbs the bias of
+    the airspeed sensor. On one course alone the wind is not a number.
     """
     level = samples.v_n[:, :2]
     excess = samples.airspeed**2 - np.einsum("ni,ni->n", samples.v_n, samples.v_n)
@@ -115,14 +115,14 @@ def wind_of(samples: Samples) -> Array:
 
 
 def halfway(values: Vectors) -> Vectors:
-    """Between the samples, which are along the first axis."""
+    """Means of neighbouring samples, which are along the first axis."""
     return 0.5 * (values[1:] + values[:-1])
 
 
 def mean(samples: Samples, values: Array) -> Array:
-    """Means over WINDOW after WINDOW of what was between the samples; hardly filled ones apart.
+    """Means over successive windows of the values between the samples, without sparse windows.
 
-    Steps over a gap do not count.
+    Steps over a gap are left out.
     """
     dt = np.diff(samples.time)
     steady = dt < 0.5 * WINDOW

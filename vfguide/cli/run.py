@@ -60,7 +60,7 @@ def default_folder(name: str) -> Path:
 
 
 def status_of(result: "Result") -> int:
-    """The exit status that tells the verdict."""
+    """The exit status of a verdict."""
     return GOOD if result.verdict == "good" else BAD
 
 

@@ -38,9 +38,9 @@ class HazardAnnunciator:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
         self._told: dict[str, float] = {}
-        """When a note of each kind was told [s]."""
+        """Time of the last note of each kind [s]."""
         self._acted: float | None = None
-        """When the assurance acted last, while its escape lasts [s]."""
+        """Time of the last action of the assurance during an escape [s]."""
         self._sought = -math.inf
         self._lost: int | None = None
         """The goal to which no route was found."""
@@ -88,7 +88,7 @@ class HazardAnnunciator:
         return []
 
     def _tell(self, kind: str, note: str, now: float) -> list[str]:
-        """The note, unless one of its kind was told just now."""
+        """The note, unless there was one of its kind within NOTE_INTERVAL."""
         if abs(now - self._told.get(kind, -math.inf)) < NOTE_INTERVAL:
             return []
         self._told[kind] = now

@@ -55,12 +55,12 @@ _PLACES: dict[type[Message], int] = {
     WindCov: Knowledge._fields.index("wind"),
     SystemTime: Knowledge._fields.index("date"),
 }
-"""Where each kind of message is kept: the number of its field."""
+"""The number of the field of each kind of message."""
 _TIMES: dict[type[Message], int] = {
     VfrHud: Knowledge._fields.index("hud_time"),
     WindCov: Knowledge._fields.index("wind_time"),
 }
-"""Where the time of a message is kept that does not tell it."""
+"""The number of the field with the time of a message that contains none."""
 OBSERVED = tuple(_PLACES)
 """The kinds of messages from which a measurement is made."""
 
@@ -111,7 +111,7 @@ def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
 def obstacle_time(known: Knowledge, epoch: int, began_ms: int) -> float:
     """Time on the clock of the obstacles at the newest attitude [s].
 
-    It counts from `epoch` [us since 1970] where the autopilot tells the date, else from its time
+    It counts from `epoch` [us since 1970] where the autopilot knows the date, else from its time
     `began_ms` since boot, when the companion began.
     """
     now = 0 if known.attitude is None else known.attitude.time_boot_ms

@@ -18,7 +18,7 @@ route_of_row = getter(LoopState, "planning.following")
 sought_of_row = getter(LoopState, "planning.following.sought")
 """When one was searched for last [s]."""
 looked_of_row = getter(LoopState, "planning.following.looked")
-"""When the way ahead was looked along last [s]."""
+"""Time of the last check of the route [s]."""
 number_of_resets = getter(LoopState, "estimation.resets.number")
 """How often the position has jumped."""
 is_alarmed = getter(LoopState, "progress.alarmed")
@@ -46,7 +46,7 @@ class Noted(NamedTuple):
 
 @compiled
 def air_report(row: Row) -> AirReport:
-    """What is believed of the air."""
+    """The estimate of the air."""
     return report_air(read_state(row).estimation.air)
 
 

@@ -64,7 +64,7 @@ class Plan:
 
     @property
     def is_assured(self) -> bool:
-        """Whether the run-time assurance stands above the law."""
+        """Whether the run-time assurance guards the law."""
         return self.hazards is not None and self.law.is_assured
 
     def __post_init__(self) -> None:

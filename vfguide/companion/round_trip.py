@@ -23,7 +23,7 @@ SLOW_LINK = 0.2
 
 
 class RoundTrip:
-    """The delay of one link, both ways together."""
+    """The delay of one link, downlink and uplink together."""
 
     def __init__(self) -> None:
         self.delay = 0.0

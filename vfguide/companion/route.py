@@ -159,7 +159,7 @@ class Route:
             self._surveillance.hear(said, known.attitude.time_boot_ms)
 
     def take_jump(self) -> bool:
-        """Whether the position that is told has jumped; told once."""
+        """Whether there was a position reset since the last call."""
         jumped, self._jumped = self._jumped, False
         return jumped
 

@@ -40,14 +40,14 @@ class Daemon:
         say: Callable[[str], None],
         save: Callable[[Identified], None],
     ) -> None:
-        """A daemon that has not begun.
+        """A daemon that has not started.
 
         Args:
             session: the companion behind bytes; it records to `log`.
             transport: its link.
             log: of what it receives and sends.
             clock: the date.
-            say: tells the operator one line.
+            say: shows the operator one line.
             save: takes what a test flight has shown of the aircraft, once.
         """
         self._session = session
@@ -107,7 +107,7 @@ class Daemon:
             self._transport.send(frame)
 
     def _tell(self) -> None:
-        """Tell the operator what is new."""
+        """Show the operator what is new."""
         warnings = self._transport.warnings + self._log.warnings
         for line in self._companion.news() + warnings:
             self._say(line)

@@ -18,7 +18,7 @@ companion from its other duties."""
 PEER_SILENT = 3_000_000
 """Time of silence after which a peer may be replaced by another [us]; chosen."""
 MAX_STRANGERS = 5
-"""Largest number of other senders that the operator is told of; chosen."""
+"""Largest number of other senders of which the operator is warned; chosen."""
 
 Address = tuple[Any, ...]
 
@@ -70,7 +70,7 @@ class UdpLink:
         self.socket.close()
 
     def _hear(self, now: int, sender: Address, sysid: int) -> None:
-        """Note where an autopilot is heard; tell of those that are not ours."""
+        """Note the sender of our autopilot; warn of others."""
         if sysid != self._sysid:
             self._tell_of(sender, f"vehicle {sysid} is heard, waited for is {self._sysid}")
             return
@@ -83,7 +83,7 @@ class UdpLink:
             self._tell_of(sender, f"ignored as vehicle {sysid}, whose autopilot is at {place}")
 
     def _tell_of(self, stranger: Address, text: str) -> None:
-        """Tell the operator once of each of the first strangers."""
+        """Warn the operator once of each of the first strangers."""
         if stranger not in self._strangers and len(self._strangers) < MAX_STRANGERS:
             self._strangers.add(stranger)
             self.warnings.append(f"{name_of(stranger)}: {text}")
@@ -113,7 +113,7 @@ def call(url: NetworkUrl, sysid: int) -> UdpLink:
     """A link that speaks first, to `url`, and hears nobody else.
 
     Raises:
-        ConnectError: there is no way to that host.
+        ConnectError: there is no route to that host.
     """
     opened, address = open_socket(url)
     try:

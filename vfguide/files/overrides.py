@@ -35,7 +35,7 @@ def parse_override(text: str) -> Override:
 
 
 def apply_override(table: dict[str, Any], override: Override, file: Path) -> None:
-    """Replace one value of `table` in place; tables on the way that are missing are made.
+    """Replace one value of `table` in place; missing tables are made.
 
     Raises:
         InputError: the key leads through something that is not a table, or past the end of a list

@@ -75,7 +75,7 @@ class Origin(Table):
 
 
 class WindChange(Table):
-    """What the wind changes to."""
+    """A change of the wind."""
 
     time_s: Annotated[float, above(0, 86_400)]
     speed_mps: WindSpeed
@@ -124,16 +124,16 @@ class Guidance(Table):
     k_elevation: Annotated[float, between(0, 5)] = 0.5
     """Extra elevation per error of the path angle."""
     loiter: Annotated[Literal["right", "left"], word("right", "left")] = "right"
-    """Which way round to circle after the last goal."""
+    """Side of the circle after the last goal."""
     loiter_radius_m: Annotated[float, above(0, 10_000)] | None = None
     """Of that circle; None: each aircraft's own. It grows where wind and bank ask for more."""
 
 
 class Avoidance(Table):
-    """How much room there has to be."""
+    """Distances to keep."""
 
     safety_radius_m: Annotated[float, above(0, 1000)] = 10.0
-    """Of one vehicle: centres have to stay two of them apart."""
+    """Safety radius of one vehicle: centres have to stay two of them apart."""
     detection_range_m: Annotated[float, above(0, 100_000)] = 300.0
     between_vehicles: bool = True
     traffic: bool = False
@@ -182,7 +182,7 @@ class VehicleEntry(Table):
 
 
 class Reset(Table):
-    """A jump of what every autopilot believes."""
+    """A position reset of every autopilot."""
 
     time_s: Annotated[float, between(0, 86_400)]
     position_m: Position = (0.0, 0.0, 0.0)
@@ -192,7 +192,7 @@ class Reset(Table):
 
 
 class Autopilot(Table):
-    """What the software autopilots have and tell."""
+    """The software autopilots: their sensors, motors and messages."""
 
     airspeed_fails_at_s: Annotated[float, between(0, 86_400)] | None = None
     """When the airspeed sensor fails; 0: there is none; None: it never does."""
@@ -209,7 +209,7 @@ class Autopilot(Table):
 
 
 class Link(Table):
-    """The way between each autopilot and its companion, as `vfguide run` simulates it."""
+    """The link between each autopilot and its companion, as `vfguide run` simulates it."""
 
     delay_ms: Delay = 0.0
     """From the autopilot to the companion."""
@@ -237,7 +237,7 @@ class Sensors(Table):
 
 
 class ScenarioHead(Table):
-    """What concerns all vehicles."""
+    """The part of a scenario that concerns all vehicles."""
 
     name: Name
     plant: Plant = "jsbsim"

@@ -57,7 +57,7 @@ class TrafficEntry(Table):
     delay_s: Annotated[float, between(0, 60)] = 0.0
     """From a position to the arrival of its report."""
     position_error_m: Annotated[float, between(0, 1000)] = 0.0
-    """Standard deviation of each axis of the position told."""
+    """Standard deviation of each axis of the reported position."""
     change: list[TrafficChange] = Field(default_factory=list[TrafficChange])
 
 

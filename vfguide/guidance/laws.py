@@ -25,7 +25,7 @@ class FlightLaw(NamedTuple):
     plans: bool = True
     """Whether routes are planned."""
     is_assured: bool = True
-    """Whether the run-time assurance stands above the law."""
+    """Whether the run-time assurance guards the law."""
 
 
 class PaperLaw(NamedTuple):
@@ -34,7 +34,7 @@ class PaperLaw(NamedTuple):
     plans: bool = False
     """Whether routes are planned."""
     is_assured: bool = False
-    """Whether the run-time assurance stands above the law."""
+    """Whether the run-time assurance guards the law."""
 
 
 Law = FlightLaw | PaperLaw

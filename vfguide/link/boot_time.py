@@ -3,10 +3,10 @@
 from vfguide.geometry.units import MS
 
 ROLLOVER = 2**32
-"""time_boot_ms counts milliseconds in 32 bits: 49.7 days."""
+"""Number of milliseconds after which time_boot_ms begins again, 49.7 days."""
 
 
 def elapsed(before_ms: int, after_ms: int) -> float:
-    """Time from one time_boot_ms to another [s], across the rollover."""
+    """Time from one time_boot_ms to another [s], also across the rollover."""
     half = ROLLOVER // 2
     return ((after_ms - before_ms + half) % ROLLOVER - half) * MS

@@ -1,6 +1,6 @@
 """The numbers of MAVLink that have names; members are named as there, without the prefix.
 
-Fields of records hold plain integers, since a peer may send a value that no name stands for.
+Fields of records hold plain integers, since a peer may send a value that has no name.
 """
 
 from enum import IntEnum, IntFlag
@@ -236,7 +236,7 @@ class MavSeverity(IntEnum):
 
 
 class GpsFixType(IntEnum):
-    """GPS_FIX_TYPE; "2D_FIX" and "3D_FIX" stand with the prefix, to be names in Python."""
+    """GPS_FIX_TYPE; "2D_FIX" and "3D_FIX" keep the prefix, to be names in Python."""
 
     NO_GPS = 0
     NO_FIX = 1
@@ -250,7 +250,7 @@ class GpsFixType(IntEnum):
 
 
 class SysStatusSensor(IntFlag):
-    """MAV_SYS_STATUS_SENSOR: parts that SYS_STATUS tells of."""
+    """MAV_SYS_STATUS_SENSOR: parts that SYS_STATUS reports."""
 
     SENSOR_3D_GYRO = 1 << 0
     SENSOR_3D_ACCEL = 1 << 1

@@ -1,7 +1,7 @@
 """Frames in a stream of bytes: found, checked, counted; MAVLink 1 and 2, signed or not.
 
-A frame is true if its checksum is, whatever stands around it. Nothing that a peer sends raises:
-what is wrong with the stream is counted (`LinkCounters`).
+A frame is true if its checksum is, whatever precedes or follows it. Nothing that a peer sends
+raises: what is wrong with the stream is counted (`LinkCounters`).
 
 The wire (n bytes of payload, checksum over all but the magic byte, then the CRC_EXTRA byte):
 
@@ -64,7 +64,7 @@ class Flaw(Enum):
     """Why no frame can be read at a place that looks like the start of one."""
 
     INCOMPLETE = auto()
-    """More bytes are needed to tell."""
+    """More bytes are needed to decide."""
     FOREIGN = auto()
     """Flags that nobody has defined: its length cannot be known."""
     UNKNOWN = auto()

@@ -63,7 +63,7 @@ class Layout:
         return self._make(values)
 
     def body(self, seq: int, sysid: int, compid: int, message: Message) -> bytes:
-        """What stands between magic byte and checksum of a frame: header and payload.
+        """The bytes between magic byte and checksum of a frame: header and payload.
 
         No flags; zeros are cut off the end of the payload, but for its first byte.
 

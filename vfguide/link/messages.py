@@ -648,7 +648,7 @@ class Timesync(NamedTuple):
 
 
 class CurrentMode(NamedTuple):
-    """The mode, sooner than the next heartbeat tells."""
+    """The mode, sooner than in the next heartbeat."""
 
     MSGID = 436
     NAME = "CURRENT_MODE"
@@ -753,7 +753,7 @@ class BatteryStatus(NamedTuple):
 
 
 class AdsbVehicle(NamedTuple):
-    """Another aircraft, as its transponder tells."""
+    """Another aircraft, as its transponder reports."""
 
     MSGID = 246
     NAME = "ADSB_VEHICLE"

@@ -145,7 +145,7 @@ class TlogReader:
     """The records of a log, as (time [us since 1970], frame); can be iterated again and again.
 
     A damaged place costs the records that it hits and no other one. A frame behind it whose own
-    time is gone has that of the frame before.
+    time is missing has that of the frame before.
     """
 
     def __init__(self, data: bytes) -> None:

@@ -91,6 +91,6 @@ def _network(text: str, transport: Transport, host: str, number: str) -> Network
 
 
 def _positive(digits: str) -> int | None:
-    """The number above 0 that stands there in plain digits, None if there is none."""
+    """The number above 0 in plain digits, None if there is none."""
     number = int(digits) if digits.isascii() and digits.isdigit() and len(digits) < 10 else 0
     return number or None

@@ -53,7 +53,7 @@ def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
     scenario = flights.loaded.scenario
     fence = fence_distances(scenario.fence, record.p_n)
     volumes = [
-        volume_distance(scenario.avoidance, each.p_n - record.p_n) for each in flights.passers
+        volume_distance(scenario.avoidance, each.p_n - record.p_n) for each in flights.traffic
     ]
     each = np.column_stack((clearances(record, rows_of(scenario.obstacles)), *volumes, fence))
     return np.fmin.reduce(each, axis=1)

@@ -1,4 +1,4 @@
-"""How figures look: colours that the colour-blind can tell apart, sizes, PNG."""
+"""Style of figures: colours that the colour-blind can distinguish, sizes, PNG."""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Series, Vec3
 from vfguide.report.obstacle_drawing import Body, body_of
-from vfguide.report.traffic_drawing import Passer, traffic_paths_of
+from vfguide.report.traffic_drawing import TrafficPath, traffic_paths_of
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.load import LoadedScenario
 
@@ -81,7 +81,7 @@ class Flights:
         return tuple(body_of(each, seconds) for each in self.loaded.scenario.obstacles)
 
     @cached_property
-    def passers(self) -> tuple[Passer, ...]:
+    def traffic(self) -> tuple[TrafficPath, ...]:
         """The other aircraft over the time of the flights."""
         return traffic_paths_of(self.loaded.scenario, self.records)
 

@@ -57,5 +57,5 @@ def _chain(points: list[list[float]]) -> list[list[float]]:
 
 
 def _turns(a: list[float], b: list[float], c: list[float]) -> bool:
-    """Whether the way from `a` by `b` to `c` turns from the first axis to the second."""
+    """Whether the polyline `a`, `b`, `c` turns from the first axis to the second."""
     return (b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0])

@@ -1,4 +1,4 @@
-"""Obstacles as figures show them: surfaces and outlines, those that move at several times."""
+"""Drawing of obstacles: surfaces and outlines, moving ones at several times."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ class Body:
 
     @property
     def places(self) -> list[tuple[Vector, float]]:
-        """The ways to where it is shown, (3,) each, and how opaque it is there."""
+        """The displacements at which it is shown, (3,) each, and its opacity there."""
         way = self.track[1] - self.track[0]
         parts: Series = np.linspace(0.0, 1.0, SHOWN_TIMES if self.moves else 1)
         return [(part * way, EARLIER_OPACITY) for part in parts[:-1]] + [(way, 1.0)]

@@ -34,7 +34,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
     box, floor = view.limits, float(view.limits[2, 0])
     axes.set(xlim=box[0], ylim=box[1], zlim=box[2])
     draw_surfaces(axes, flights.bodies, floor)
-    draw_traffic_in_space(axes, flights.passers)
+    draw_traffic_in_space(axes, flights.traffic)
     for index, record in enumerate(flights.records):
         x, y, z = east_north_up(record.p_n).T
         line = line_of(index)
@@ -62,7 +62,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
     _draw_flat(axes, flights, EAST_AXIS, NORTH_AXIS)
     draw_zones(axes, flights.loaded.scenario.fence)
     write_names(axes, flights.bodies, np.column_stack((EAST_AXIS, NORTH_AXIS)))
-    name_traffic(axes, flights.passers, np.column_stack((EAST_AXIS, NORTH_AXIS)))
+    name_traffic(axes, flights.traffic, np.column_stack((EAST_AXIS, NORTH_AXIS)))
     axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
     axes.set_title("Path from above")
     wind = flights.loaded.scenario.wind
@@ -93,7 +93,7 @@ def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:
     onto = np.column_stack((right, up))
     view = view_of(flights, onto.T)
     draw_outlines(axes, flights.bodies, onto)
-    draw_traffic(axes, flights.passers, onto)
+    draw_traffic(axes, flights.traffic, onto)
     for index, record in enumerate(flights.records):
         x, y = (record.p_n @ onto).T
         line = line_of(index)

@@ -80,7 +80,7 @@ def draw_speed(figure: Figure, flights: Flights) -> None:
 
 
 def draw_rates(figure: Figure, flights: Flights) -> None:
-    """Body rates, commanded and flown; a rigid body of plant `kinematic` flies what it is told."""
+    """Body rates, commanded and flown; those of a rigid body are the same."""
     panels = [
         Panel(
             label,
@@ -101,7 +101,7 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
 
 
 def draw_air(figure: Figure, flights: Flights) -> None:
-    """The wind, true and as the companion believes it, and what it believes of the airspeed."""
+    """The wind, true and estimated, and the estimated airspeed."""
     panels = [
         Panel(
             "Wind to north [m/s]",
@@ -125,7 +125,7 @@ def draw_air(figure: Figure, flights: Flights) -> None:
 
 
 def believed(record: FlightRecord, part: Callable[[AirBelief], tuple[Series, Series]]) -> Series:
-    """A value that was believed; NaN before the companion flew, when nothing was.
+    """An estimated value; NaN before the companion flew.
 
     `part` takes the value and its standard deviation.
     """

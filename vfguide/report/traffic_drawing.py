@@ -31,7 +31,7 @@ _VOLUME: Any = {
 
 
 @dataclass(frozen=True)
-class Passer:
+class TrafficPath:
     """Another aircraft over the time of a run."""
 
     name: str
@@ -43,16 +43,18 @@ class Passer:
     """(3,) where it was then, NED [m]."""
 
 
-def traffic_paths_of(scenario: Scenario, records: Sequence[FlightRecord]) -> tuple[Passer, ...]:
+def traffic_paths_of(
+    scenario: Scenario, records: Sequence[FlightRecord]
+) -> tuple[TrafficPath, ...]:
     """The other aircraft of a run."""
     edges = _edges(scenario.avoidance.traffic_radius_m, scenario.avoidance.traffic_half_height_m)
-    passers: list[Passer] = []
+    traffic: list[TrafficPath] = []
     for each in scenario.traffic:
         p_n, _ = motion_at(path_of(each), records[0].time)
         apart = [volume_distance(scenario.avoidance, p_n - record.p_n) for record in records]
         nearest = p_n[int(np.nan_to_num(np.min(apart, axis=0), nan=np.inf).argmin())]
-        passers.append(Passer(each.name, p_n, nearest + edges, nearest))
-    return tuple(passers)
+        traffic.append(TrafficPath(each.name, p_n, nearest + edges, nearest))
+    return tuple(traffic)
 
 
 def _edges(radius: float, half_height: float) -> Array:
@@ -66,22 +68,22 @@ def _edges(radius: float, half_height: float) -> Array:
     return np.vstack((np.column_stack((x, y, -down)), np.column_stack((x, y, down))))
 
 
-def draw_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+def draw_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> None:
     """Their paths and volumes on the plane that `onto`, (3, 2), projects to."""
-    for each in passers:
+    for each in traffic:
         axes.plot(*(each.p_n @ onto).T, zorder=1.6, **_PATH)
         axes.fill(*outline(each.volume @ onto).T, zorder=1.4, **_VOLUME)
 
 
-def name_traffic(axes: Axes, passers: Sequence[Passer], onto: Array) -> None:
+def name_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> None:
     """Their names where they came nearest, unless there are too many."""
-    for each in passers if len(passers) <= MAX_NAMES else ():
+    for each in traffic if len(traffic) <= MAX_NAMES else ():
         write_name(axes, each.name, each.nearest @ onto, AIRCRAFT_COLOUR)
 
 
-def draw_traffic_in_space(axes: Any, passers: Sequence[Passer]) -> None:
+def draw_traffic_in_space(axes: Any, traffic: Sequence[TrafficPath]) -> None:
     """Their paths and volumes in axes east, north, up."""
-    for each in passers:
+    for each in traffic:
         axes.plot(*east_north_up(each.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
         for circle in each.volume.reshape(2, VOLUME_CORNERS, 3):
             around = np.arange(VOLUME_CORNERS + 1) % VOLUME_CORNERS
@@ -89,9 +91,9 @@ def draw_traffic_in_space(axes: Any, passers: Sequence[Passer]) -> None:
             axes.plot(x, y, z, color=AIRCRAFT_COLOUR, linewidth=0.9, zorder=1.6, axlim_clip=True)
 
 
-def passer_marks(passers: Sequence[Passer]) -> list[Patch | Line2D]:
+def traffic_marks(traffic: Sequence[TrafficPath]) -> list[Patch | Line2D]:
     """Entries of a legend."""
-    if not passers:
+    if not traffic:
         return []
     path = Line2D([], [], **_PATH, label="Other aircraft")
     return [path, Patch(**_VOLUME, label="Its volume, when nearest")]

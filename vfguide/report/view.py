@@ -12,7 +12,7 @@ from vfguide.geometry.vector import Vectors
 from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR, Flights, goal_axis, vehicle_lines
 from vfguide.report.fence_figure import places_of
 from vfguide.report.obstacle_drawing import body_marks
-from vfguide.report.traffic_drawing import passer_marks
+from vfguide.report.traffic_drawing import traffic_marks
 from vfguide.results.record import Array
 from vfguide.scenario.resolved import Goal
 
@@ -79,7 +79,7 @@ def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -
     if len(fence):
         yield np.clip((fence.min(axis=0), fence.max(axis=0)), low, high)
     shown = [body.surface + way for body in flights.bodies for way, _ in body.places]
-    for surface in (*shown, *(passer.volume for passer in flights.passers)):
+    for surface in (*shown, *(path.volume for path in flights.traffic)):
         corners = surface.reshape(-1, 3) @ axes_n.T
         least, most = corners.min(axis=0), corners.max(axis=0)
         if (least < high).all() and (most > low).all():
@@ -96,6 +96,6 @@ def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
 def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
     """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
     handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
-    handles += [*passer_marks(flights.passers), *more]
+    handles += [*traffic_marks(flights.traffic), *more]
     columns = len(handles) if len(handles) <= WIDE_LEGEND else NARROW_LEGEND
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)

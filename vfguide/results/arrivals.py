@@ -1,4 +1,4 @@
-"""Arrivals at goals, for robots that slow down towards a goal and stand still there."""
+"""Arrivals at goals, for robots that slow down towards a goal and stop there."""
 
 import math
 
@@ -19,7 +19,7 @@ def arrival_radius(goal: Goal) -> float:
 class Arrivals(Legs):
     """Legs whose goal is passed, once, where the distance first falls to the arrival radius.
 
-    The velocities of its samples are those that the nose points along: a robot that stands has a
+    The velocities of its samples are those that the nose points along: a robot at rest has a
     course too.
     """
 

@@ -113,7 +113,7 @@ class FlightRecord:
     identified: Identified | None = None
     """The aircraft as that test flight has shown it."""
     arrives: bool = False
-    """It slows down towards its goals, and stands still at the last one."""
+    """Whether it slows down towards its goals, and stops at the last one."""
 
     def legs(self) -> Legs:
         """The legs that were flown."""

@@ -62,8 +62,8 @@ class JsbsimVehicle:
             loaded: the scenario.
             vehicle: which of its vehicles.
             write_own: takes every frame between the companion and its autopilot.
-            write_truth: takes the frames that tell the truth.
-            steps: that its companion calls.
+            write_truth: takes the frames of the truth.
+            steps: the compiled steps that its companion calls.
 
         Raises:
             InputError: the aircraft's model cannot be flown.
@@ -148,7 +148,7 @@ class JsbsimVehicle:
         )
 
     def _position_error(self, p_n: Vec3) -> Vec3:
-        """Position that the autopilot tells less the true one, scenario frame [m]."""
+        """Position that the autopilot reports less the true one, scenario frame [m]."""
         if self._exact:
             return (0.0, 0.0, 0.0)
         told = self.sim.autopilot.estimate

@@ -36,7 +36,7 @@ class KinematicLaw(Protocol):
 class PaperKinematicLaw:
     """Law `paper`: one closed loop for the whole swarm, a smaller id has priority.
 
-    Where a robot is on its way it reads from its legs: its state is known exactly.
+    The present goal of a robot is that of its legs, since its state is known exactly.
     """
 
     def __init__(self, scenario: Scenario, legs: Sequence[Arrivals], steps: Steps = STEPS) -> None:
@@ -52,7 +52,7 @@ class PaperKinematicLaw:
         self._goals = np.zeros((len(legs), width(GoalFrame)))
 
     def courses(self, bodies: Bodies) -> Vectors:
-        """The noses: a robot that stands has a course too."""
+        """The directions of the noses: a robot at rest has a course too."""
         return bodies.R_nb[:, :, 0]
 
     def steer(self, time: float, bodies: Bodies) -> Commands:

@@ -39,7 +39,7 @@ class RigidBodies:
     """Rigid bodies that are steered at the guidance rate; inside they are sorted by their ids."""
 
     def __init__(self, loaded: LoadedScenario, write: Write, steps: Steps = STEPS) -> None:
-        """All at their starts; `write` takes the frames that tell the truth."""
+        """All at their starts; `write` takes the frames of the truth."""
         scenario = loaded.scenario
         self._rate = scenario.guidance.rate_hz
         self._origin = place_of(scenario.origin)
@@ -80,7 +80,7 @@ class RigidBodies:
     def advance(self) -> None:
         """Move all bodies on to the next update, then steer them anew.
 
-        What is noted are the speed and the rates that brought them there.
+        The speed and the rates that brought them there are recorded.
         """
         self._bodies = advance(self._bodies, self._commands, self.period)
         self._updates += 1
@@ -101,7 +101,7 @@ class RigidBodies:
         return self._updates / self._rate
 
     def _look(self) -> None:
-        """Show the legs where their bodies are."""
+        """Pass the positions of the bodies to their legs."""
         courses = self._pilot.courses(self._bodies).tolist()
         rows = zip(self._sorted, self._bodies.p_n.tolist(), courses, strict=True)
         for body, p_n, course in rows:

@@ -73,7 +73,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
 
 
 def transponders_of(scenario: Scenario) -> tuple[Transponder, ...]:
-    """What the other aircraft tell; every vehicle hears the same."""
+    """The transponders of the other aircraft; every vehicle receives the same reports."""
     return tuple(
         Transponder(
             int(each.icao, 16),

@@ -50,19 +50,19 @@ class Flies(NamedTuple):
 
 
 class Start(NamedTuple):
-    """Where a leg begins."""
+    """The start of a leg."""
 
     p_n: Vec3
     """Position, NED [m]."""
     course: float
-    """[rad]."""
+    """Course [rad]."""
 
 
 def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
     """Warnings about starts and goals near hazards; `flies` are one of each vehicle.
 
     Raises:
-        InputError: a start has no way out, or no way leads to a goal.
+        InputError: a start has no escape, or no route leads to a goal.
     """
     hazards = hazards_of(scenario)
     if scenario.law != "flight" or scenario.plant != "jsbsim" or hazards is None:
@@ -75,7 +75,7 @@ def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> 
         for number, goal in enumerate(vehicle.goals):
             place = (*at, "goal", number)
             warnings += _tight_goal(scenario, goal, each, source, place)
-            warnings += _check_way(scenario, begin, goal, each, source, place)
+            warnings += _check_route(scenario, begin, goal, each, source, place)
             begin = Start(goal.position_m, goal.heading_deg * DEG)
     return tuple(warnings)
 
@@ -135,10 +135,10 @@ def _tight_goal(
     return []
 
 
-def _check_way(
+def _check_route(
     scenario: Scenario, begin: Start, goal: Goal, flies: Flies, source: Source, at: Location
 ) -> list[str]:
-    """A warning where the search finds no way to a goal round what stands still.
+    """A warning where the search finds no route to a goal around obstacles that do not move.
 
     Raises:
         InputError: there is none.
@@ -178,7 +178,7 @@ def _check_way(
 def _passes_over(
     scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, flies: Flies, task: Task
 ) -> bool:
-    """Whether what stands in the shortest way is passed over, and seen early enough for it."""
+    """Whether the shortest path leads over its obstacles, which are detected early enough."""
     (aircraft, gains), margin, fence = flies, CLEARANCES[0], scenario.fence
     course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
     state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
@@ -191,14 +191,14 @@ def _passes_over(
         heights = altitude_plan_by(level, state, target, aircraft, gains)
         early = seen_from >= heights.rise + margin + unseen
         left = np.vstack((left_in_path(rows[early], heights, margin), rows[~early]))
-        way = find_route(left, keep_out_zones_of(fence), band_of(heights), task)
-        if way.clearance == margin and way.length <= (1.0 + 1e-6) * shortest:
+        route = find_route(left, keep_out_zones_of(fence), band_of(heights), task)
+        if route.clearance == margin and route.length <= (1.0 + 1e-6) * shortest:
             return True
     return False
 
 
 def _still(scenario: Scenario) -> Scenario:
-    """The scenario without what moves."""
+    """The scenario without moving obstacles."""
     still = tuple(each for each in scenario.obstacles if not any(each.velocity_mps))
     return scenario.model_copy(update={"obstacles": still})
 
@@ -215,12 +215,12 @@ def _in_band(fence: Fence, band: Band) -> Fence:
 
 
 def _radius(scenario: Scenario, gains: Gains) -> float:
-    """Of the turns in the wind that is written [m]."""
+    """Radius of the turns in the wind of the scenario [m]."""
     return radius_in(scenario.wind.speed_mps, gains.bank_max, gains)
 
 
 def _wind(scenario: Scenario) -> Vec3:
-    """Where the wind that is written blows, NED [m/s]."""
+    """The wind of the scenario, blowing toward, NED [m/s]."""
     toward = scenario.wind.from_deg * DEG + math.pi
     speed = scenario.wind.speed_mps
     return (speed * math.cos(toward), speed * math.sin(toward), 0.0)

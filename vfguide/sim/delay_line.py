@@ -1,4 +1,4 @@
-"""One direction of a link that delivers late: what goes in comes out in order, after a delay."""
+"""Delay line: one direction of a link that delivers frames in order, after a delay."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -9,12 +9,12 @@ class Parcel(NamedTuple):
     """Frames that were put in at once."""
 
     due: int
-    """When they arrive [us]."""
+    """Time of arrival [us]."""
     frames: bytes
 
 
 class DelayLine:
-    """Frames on their way. Times in us."""
+    """Frames in transit. Times in us."""
 
     def __init__(self, delay: int) -> None:
         """An empty line that holds every frame for `delay` [us]."""

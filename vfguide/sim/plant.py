@@ -196,7 +196,7 @@ class Plant:
         fdm["gear/gear-cmd-norm"] = _RETRACTED
         if self._engines:
             propulsion.init_running(_EVERY_ENGINE)
-        # Servos leave out lag and rate limit while JSBSim believes that it is being trimmed.
+        # Servos have no lag and no rate limit while JSBSim is being trimmed.
         fdm.set_trim_status(True)
         fdm.suspend_integration()
         for _ in range(_SETTLING_RUNS):

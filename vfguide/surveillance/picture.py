@@ -58,7 +58,7 @@ class Picture:
         self._origin, self._volume, self._own_icao = origin, volume, own_icao
         self._heard: dict[int, Heard] = {}
         self.refused = 0
-        """Number of reports that were not believed."""
+        """Number of implausible reports."""
 
     def __len__(self) -> int:
         return len(self._heard)
