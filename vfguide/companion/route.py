@@ -131,7 +131,9 @@ class Route:
             plan.origin,
             before,
             plan.legs,
-            None if hazards is None else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
+            None
+            if hazards is None
+            else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
             plan.law,
             plan.vehicle_row
             if self._identification is None
