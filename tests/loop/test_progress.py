@@ -15,7 +15,7 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.loop import progress as stage
 from vfguide.loop.legs import Goal, leg_rows, target_of
-from vfguide.loop.progress import MARGIN, Progress, after_step, fresh_progress
+from vfguide.loop.progress import PROGRESS_MARGIN, Progress, after_step, fresh_progress
 from vfguide.paths.leg import FIELD, ON_PATH, OUTBOUND, new_leg
 from vfguide.planning.objective import objective_at
 
@@ -69,8 +69,8 @@ def test_a_path_that_becomes_shorter_is_progress():
     for k in range(9000):
         progress = after_step(progress, 5000.0 - 0.5 * k, in_phase(FIELD), STEP)
     assert not progress.alarmed
-    assert progress.least == pytest.approx(501.0, abs=MARGIN)
-    assert 0.0 <= progress.flown <= (2.0 * MARGIN + 1.0) * STEP
+    assert progress.least == pytest.approx(501.0, abs=PROGRESS_MARGIN)
+    assert 0.0 <= progress.flown <= (2.0 * PROGRESS_MARGIN + 1.0) * STEP
 
 
 def test_away_from_the_goal_no_path_is_measured():

@@ -1,7 +1,6 @@
-"""What is believed of the air from one step to the next: wind and airspeed with their uncertainty.
+"""State of the air estimate: wind and airspeed with their uncertainty.
 
-The estimate of a Kalman filter, the watch over the airspeed sensor, and the vertical wind; each
-with what it needs to remember of the step before.
+It has the estimate of a Kalman filter, the watch over the airspeed sensor, and the vertical wind.
 """
 
 import math
@@ -14,25 +13,26 @@ from vfguide.geometry.rows import Shape
 from vfguide.geometry.vector import Matrix, Vec3, Vector
 
 NORTH = 0
-"""Place in the state vector of the wind toward north [m/s]."""
+"""Index in the state vector of the wind toward north [m/s]."""
 EAST = 1
-"""Place in the state vector of the wind toward east [m/s]."""
+"""Index in the state vector of the wind toward east [m/s]."""
 AIRSPEED = 2
-"""Place in the state vector of the true airspeed [m/s]."""
+"""Index in the state vector of the true airspeed [m/s]."""
 YAW = 3
-"""Place in the state vector of how much the attitude's azimuth is too small [rad]."""
+"""Index in the state vector of the true azimuth less that of the attitude [rad]."""
 SENSOR_BIAS = 4
-"""Place in the state vector of how much the airspeed sensor reads too high [m/s]."""
+"""Index in the state vector of the bias of the airspeed sensor, positive where it reads too high
+[m/s]."""
 ACCELERATION_BIAS = 5
-"""Place in the state vector of the acceleration along the flight that the model of thrust and drag
-does not know of [m/s^2]."""
+"""Index in the state vector of the acceleration along the flight that the model of thrust and drag
+lacks [m/s^2]."""
 STATES = 6
-"""Length of the state vector."""
+"""Number of entries of the state vector."""
 
 StateVector = Annotated[Vector, Shape(STATES)]
-"""The estimates, (6,), at the places above."""
+"""The estimates, (6,), at the indices above."""
 Covariance = Annotated[Matrix, Shape(STATES, STATES)]
-"""Of their errors, (6, 6)."""
+"""Covariance of the errors of the estimates, (6, 6)."""
 
 
 class WindEstimate(NamedTuple):
@@ -46,40 +46,40 @@ class WindEstimate(NamedTuple):
 
 
 class SensorWatch(NamedTuple):
-    """How good the airspeed sensor is."""
+    """State of the watch over the airspeed sensor."""
 
     model_airspeed: float
-    """True airspeed that pitch and thrust alone ask for: what the sensor is judged by [m/s]."""
+    """True airspeed that pitch and thrust alone ask for, by which the sensor is judged [m/s]."""
     measured: float
-    """What the sensor read when it last moved [m/s]."""
+    """Measured airspeed at its last change [m/s]."""
     stuck_time: float
-    """For how long it has read about that [s]."""
+    """Time since that change [s]."""
     fault_time: float
-    """For how long it has been implausible; negative: plausible [s]."""
+    """Time for which it has been implausible, or negative: plausible [s]."""
     trusted: bool
-    """Whether it is flown on."""
+    """Whether it is used."""
 
 
 class VerticalWind(NamedTuple):
     """The vertical wind, and the measurements of the last step."""
 
     rise: float
-    """How fast the air rises [m/s]."""
+    """Vertical wind, up positive [m/s]."""
     v_n: Vec3
     """Measured velocity over ground, NED [m/s]."""
     alpha: float
-    """The angle of attack that it would be in air that does not rise [rad]."""
+    """Angle of attack in level air [rad]."""
 
 
 class AirState(NamedTuple):
-    """What is believed of the air after a step."""
+    """The estimate of the air after a step."""
 
     time: float
-    """Of the step [s]; negative before the first."""
+    """Time of the step [s]; negative before the first."""
     estimate: WindEstimate
-    """Wind, airspeed and what makes them uncertain."""
+    """Wind, airspeed and biases."""
     v_n: Vec3
-    """Velocity over ground that was flown on at the step, NED [m/s]."""
+    """Velocity over ground that was used at the step, NED [m/s]."""
     side_force: float
     """Specific force to the right across the fuselage, smoothed [m/s^2]."""
     sensor: SensorWatch
@@ -87,23 +87,25 @@ class AirState(NamedTuple):
 
 
 class AirReport(NamedTuple):
-    """The estimate in names: for displays, logs and tests."""
+    """The estimate by names, for displays, logs and tests."""
 
     wind_north: float
+    """Wind blowing to the north [m/s]."""
     wind_east: float
-    """Toward [m/s]."""
+    """Wind blowing to the east [m/s]."""
     wind_sigma: float
     """The larger standard deviation of the two [m/s]."""
     airspeed: float
-    airspeed_sigma: float
     """True airspeed [m/s]."""
+    airspeed_sigma: float
+    """Standard deviation of the true airspeed [m/s]."""
     trusts_sensor: bool
-    """Whether the airspeed sensor is flown on."""
+    """Whether the airspeed sensor is used."""
 
 
 @compiled
 def fresh_air() -> AirState:
-    """Nothing is known of the air yet."""
+    """The estimate of the air before the first step."""
     zero = (0.0, 0.0, 0.0)
     estimate = WindEstimate(np.zeros(STATES), np.zeros((STATES, STATES)))
     sensor = SensorWatch(0.0, 0.0, 0.0, 0.0, False)
@@ -112,13 +114,13 @@ def fresh_air() -> AirState:
 
 @compiled
 def sigma(estimate: WindEstimate, state: int) -> float:
-    """Standard deviation of the estimate at one place of the state vector."""
+    """Standard deviation of one entry of the state vector, in its unit."""
     return math.sqrt(max(estimate.P[state, state], 0.0))
 
 
 @compiled
 def report_air(air: AirState) -> AirReport:
-    """The estimate in names."""
+    """The estimate by names."""
     estimate = air.estimate
     return AirReport(
         estimate.x[NORTH],
@@ -131,7 +133,7 @@ def report_air(air: AirState) -> AirReport:
 
 
 def without_model_error(air: AirState) -> AirState:
-    """What is believed of the air by an aircraft of which no error is known yet."""
+    """The estimate of the air without the bias of the model of thrust and drag."""
     x = air.estimate.x.copy()
     x[ACCELERATION_BIAS] = 0.0
     sensor = air.sensor._replace(model_airspeed=float(x[AIRSPEED]))

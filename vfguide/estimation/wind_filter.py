@@ -1,11 +1,13 @@
-"""Wind and airspeed from ground velocity, attitude, thrust, and an airspeed sensor if there is one.
+"""Wind filter: wind and airspeed from ground velocity, attitude, thrust and airspeed sensor.
 
-An extended Kalman filter after the wind triangle: ground velocity = wind + V d, where d is the
-direction of flight through the air (`flight_model`). Along d wind and airspeed cannot be told
-apart; a turn does it, and between turns the airspeed sensor, or else the model of thrust and drag.
+It is an extended Kalman filter on the wind triangle: ground velocity = wind + V d, where d is the
+direction of flight through the air (`flight_model`). Along d, wind and airspeed are not observable
+apart; they are in a turn, and between turns by the airspeed sensor, or by the model of thrust and
+drag.
 The sensor's bias is a state of the filter, as its scale factor is in Cho et al.
 
-Errors that last, of slip in gusts and of velocity, count as white noise that carries as little.
+Correlated errors, of sideslip in gusts and of velocity, are modelled as white noise of equal
+information.
 
 Beard and McLain, Small Unmanned Aircraft, 2012: the wind triangle (chapter 2) and the extended
 Kalman filter with one measurement at a time (chapter 8).
@@ -36,23 +38,28 @@ from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 
 PROCESS_NOISE = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
-"""Growth of the variances in a second, in the squared units of the state vector: gusts carry wind
-and airspeed away, while the others hardly change."""
+"""Growth of the variances of the state vector [units^2/s]; chosen: gusts change wind and airspeed,
+the other entries hardly change."""
 INITIAL_SIGMA = (20.0, 20.0, 2.5, 3.0 * DEG, 1.0, 0.15)
-"""Standard deviations before anything is measured, in the units of the state vector: those of the
-wind are so large that airspeed and ground velocity tell it."""
+"""Standard deviations of the state vector before the first measurement [units of the entries];
+chosen: the wind is so uncertain that airspeed and ground velocity determine it."""
 INITIAL_TIME = 0.1
-"""The first ground velocity counts as one that is measured for this time [s]."""
+"""Time that the first ground velocity counts for [s]; chosen, since the noise is given per
+second."""
 ALONG_NOISE = 0.8
-"""Error of the wind triangle along the direction of flight [m/s], lasting a second."""
+"""Error of the wind triangle along the direction of flight that counts as white over a second
+[m/s]; chosen."""
 ACROSS_NOISE = 1.3
-"""Error of the wind triangle across the direction of flight [m/s], lasting a second."""
+"""Error of the wind triangle across the direction of flight that counts as white over a second
+[m/s]; chosen larger, for sideslip."""
 SENSOR_NOISE = 0.5
-"""Noise of the airspeed sensor [m/s], lasting 0.1 s: it is told ten times a second."""
+"""Error of the airspeed sensor that counts as white over 0.1 s, the interval of its messages [m/s];
+chosen."""
 WIND_NOISE = 1.0
-"""Error of the autopilot's wind [m/s], lasting 5 s."""
+"""Error of the autopilot's wind that counts as white over 5 s [m/s]; chosen."""
 MODEL_MEMORY = 5.0
-"""The airspeed of the model follows the estimate with this time constant [s]."""
+"""Time constant with which the airspeed of the model follows the estimate [s]; chosen, so that
+errors of the model do not accumulate."""
 
 Vec6 = tuple[float, float, float, float, float, float]
 """A number for each entry of the state vector."""
@@ -63,7 +70,7 @@ in its unit over theirs."""
 
 @compiled
 def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
-    """The estimate from one look.
+    """The estimate from one measurement of the ground velocity.
 
     Args:
         v_n: velocity over ground, NED [m/s].
@@ -121,10 +128,10 @@ def measurement_update(
     The gain is K = P h / (h P h + variance).
 
     Args:
-        estimate: of this step.
+        estimate: estimate of this step.
         h: the measurement's derivative with respect to the state vector.
         innovation: what was measured less what was expected.
-        variance: of the measurement's error.
+        variance: variance of the measurement's error.
     """
     x, P, Ph = estimate.x, estimate.P, product(estimate.P, h)
     total = variance
@@ -163,7 +170,7 @@ def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float
     """Wind, airspeed and azimuth from the ground velocity, along and across the flight.
 
     Args:
-        estimate: of this step, changed in place.
+        estimate: estimate of this step, changed in place.
         v_n: velocity over ground, NED [m/s].
         d_n: direction of flight through the air, NED, by the attitude.
         dt: time since the last ground velocity [s].
@@ -207,16 +214,16 @@ def fuse_wind(estimate: WindEstimate, wind_n: Vec3, dt: float) -> None:
 def model_airspeed(
     airspeed: float, estimate: WindEstimate, flight: ModelledFlight, dt: float
 ) -> float:
-    """The airspeed [m/s] that pitch and thrust alone ask for: what the sensor is judged by.
+    """The airspeed [m/s] that pitch and thrust alone ask for, by which the sensor is judged.
 
-    It forgets in MODEL_MEMORY, so that errors of the model do not add up.
+    It follows the estimate with MODEL_MEMORY, so that errors of the model do not accumulate.
 
     Args:
-        airspeed: the same at the step before [m/s].
-        estimate: of the step before.
-        flight: by the model, at the airspeed of the estimate.
+        airspeed: its value at the step before [m/s].
+        estimate: estimate of the step before.
+        flight: flight by the model, at the airspeed of the estimate.
         dt: time since the step before [s].
     """
-    believed, bias = estimate.x[AIRSPEED], estimate.x[ACCELERATION_BIAS]
-    acceleration = flight.acceleration + flight.slope * (airspeed - believed) + bias
-    return airspeed + dt * (acceleration + (believed - airspeed) / MODEL_MEMORY)
+    expected, bias = estimate.x[AIRSPEED], estimate.x[ACCELERATION_BIAS]
+    acceleration = flight.acceleration + flight.slope * (airspeed - expected) + bias
+    return airspeed + dt * (acceleration + (expected - airspeed) / MODEL_MEMORY)

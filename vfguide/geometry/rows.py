@@ -51,13 +51,13 @@ class Leaf(NamedTuple):
     kind: Any
     """`float`, `int`, `bool`, or the `Shape` of an array."""
     name: str
-    """Dotted, as `leg.path.radius` or `p_n.0`."""
+    """Dotted name, as `leg.path.radius` or `p_n.0`."""
     expression: str
     """The source that takes it from a record `r`."""
 
     @property
     def size(self) -> int:
-        """How many numbers it has."""
+        """Number of its floats."""
         return max(math.prod(self.kind), 0) if isinstance(self.kind, Shape) else 1
 
     def source(self, row: str, begin: int) -> str:
@@ -104,7 +104,7 @@ def joined(name: str, part: str) -> str:
 
 @cache
 def width(kind: Any) -> int:
-    """How many numbers the row of a record type has."""
+    """Number of floats in the row of a record type."""
     return sum(leaf.size for leaf in leaves(kind))
 
 

@@ -24,22 +24,24 @@ class Goal(NamedTuple):
     tolerance_angle: float
     """Largest error of course and climb that counts as reached [rad]."""
     attempts: int = 0
-    """It is given up after so many missed passes; 0: never."""
+    """Number of missed passes after which it is given up; 0 for never."""
 
 
 class MissionLeg(NamedTuple):
-    """One leg of the mission: to a goal, or round the circle after the last one."""
+    """One leg of the mission: to a goal, or along the circle after the last one."""
 
     goal: Goal
-    """That is flown to; of the circle, the last one."""
+    """The goal; of the circle, the last goal."""
     slope: float
+    """Slope dh/ds at the goal."""
     circle: float
+    """Side of the circle, as in a `GuidanceTarget`; 0 for a goal."""
     radius: float
-    """As of a `GuidanceTarget`."""
+    """Radius of the circle [m]."""
 
 
 Legs = Table
-"""(N + 1, 11), a row a `MissionLeg`: compiled code takes it as an array. The last is the circle."""
+"""(N + 1, 11), one `MissionLeg` a row, the last one the circle."""
 read_leg = reader(MissionLeg)
 
 
@@ -58,6 +60,6 @@ def goal_of(legs: Legs, index: int) -> Goal:
 
 @compiled
 def target_of(legs: Legs, index: int) -> GuidanceTarget:
-    """What to fly to on a leg."""
+    """The target of a leg."""
     leg = read_leg(legs[index])
     return GuidanceTarget(leg.goal.p_n, leg.goal.course, leg.slope, leg.circle, leg.radius)

@@ -1,4 +1,4 @@
-"""The stage of the mission: which goal is flown to, and when the next one is."""
+"""The stage of the mission: the present goal, and when the next one follows."""
 
 import math
 from typing import NamedTuple
@@ -26,19 +26,20 @@ class Passage(NamedTuple):
     """How a goal was passed between two steps; infinite where it was not."""
 
     miss: float
-    """Where the distance was least [m]."""
+    """Least distance from the goal [m]."""
     angle: float
     """The larger error of course and climb of the ground velocity [rad]."""
 
 
 NO_PASSAGE = Passage(math.inf, math.inf)
+"""The passage where no goal was passed, infinite [m, rad]."""
 
 
 class MissionState(NamedTuple):
-    """What one step leaves for the next."""
+    """What the mission keeps from one step to the next."""
 
     goal: int
-    """Index of the goal that is flown to; the number of goals: all are behind it."""
+    """Index of the present goal; the number of goals after the last one."""
     attempts: Attempts
     wind_hold: WindHold
 
@@ -48,7 +49,7 @@ with_wind_hold = replacing(MissionState, "wind_hold")
 
 @compiled
 def fresh_mission() -> MissionState:
-    """At the first goal."""
+    """The mission before its first step."""
     return MissionState(0, no_attempts(), fresh_wind_hold())
 
 
@@ -56,14 +57,14 @@ def fresh_mission() -> MissionState:
 def update(
     nav: NavState, s: MissionState, phase: int, legs: Legs, vehicle: Vehicle
 ) -> tuple[Objective, MissionState, Passage]:
-    """What is flown to now, and how the goal before was passed.
+    """The objective, the next state of the mission, and the passage of the goal before.
 
     Args:
-        nav: the vehicle.
-        s: what the step before left.
-        phase: in which the leg was at the step before.
-        legs: of the mission.
-        vehicle: the airspeed to fly.
+        nav: state of the vehicle.
+        s: state of the mission at the step before.
+        phase: phase of the leg at the step before.
+        legs: legs of the mission.
+        vehicle: its airspeed to fly.
     """
     since = nav.elapsed if nav.is_continuous else 0.0
     hold = update_wind_hold(s.wind_hold, nav.state, vehicle.gains.airspeed, since)
@@ -82,7 +83,7 @@ def update(
 
 @compiled
 def note_passage(passage: Passage, legs: Legs, s: MissionState) -> MissionState:
-    """Go on when the goal was reached or is given up, try again when it was missed."""
+    """The mission after a passage: the next goal if this one was reached or is given up."""
     if math.isinf(passage.miss):
         return s
     goal = goal_of(legs, s.goal)
@@ -102,9 +103,9 @@ def is_reached(passage: Passage, goal: Goal) -> bool:
 
 @compiled
 def passage_since(nav: NavState, index: int, phase: int, legs: Legs) -> Passage:
-    """How the goal that is flown to was passed since the last step.
+    """The passage of the present goal since the step before.
 
-    A vehicle that is still on its way there, or far off, passes it only by reaching it.
+    In another phase than FIELD, or far from the goal, a passage counts only if it reaches the goal.
     """
     if not nav.is_continuous or index == len(legs) - 1:
         return NO_PASSAGE
@@ -116,7 +117,7 @@ def passage_since(nav: NavState, index: int, phase: int, legs: Legs) -> Passage:
 
 @compiled
 def passage_of(goal: Goal, before: tuple[Vec3, Vec3], after: tuple[Vec3, Vec3]) -> Passage:
-    """How a goal was passed between two instants, each a position [m] and a velocity [m/s]."""
+    """The passage of a goal between two instants, each a position [m] and a velocity [m/s]."""
     p_n, v_n = after
     p_before, v_before = before
     opening = dot(sub(p_n, goal.p_n), v_n)

@@ -1,4 +1,4 @@
-"""Whether a leg comes to its end: a vehicle that flies on without coming nearer is told of."""
+"""Progress of a leg: the operator is warned of a vehicle that flies on without coming nearer."""
 
 import math
 from typing import NamedTuple
@@ -9,12 +9,12 @@ from vfguide.geometry.compiled import compiled
 from vfguide.paths.leg import OUTBOUND, Leg
 from vfguide.planning.objective import Objective
 
-MARGIN = 5.0
-"""A path that is shorter by less than this is no progress [m]."""
+PROGRESS_MARGIN = 5.0
+"""Length by which the path to the goal must become shorter to count as progress [m]; chosen."""
 
 
 class Progress(NamedTuple):
-    """What is remembered of a leg."""
+    """State of the progress on a leg."""
 
     least: float
     """Least length of the path to the goal so far [m]."""
@@ -28,7 +28,7 @@ class Progress(NamedTuple):
 
 @compiled
 def fresh_progress() -> Progress:
-    """Nothing of the leg is flown yet."""
+    """The progress at the start of a leg."""
     return Progress(math.inf, 0.0, 0.0, False)
 
 
@@ -37,11 +37,11 @@ def update(nav: NavState, goal: Objective, leg: Leg, remaining: float, s: Progre
     """Progress after one step; an alarm stays until the leg is over.
 
     Args:
-        nav: the vehicle, and where it was at the step before.
-        goal: what is flown to.
-        leg: that is flown.
+        nav: state of the vehicle, and its position at the step before.
+        goal: objective of the mission.
+        leg: the present leg.
         remaining: length of the path to the goal [m].
-        s: what the step before left.
+        s: progress after the step before.
     """
     if goal.begins:
         return fresh_progress()
@@ -57,11 +57,11 @@ def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> 
 
     Args:
         progress: after the step before.
-        remaining: length of the path to the goal [m]; away from the goal it is none.
-        leg: that is flown.
+        remaining: length of the path to the goal [m]; without meaning in phase OUTBOUND.
+        leg: the present leg.
         flown: distance over ground in the step [m].
     """
-    if leg.phase != OUTBOUND and remaining < progress.least - MARGIN:
+    if leg.phase != OUTBOUND and remaining < progress.least - PROGRESS_MARGIN:
         return Progress(remaining, remaining, 0.0, progress.alarmed)
     longest = progress.longest
     if leg.phase != OUTBOUND:

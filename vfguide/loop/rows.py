@@ -1,4 +1,4 @@
-"""The step over rows of numbers: what crosses from Python into compiled code, and back."""
+"""The step over rows of numbers, which cross quickly between Python and compiled code."""
 
 import numpy as np
 
@@ -15,13 +15,11 @@ from vfguide.estimation.local_frame import (
 )
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
-from vfguide.geometry.vector import Matrix, Vec3, Vector, mat3, matvec
+from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step
-
-CALM = (0.0, 0.0, 0.0)
 
 
 @compiled
@@ -34,15 +32,15 @@ def step_measured(
     law: Law,
     vehicle: Row,
 ) -> tuple[Vec3, float, Quaternion, Row, float]:
-    """A step for what an autopilot told.
+    """A step on a measurement of an autopilot.
 
     Args:
         measured: a `Measurement`, as a plain tuple: a named one takes longer to cross.
-        origin: latitude, longitude [rad] and altitude [m] where the plan's frame touches.
+        origin: latitude, longitude [rad] and altitude [m] of the origin of the plan's frame.
         before: a `LoopState`.
-        legs: of the mission.
-        airspace: what to keep clear of, of `unnested_airspace`, or None.
-        law: that guides.
+        legs: legs of the mission.
+        airspace: the hazards, from `unnested_airspace`, or None.
+        law: the record of the law.
         vehicle: a `Vehicle`.
 
     Returns:
@@ -68,18 +66,18 @@ def step_body(
     It flies at the airspeed of its gains, where its nose points.
 
     Args:
-        time: [s].
+        time: time [s].
         p: position (3,), NED [m].
         R: attitude (3, 3), body to NED.
         before: a `LoopState`.
-        legs: of the mission.
-        law: that guides.
+        legs: legs of the mission.
+        law: the record of the law.
         vehicle: a `Vehicle` that is a point.
     """
     body, R_nb = read_vehicle(vehicle), mat3(R)
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
-    state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, CALM)
+    state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, ZERO)
     inputs = Inputs(state, state, True)
     setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))

@@ -1,6 +1,6 @@
-"""What one step of the loop leaves for the next: one record, with a branch for each stage.
+"""The state of the control loop: one record, with a branch for each stage.
 
-As a row it crosses from Python into compiled code and back in a fraction of the time.
+As a row of numbers it crosses quickly between Python and compiled code.
 """
 
 from typing import NamedTuple
@@ -22,7 +22,7 @@ from vfguide.planning.route import Route, fresh_route
 
 
 class LoopState(NamedTuple):
-    """What the stages remember."""
+    """The states of all stages."""
 
     estimation: EstimationState
     mission: MissionState
@@ -31,7 +31,7 @@ class LoopState(NamedTuple):
     assurance: AssuranceState
     control: ControlState
     thrust: float
-    """Setpoint of the last step, 0 to 1."""
+    """Thrust setpoint of the last step, 0 to 1."""
     progress: Progress
     detection: DetectionState
 
@@ -40,7 +40,7 @@ read_state, write_state = reader(LoopState), writer(LoopState)
 state_of_row = python_reader(LoopState)
 """The same as `read_state` in Python; its arrays are views of the row."""
 STATE_WIDTH = width(LoopState)
-"""Numbers of the row of a state; the obstacles follow, one number each."""
+"""Number of floats in the row of a `LoopState`; one more for each obstacle follows."""
 _numbers = flattener(LoopState)
 
 
@@ -50,7 +50,7 @@ def row_of_state(s: LoopState) -> Row:
 
 
 def fresh_state(obstacles: int = 0) -> LoopState:
-    """The state of a vehicle that has not begun, among so many obstacles."""
+    """The state of a vehicle before its first step, among `obstacles` obstacles."""
     return LoopState(
         fresh_estimation(),
         fresh_mission(),
@@ -65,7 +65,7 @@ def fresh_state(obstacles: int = 0) -> LoopState:
 
 
 def begin_leg(s: LoopState, goal: int, attempts: Attempts) -> LoopState:
-    """The state at the beginning of a leg; what was learned in flight stays."""
+    """The state at the start of a leg; what was learned in flight stays."""
     return s._replace(
         estimation=s.estimation._replace(is_continuous=False),
         mission=s.mission._replace(goal=goal, attempts=attempts),
@@ -75,12 +75,12 @@ def begin_leg(s: LoopState, goal: int, attempts: Attempts) -> LoopState:
 
 
 def leave_goal(s: LoopState) -> LoopState:
-    """The state at the beginning of the next leg, the goal of the present one given up."""
+    """The state at the start of the next leg, the present goal given up."""
     return begin_leg(s, s.mission.goal + 1, at_next(s.mission.attempts, True))
 
 
 def take_over(s: LoopState) -> LoopState:
-    """The state when the autopilot begins to follow: only mission and air are remembered."""
+    """The state when the autopilot begins to follow: only mission and air are kept."""
     estimation = fresh_estimation()._replace(air=s.estimation.air)
     return s._replace(
         estimation=estimation,
@@ -92,12 +92,12 @@ def take_over(s: LoopState) -> LoopState:
 
 
 def begin_mission(s: LoopState) -> LoopState:
-    """The state at the beginning of another mission; what is known of the air stays."""
+    """The state at the start of another mission; the estimate of the air stays."""
     return take_over(begin_leg(s, 0, no_attempts()))
 
 
 def forget_learned(s: LoopState, before: Performance, after: Performance) -> LoopState:
-    """The state without the corrections of what is known better now of the aircraft."""
+    """The state without learned corrections of parameters that have changed."""
     if before == after:
         return s
     control, air = s.control, without_model_error(s.estimation.air)

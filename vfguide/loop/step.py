@@ -1,6 +1,6 @@
 """The control loop: one step, which the aircraft, the simulation and the replay share.
 
-No clock, no socket, no log: what a step needs are its arguments, and what it leaves is its result.
+It has no clock, socket or log: everything it needs is an argument, everything it leaves a result.
 """
 
 from typing import NamedTuple
@@ -26,12 +26,12 @@ from vfguide.planning import planning
 
 
 class Outcome(NamedTuple):
-    """What a step tells besides its setpoint, for displays, logs and notes."""
+    """Results of a step besides its setpoint, for displays, logs and notes."""
 
     command: GuidanceCommand
-    """What is flown: the law's command, or an escape."""
+    """The command that is flown: the law's, or that of an escape."""
     passage: Passage
-    """How the goal that was flown to before this step was passed since."""
+    """The passage of the goal since the step before."""
 
 
 @compiled
@@ -43,18 +43,18 @@ def step(
     law: Law,
     vehicle: Vehicle,
 ) -> tuple[RateSetpoint, LoopState, Outcome]:
-    """The setpoint for what is known now, within the limits of the aircraft.
+    """The setpoint of one step, within the limits of the aircraft.
 
     Args:
-        inputs: what was told of the vehicle and of the air.
-        s: what the step before left.
-        legs: of the mission, of `leg_rows`.
-        airspace: what to keep clear of; None compiles to a step that knows nothing of it.
-        law: that guides.
+        inputs: predicted and measured state.
+        s: the state after the step before.
+        legs: legs of the mission, from `leg_rows`.
+        airspace: the hazards; None compiles to a step without them.
+        law: the record of the law.
         vehicle: the aircraft and its gains.
 
     Returns:
-        The setpoint, what this step leaves for the next, and what it tells.
+        The setpoint, the next state, and the outcome for displays.
     """
     nav, estimation_state = estimation.update(inputs, s.thrust, s.estimation, vehicle)
     vehicle = cautious(nav, vehicle)

@@ -1,4 +1,4 @@
-"""The stage of planning: the leg to the goal, on a route that keeps clear of what is known."""
+"""The stage of planning: the leg to the goal, and a route that keeps clear of the hazards."""
 
 import math
 
@@ -8,9 +8,7 @@ from vfguide.airspace.hazards import traffic_zones
 from vfguide.airspace.keep_out import joined
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.compiled import compiled
-from vfguide.planning.leg_planning import (
-    advance_leg,
-)
+from vfguide.planning.leg_planning import advance_leg
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import band_of
 from vfguide.planning.replanning import PlanningContext, Scene, altitude_plan_of, seek_route
@@ -32,12 +30,12 @@ def update(
     """The route to fly now.
 
     Args:
-        nav: the vehicle.
-        goal: what is flown to.
-        airspace: what is known and to be kept clear of; None compiles to a stage without search.
-        plans: whether the law wants a route; else only circles have a leg.
+        nav: state of the vehicle.
+        goal: objective of the mission.
+        airspace: the known hazards; None compiles to a stage without search.
+        plans: whether the law follows a route; else only circles have a leg.
         s: the route of the step before.
-        slope: of the path that was wanted at the step before, dh/ds.
+        slope: slope dh/ds that was wanted at the step before.
         vehicle: its aircraft and gains.
     """
     route = fresh_route() if goal.begins else s
@@ -55,7 +53,7 @@ def update(
 def clear_route(
     nav: NavState, goal: Objective, airspace: Airspace | None, route: Route, vehicle: Vehicle
 ) -> Route:
-    """The route, changed where something blocks it; a circle is flown as it is."""
+    """The route, planned anew where it is blocked; a circle is not changed."""
     if airspace is None:
         return route
     if goal.target.circle != 0.0:
@@ -68,7 +66,7 @@ def clear_route(
 
 @compiled
 def scene_of(airspace: Airspace, context: PlanningContext, route: Route) -> Scene:
-    """What the search keeps clear of: traffic is never passed above."""
+    """What may block the route; no overflight starts while there is traffic."""
     hazards, t = airspace.hazards, airspace.time
     shut, highest = airspace.zones, CLEARANCES[0] - hazards.ceiling
     if len(hazards.traffic) > 0:
