@@ -1,4 +1,4 @@
-"""A point mass flown through a world, its wish the worst there is: straight to the goal."""
+"""A point mass flown through a world by the worst command there is: straight to the goal."""
 
 import math
 from typing import NamedTuple
@@ -72,7 +72,7 @@ class Flown(NamedTuple):
     """Time of it [s]."""
     hazard: int
     escapes: int
-    """Ticks on which a way out was flown, ..."""
+    """Ticks on which an escape was flown, ..."""
     least_bad: int
     """... and on which nothing was clear."""
     first_bad: float

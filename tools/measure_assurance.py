@@ -6,7 +6,7 @@
     python tools/measure_assurance.py --kind popup --only 144
     python tools/measure_assurance.py --cost
 
-The wish is a turn towards the goal whatever is in the way. World k of a kind is drawn from
+The command is a turn towards the goal whatever is in the way. World k of a kind is drawn from
 (seed, k) alone. The aircraft's lags are 15 % longer than the assurance believes. Worlds in which
 nothing is clear at the start are counted apart. Where something was hit, a tree of all hard
 manoeuvres tells whether it could be missed from each moment at which an obstacle came in sight.

@@ -8,10 +8,10 @@ from conversations import SECOND, Conversation, heartbeat, state
 from vfguide.autopilots.autopilot import Stream
 from vfguide.autopilots.px4 import PX4, Px4Mode
 from vfguide.companion.requests import (
-    INSIST,
+    MAX_ATTEMPTS,
+    MODE_RETRY,
+    MODE_TIMEOUT,
     RETRY,
-    SEEN_WITHIN,
-    TRIES,
     ModeRequest,
     Requests,
     command,
@@ -90,12 +90,12 @@ def test_one_command_is_out_at_a_time_in_the_order_of_asking():
 
 def test_what_is_not_answered_is_repeated_counted_and_given_up():
     requests = asked(MavCmd.REQUEST_MESSAGE, MavCmd.SET_MESSAGE_INTERVAL)
-    sent = [requests.due(now) for now in range(0, (TRIES + 1) * RETRY, RETRY // 10)]
+    sent = [requests.due(now) for now in range(0, (MAX_ATTEMPTS + 1) * RETRY, RETRY // 10)]
     sent = [each for each in sent if each]
-    assert [each.confirmation for each in sent[:TRIES]] == list(range(TRIES))
-    assert {each.command for each in sent[:TRIES]} == {MavCmd.REQUEST_MESSAGE}
-    assert sent[TRIES].command == MavCmd.SET_MESSAGE_INTERVAL
-    assert sent[TRIES].confirmation == 0
+    assert [each.confirmation for each in sent[:MAX_ATTEMPTS]] == list(range(MAX_ATTEMPTS))
+    assert {each.command for each in sent[:MAX_ATTEMPTS]} == {MavCmd.REQUEST_MESSAGE}
+    assert sent[MAX_ATTEMPTS].command == MavCmd.SET_MESSAGE_INTERVAL
+    assert sent[MAX_ATTEMPTS].confirmation == 0
 
 
 @pytest.mark.parametrize("result", NOT_YET)
@@ -127,8 +127,8 @@ def test_answers_to_other_commands_are_no_answers():
 def test_a_mode_is_insisted_on_until_it_is_accepted():
     request = ModeRequest(1, PX4, Px4Mode.OFFBOARD)
     assert request.due(0) is not None
-    assert request.due(INSIST - 1) is None
-    assert request.due(INSIST) is not None
+    assert request.due(MODE_RETRY - 1) is None
+    assert request.due(MODE_RETRY) is not None
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.ACCEPTED))
     assert request.due(100 * SECOND) is None
 
@@ -138,8 +138,8 @@ def test_an_accepted_mode_that_is_not_seen_was_asked_for_in_vain():
     request.due(0)
     assert not request.in_vain(100 * SECOND)
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.ACCEPTED))
-    assert not request.in_vain(SEEN_WITHIN)
-    assert request.in_vain(SEEN_WITHIN + 1)
+    assert not request.in_vain(MODE_TIMEOUT)
+    assert request.in_vain(MODE_TIMEOUT + 1)
 
 
 def test_a_refused_mode_is_told_once_for_each_reason_and_asked_for_again():
@@ -153,7 +153,7 @@ def test_a_refused_mode_is_told_once_for_each_reason_and_asked_for_again():
     assert [bool(each) for each in told] == [True, False, True]
     assert "OFFBOARD" in told[0]
     assert "denied" in told[0]
-    assert request.due(INSIST) is not None
+    assert request.due(MODE_RETRY) is not None
 
 
 def test_the_last_of_two_answers_counts():
@@ -161,7 +161,7 @@ def test_the_last_of_two_answers_counts():
     request.due(0)
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.ACCEPTED))
     request.answer(CommandAck(MavCmd.DO_SET_MODE, MavResult.TEMPORARILY_REJECTED))
-    assert request.due(INSIST) is not None
+    assert request.due(MODE_RETRY) is not None
 
 
 def test_every_result_has_a_name():

@@ -11,8 +11,9 @@ from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, ModeFlag
 from vfguide.link.messages import AttitudeQuaternion, LocalPositionNed, VfrHud, WindCov
 
 SUB_MODE = 24
+"""Bit at which the sub mode starts in HEARTBEAT.custom_mode (PX4's px4_custom_mode.h)."""
 MAIN_MODE = 16
-"""Bit positions of the sub and the main mode in HEARTBEAT.custom_mode."""
+"""Bit at which the main mode starts in HEARTBEAT.custom_mode (PX4's px4_custom_mode.h)."""
 
 
 class Px4Mode(IntEnum):
@@ -47,7 +48,7 @@ PX4 = Autopilot(
     follow_mode=Px4Mode.OFFBOARD,
     hold_mode=Px4Mode.HOLD,
     mode_parameters=mode_parameters,
-    offer=200_000,  # it refuses OFFBOARD until setpoints arrive
+    offer=200_000,  # chosen; PX4 refuses OFFBOARD until setpoints arrive
     type_mask=int(AttitudeTypeMask.ATTITUDE_IGNORE),
     projection=Projection.AZIMUTHAL_EQUIDISTANT,
     streams=(
@@ -57,4 +58,4 @@ PX4 = Autopilot(
         Stream(AttitudeQuaternion.MSGID),
     ),
 )
-"""Follows body rates and thrust in OFFBOARD, and nothing limits them below the companion."""
+"""PX4 follows body rates and thrust in OFFBOARD, and nothing below the companion limits them."""

@@ -1,4 +1,4 @@
-"""What the operator should read, in plain words."""
+"""Annunciations: notes to the operator, in plain words."""
 
 from vfguide.aircraft.identification import Identified
 from vfguide.autopilots.autopilot import Autopilot
@@ -13,10 +13,15 @@ from vfguide.loop.state import LoopState, state_of_row
 SILENT_UNTIL_CHANGE = (
     "the autopilot already follows somebody's setpoints: silent until it flies another mode"
 )
+"""Note where somebody else's setpoints are followed already."""
 FOUND = "the autopilot is found, it flies {mode}; setpoints go out, "
+"""Beginning of the note where an autopilot is found; CHOICE_COMES or CHOICE_LEFT ends it."""
 CHOICE_COMES = "{follow} will be asked for"
+"""Note where the companion will ask for the follow mode."""
 CHOICE_LEFT = "waiting for the operator to choose {follow}"
+"""Note where the operator has to choose the follow mode."""
 LINK_LOST = "link lost, no heartbeat for 3 s: no setpoints until the autopilot is heard again"
+"""Note where the link is lost."""
 
 ON_ENTERING = {
     Phase.SEARCHING: LINK_LOST,
@@ -28,6 +33,7 @@ ON_ENTERING = {
     Phase.ENDED: "ended: the autopilot flies {mode}",
     Phase.UNCONFIRMED: "ended without a link: what the autopilot flies is up to its failsafe",
 }
+"""Notes on entering a phase; others have none."""
 
 
 def phase_note(
@@ -86,10 +92,15 @@ def times(number: int) -> str:
 
 
 TESTING = "test flight: {what}"
+"""Note on a leg of the identification flight."""
 NO_ROOM = "no room for a test flight here: flown with what is known of the aircraft"
+"""Note where there is no room for an identification flight."""
 BROKEN_OFF = "test flight broken off, something is in its way: nothing was measured"
+"""Note where an identification flight is broken off."""
 MEASURED = "measured: {names}"
+"""Note of the estimates that are used."""
 UNSEEN = "not seen well enough, flown as it was known before: {names}"
+"""Note of the estimates that are not used."""
 
 
 def identified_notes(found: Identified) -> list[str]:
@@ -101,16 +112,24 @@ def identified_notes(found: Identified) -> list[str]:
 
 
 NO_SENSOR = "no airspeed sensor"
+"""Note on an aircraft without an airspeed sensor."""
 SENSOR_LOST = "the airspeed sensor is not believed any more"
+"""Note where the airspeed sensor has failed."""
 ESTIMATED = "airspeed is estimated, it flies faster and with less bank"
+"""Note where the airspeed is estimated."""
 SENSOR_BACK = "the airspeed sensor is believed again"
+"""Note where the airspeed sensor works again."""
 JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
+"""Note of a position reset."""
 ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
+"""Note of an origin that has moved."""
 WEAK_AGAIN = "the wind has fallen"
+"""Note at the end of a wind hold."""
 NO_PROGRESS = (
     "no progress to goal {goal}: flown a full circle more than its way has, "
     "and no nearer than {least:.0f} m along it"
 )
+"""Note on a leg without progress."""
 
 
 def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:

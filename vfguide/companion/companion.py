@@ -13,6 +13,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
+from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
@@ -30,15 +31,13 @@ from vfguide.link.messages import (
 )
 from vfguide.loop.rows import step_measured
 
-SECOND = 1_000_000
-"""[us]."""
-LOST = 3 * SECOND
-"""Without a heartbeat for this long the link is lost."""
+LINK_TIMEOUT = 3 * SECOND
+"""Time without a heartbeat after which the link is lost [us]; chosen."""
 ORIGIN_RETRY = SECOND
-"""The origin of the local frame is asked for again after this."""
-OUGHT_TO_SEND = SECOND
-"""Without a setpoint for this long the operator is told why."""
-HEEDED = frozenset(
+"""Time after which the origin of the local frame is asked for again [us]; chosen."""
+SILENCE_TIMEOUT = SECOND
+"""Time without a setpoint after which the operator is told why [us]; chosen."""
+HANDLED = frozenset(
     message.MSGID
     for message in (
         *OBSERVED,
@@ -50,13 +49,13 @@ HEEDED = frozenset(
         Timesync,
     )
 )
-"""Ids of the messages that `Companion.receive` does something with."""
+"""Ids of the messages that `Companion.receive` handles."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,
     Phase.INTERRUPTED: MavState.CRITICAL,
 }
-"""What our heartbeat says, STANDBY where nothing stands."""
+"""State in our heartbeat by the phase, STANDBY in all others."""
 
 
 class Companion:
@@ -140,7 +139,7 @@ class Companion:
 
     def _watch_link(self, now: int) -> None:
         """Note that the autopilot is not heard any more."""
-        if now - self._heard > LOST and self.phase is not Phase.SEARCHING:
+        if now - self._heard > LINK_TIMEOUT and self.phase is not Phase.SEARCHING:
             self._control.lose_link()
             self.route.pause()
 
@@ -209,7 +208,7 @@ class Companion:
         if not self._control.may_send:
             self._sent_at, self._complaint = now, None
             return
-        silent = now - self._sent_at > OUGHT_TO_SEND
+        silent = now - self._sent_at > SILENCE_TIMEOUT
         why = lacking(self._known) or "no new attitude" if silent else None
         if why != self._complaint:
             self._complaint = why

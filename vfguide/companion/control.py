@@ -8,7 +8,7 @@ from vfguide.companion.engagement import SENDING, TRANSITIONS, Event, Phase
 from vfguide.companion.requests import ModeRequest
 from vfguide.link.messages import CommandAck, CommandLong, Heartbeat
 
-WISHING = (Phase.OFFERING, Phase.ASKING, Phase.RETURNING)
+ASKING_PHASES = (Phase.OFFERING, Phase.ASKING, Phase.RETURNING)
 """Phases in which another mode is asked for, or soon will be."""
 
 
@@ -69,7 +69,7 @@ class Control:
 
     def request(self, now: int) -> CommandLong | None:
         """The mode change to ask for at `now` [us], if any."""
-        if self.phase not in WISHING:
+        if self.phase not in ASKING_PHASES:
             return None
         offered = self._offered is not None and now - self._offered >= self.autopilot.offer
         if self.phase is Phase.OFFERING and self.engage and offered:

@@ -8,13 +8,13 @@ from vfguide.link.enums import MavCmd, MavResult
 from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin
 
 RETRY = 500_000
-"""A command without an answer is sent again after this [us]."""
-TRIES = 5
-"""A command is given up after this many."""
-INSIST = 1_000_000
-"""A mode that was asked for and not accepted is asked for again after this [us]."""
-SEEN_WITHIN = 3_000_000
-"""A mode that was accepted shows in the heartbeat within this [us]."""
+"""Time after which a command without an answer is sent again [us]; chosen."""
+MAX_ATTEMPTS = 5
+"""Number of times that a command is sent before it is given up; chosen."""
+MODE_RETRY = 1_000_000
+"""Time after which a mode that was not accepted is asked for again [us]; chosen."""
+MODE_TIMEOUT = 3_000_000
+"""Time within which a mode that was accepted shows in the heartbeat [us]; chosen."""
 
 
 def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
@@ -61,7 +61,7 @@ class Requests:
 
     def due(self, now: int) -> CommandLong | None:
         """The command to send now [us], if it is time for one."""
-        if self._tries >= TRIES:
+        if self._tries >= MAX_ATTEMPTS:
             self._drop()
         if not self._queue or (self._tries and now - self._sent_at < RETRY):
             return None
@@ -88,7 +88,7 @@ class Requests:
 
 
 class ModeRequest:
-    """The wish for one mode, asked for again until it is accepted.
+    """The request for one mode, repeated until it is accepted.
 
     After that the autopilot is not asked any more: if it flies something else then, somebody
     else wants that. An autopilot may acknowledge twice, the last answer is the real one.
@@ -103,7 +103,7 @@ class ModeRequest:
 
     def due(self, now: int) -> CommandLong | None:
         """The command to send now [us], if it is time for it."""
-        early = self._asked_at is not None and now - self._asked_at < INSIST
+        early = self._asked_at is not None and now - self._asked_at < MODE_RETRY
         if early or self._result == MavResult.ACCEPTED:
             return None
         self._asked_at = now
@@ -112,7 +112,7 @@ class ModeRequest:
     def in_vain(self, now: int) -> bool:
         """Whether the mode was accepted and should have been seen by `now` [us]."""
         accepted = self._result == MavResult.ACCEPTED
-        return accepted and self._asked_at is not None and now - self._asked_at > SEEN_WITHIN
+        return accepted and self._asked_at is not None and now - self._asked_at > MODE_TIMEOUT
 
     def answer(self, ack: CommandAck) -> str | None:
         """Note an answer; returns a complaint when the autopilot refuses for a new reason."""

@@ -7,11 +7,9 @@ uplink: together they take a round trip, for which the clocks need not agree.
 from collections import deque
 from statistics import median
 
-from vfguide.geometry.units import US
+from vfguide.geometry.units import NS_PER_US, US
 from vfguide.link.messages import Timesync
 
-NS_PER_US = 1000
-"""Number of nanoseconds, the unit of TIMESYNC, in a microsecond."""
 QUESTION_INTERVAL = 200_000
 """Time between two TIMESYNC questions [us]; chosen."""
 LONGEST_ROUND_TRIP = 4_000_000

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from vfguide.companion.companion import HEEDED, Companion
+from vfguide.companion.companion import HANDLED, Companion
 from vfguide.link.codec import Encoder, Frame, Parser, decode
 from vfguide.link.enums import MavComponent
 from vfguide.link.messages import Message
@@ -34,7 +34,7 @@ class Session:
         if frame.sysid != self.companion.sysid or frame.compid != AUTOPILOT:
             return []
         self._record(now, frame.raw)
-        message = decode(frame) if frame.msgid in HEEDED else None
+        message = decode(frame) if frame.msgid in HANDLED else None
         answers = self.companion.receive(now, message) if message else []
         return self._send(now, answers) if answers else []
 

@@ -25,6 +25,10 @@ FT = 0.3048
 NM = 1852.0
 """One nautical mile [m] (First International Extraordinary Hydrographic Conference, 1929)."""
 
+SECOND = 1_000_000
+"""One second in the unit of times on MAVLink [us]."""
+NS_PER_US = 1000
+"""Number of nanoseconds, the unit of TIMESYNC, in a microsecond."""
 HOUR = 3600.0
 """One hour [s]."""
 MS = 1e-3

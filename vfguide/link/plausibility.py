@@ -17,21 +17,23 @@ from vfguide.link.messages import (
 )
 
 FARTHEST = 1e6
-"""From the origin of the local frame, each axis [m]."""
+"""Largest plausible distance from the origin of the local frame on each axis [m]; chosen."""
 FASTEST = 500.0
-"""Over ground, each axis, and through the air [m/s]."""
+"""Largest plausible speed over ground on each axis, and through the air [m/s]; chosen."""
 STRONGEST_WIND = 150.0
-"""Each axis [m/s]."""
-LOWEST, HIGHEST = -1000.0, 30_000.0
-"""Altitudes [m]."""
+"""Largest plausible wind on each axis [m/s]; chosen."""
+LOWEST = -1000.0
+"""Least plausible altitude [m]; chosen."""
+HIGHEST = 30_000.0
+"""Greatest plausible altitude [m]; chosen."""
 SPIN = 50.0
-"""Body rates [rad/s]."""
-CLIMB = 100.0
-"""Of other aircraft, up or down [m/s]."""
+"""Largest plausible body rate [rad/s]; chosen."""
+MAX_CLIMB = 100.0
+"""Largest plausible vertical speed of another aircraft [m/s]; chosen."""
 FULL_CIRCLE = 36_000
-"""[0.01 deg]."""
+"""Number of headings in a full circle of ADSB_VEHICLE [0.01 deg]."""
 ADDRESSES = 2**24
-"""Of transponders, 0 is none."""
+"""Number of transponder addresses of 24 bits (ICAO Annex 10), of which 0 is none."""
 
 
 def is_plausible(message: Message) -> bool:
@@ -76,7 +78,8 @@ def _traffic(said: AdsbVehicle) -> bool:
         and (not flags & AdsbFlags.VALID_VELOCITY or said.hor_velocity * CM_S < FASTEST)
         and (not flags & AdsbFlags.VALID_HEADING or said.heading <= FULL_CIRCLE)
         and (
-            not flags & AdsbFlags.VERTICAL_VELOCITY_VALID or abs(said.ver_velocity) * CM_S <= CLIMB
+            not flags & AdsbFlags.VERTICAL_VELOCITY_VALID
+            or abs(said.ver_velocity) * CM_S <= MAX_CLIMB
         )
     )
 

@@ -8,15 +8,15 @@ import math
 from vfguide.aircraft.performance import Performance
 from vfguide.field.rate_law import rate_law
 from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
-from vfguide.geometry.units import G0, MS
+from vfguide.geometry.units import G0, MS, SECOND
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
-from vfguide.sim.autopilot.flight_mode import LOST, NEXT, REPORTED, Event, Mode
+from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, NEXT_MODE, REPORTED, Event, Mode
 from vfguide.sim.autopilot.instruments import Instruments
 from vfguide.sim.autopilot.loiter import Loiter
-from vfguide.sim.autopilot.mavlink_channel import SECOND, MavlinkChannel
+from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 from vfguide.sim.autopilot.motor import SOUND, Motor
 from vfguide.sim.autopilot.noise import RateNoise
 from vfguide.sim.autopilot.parameters import HOLD_ACTION, Parameters
@@ -27,13 +27,18 @@ from vfguide.sim.signals import Controls, ControlTuple, Inner, InnerTuple, witho
 from vfguide.sim.truth import Truth
 
 ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+"""Type mask flag of an ignored attitude as a plain integer: a flag of an enumeration costs a
+microsecond."""
 THROTTLE_IGNORE = int(AttitudeTypeMask.THROTTLE_IGNORE)
+"""Type mask flag of an ignored thrust as a plain integer."""
 ROLL_RATE_IGNORE = int(AttitudeTypeMask.BODY_ROLL_RATE_IGNORE)
+"""Type mask flag of an ignored roll rate as a plain integer."""
 PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
+"""Type mask flag of an ignored pitch rate as a plain integer."""
 YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
-"""Bits of the type mask as plain integers: flags of an enumeration cost a microsecond each."""
+"""Type mask flag of an ignored yaw rate as a plain integer."""
 K_ATTITUDE = 2.5
-"""Attitude gain for setpoints of attitude [1/s], PX4's FW_R_TC of 0.4 s."""
+"""Gain from the attitude error to the body rates [1/s]: 1 / FW_R_TC, PX4's default of 0.4 s."""
 
 
 class Autopilot:
@@ -150,7 +155,7 @@ class Autopilot:
         """Take a setpoint; the stream goes on with it."""
         self.setpoint = setpoint
         self._setpoint_at = self.now
-        if self.mode in LOST:
+        if self.mode in FAILSAFE_MODES:
             self.happen(Event.STREAM_BACK)
         if self.mode is Mode.OFFBOARD:
             self._follow(setpoint)
@@ -163,7 +168,7 @@ class Autopilot:
 
     def happen(self, event: Event) -> None:
         """Go on in the table of modes; tell the links."""
-        after = NEXT[self.mode, event]
+        after = NEXT_MODE[self.mode, event]
         if after is self.mode:
             return
         self.mode = after
@@ -182,7 +187,7 @@ class Autopilot:
 
     def _announce(self, mode: Mode) -> None:
         name = REPORTED[mode].name.lower()
-        lost = mode in LOST
+        lost = mode in FAILSAFE_MODES
         text = f"Failsafe: no offboard setpoints, {name}" if lost else f"Flight mode {name}"
         severity = MavSeverity.CRITICAL if lost else MavSeverity.INFO
         for port in self.ports:

@@ -4,6 +4,7 @@ Every command is acknowledged to whoever sent it, if only with UNSUPPORTED: sile
 sender its retries.
 """
 
+from vfguide.geometry.units import NS_PER_US
 from vfguide.link.codec import Frame, decode
 from vfguide.link.enums import MavCmd, MavComponent, MavMissionResult, MavResult
 from vfguide.link.messages import (
@@ -26,12 +27,11 @@ from vfguide.sim.autopilot.autopilot import Autopilot
 from vfguide.sim.autopilot.commands import COMMANDS
 from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
 
-NANOSECONDS = 1000
-"""In one microsecond."""
 MODE_ACK_DELAY = 10_000
-"""The second acknowledgement of a change of mode, the real one, comes this much later [us]."""
-BY_NAME = -1
-"""PARAM_REQUEST_READ with this index asks by name."""
+"""Time after which a change of mode is acknowledged for the second time, with the real result [us];
+chosen, as PX4 does."""
+INDEX_BY_NAME = -1
+"""Index of a PARAM_REQUEST_READ that asks for a parameter by its name."""
 
 
 def receive(autopilot: Autopilot, port: MavlinkChannel, data: bytes) -> list[bytes]:
@@ -71,7 +71,7 @@ def answer(  # noqa: PLR0911
         case MissionCount() | MissionClearAll():
             return [refuse_mission(frame, message)]
         case Timesync(tc1=0):
-            return [Timesync(autopilot.now * NANOSECONDS, message.ts1)]
+            return [Timesync(autopilot.now * NS_PER_US, message.ts1)]
         case Ping(target_system=0):
             return [message._replace(target_system=frame.sysid, target_component=frame.compid)]
         case _:
@@ -105,7 +105,7 @@ def answer_parameter(
         echo = parameters.set(message.param_id, message.param_value)
         return [echo] if echo else []
     names = parameters.names()
-    if message.param_index == BY_NAME:
+    if message.param_index == INDEX_BY_NAME:
         return [parameters.describe(message.param_id)] if message.param_id in names else []
     known = 0 <= message.param_index < len(names)
     return [parameters.describe(names[message.param_index])] if known else []

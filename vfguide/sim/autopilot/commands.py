@@ -1,4 +1,4 @@
-"""What the software autopilot can be told to do: the commands of COMMAND_LONG and COMMAND_INT."""
+"""The commands of the software autopilot: what it does on COMMAND_LONG and COMMAND_INT."""
 
 from collections.abc import Callable
 
@@ -24,11 +24,12 @@ CAPABILITIES = (
     | ProtocolCapability.COMMAND_INT
     | ProtocolCapability.PARAM_ENCODE_BYTEWISE
 )
-VERSION = 1 << 24 | 17 << 16 | 255
-"""The release of PX4 whose behaviour this is: 1.17.0, official."""
+"""Flags of the capabilities in AUTOPILOT_VERSION."""
+FLIGHT_SW_VERSION = 1 << 24 | 17 << 16 | 255
+"""Number of the PX4 release whose behaviour this is, 1.17.0 official, as in AUTOPILOT_VERSION."""
 
 Outcome = tuple[MavResult, list[Message]]
-"""The result to acknowledge, and what is sent besides."""
+"""The result to acknowledge, and the messages to send after it."""
 
 
 def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
@@ -122,7 +123,7 @@ COMMANDS: dict[int, Callable[[Autopilot, MavlinkChannel, CommandLong | CommandIn
     MavCmd.GET_HOME_POSITION: get_home,
     MavCmd.REQUEST_AUTOPILOT_CAPABILITIES: request_version,
 }
-"""What the autopilot can be told to do."""
+"""The handler of each command, by its number."""
 
 
 def is_number(value: float) -> bool:
@@ -133,7 +134,9 @@ def is_number(value: float) -> bool:
 def version(autopilot: Autopilot) -> AutopilotVersion:
     """AUTOPILOT_VERSION."""
     none = (0, 0, 0, 0, 0, 0, 0, 0)
-    return AutopilotVersion(CAPABILITIES, VERSION, 0, 0, 0, none, none, none, 0, 0, autopilot.sysid)
+    return AutopilotVersion(
+        CAPABILITIES, FLIGHT_SW_VERSION, 0, 0, 0, none, none, none, 0, 0, autopilot.sysid
+    )
 
 
 def available_modes(index: int) -> list[Message]:

@@ -12,8 +12,9 @@ from vfguide.sim.autopilot.noise import Errs, StateNoise
 from vfguide.sim.truth import Truth
 
 WIND_SMOOTHING = 5.0
-"""Time constant of the wind estimate [s]."""
+"""Time constant of the autopilot's wind estimate [s]; chosen."""
 NO_ERRORS = Errs((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, (0.0, 0.0, 0.0))
+"""The errors of exact instruments, all zero."""
 
 
 class Estimate(NamedTuple):

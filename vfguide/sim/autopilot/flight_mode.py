@@ -33,8 +33,8 @@ class Event(Enum):
     """Setpoints arrive again."""
 
 
-LOST = (Mode.LOST_TO_HOLD, Mode.LOST_TO_RETURN)
-"""Modes of the failsafe."""
+FAILSAFE_MODES = (Mode.LOST_TO_HOLD, Mode.LOST_TO_RETURN)
+"""Modes of the failsafe that setpoints which cease start."""
 
 _ASKED = {
     Event.HOLD_ASKED: Mode.HOLD,
@@ -48,12 +48,12 @@ _BY_ITSELF = {
     (Mode.LOST_TO_RETURN, Event.STREAM_BACK): Mode.OFFBOARD,
 }
 
-NEXT: dict[tuple[Mode, Event], Mode] = {
+NEXT_MODE: dict[tuple[Mode, Event], Mode] = {
     (mode, event): _ASKED.get(event) or _BY_ITSELF.get((mode, event), mode)
     for mode in Mode
     for event in Event
 }
-"""Every pair of mode and event. A mode that was asked for is always taken."""
+"""The next mode for every pair of mode and event; a mode that was asked for is always taken."""
 
 REPORTED = {
     Mode.HOLD: Px4Mode.HOLD,
@@ -62,11 +62,11 @@ REPORTED = {
     Mode.LOST_TO_HOLD: Px4Mode.HOLD,
     Mode.LOST_TO_RETURN: Px4Mode.RETURN,
 }
-"""What the heartbeat calls it."""
+"""The mode that the heartbeat reports."""
 
 ASKED_BY = {
     Px4Mode.HOLD: Event.HOLD_ASKED,
     Px4Mode.RETURN: Event.RETURN_ASKED,
     Px4Mode.OFFBOARD: Event.OFFBOARD_ASKED,
 }
-"""Modes that can be asked for. The others need a pilot, a runway or a mission."""
+"""The event of each mode that can be asked for; the others need a pilot, a runway or a mission."""

@@ -78,4 +78,4 @@ class Instruments(NamedTuple):
 
 
 EXACT = Instruments()
-"""No errors, no failures."""
+"""Instruments without errors and failures."""

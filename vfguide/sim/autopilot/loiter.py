@@ -22,9 +22,9 @@ from vfguide.planning.objective import GuidanceTarget, objective_at
 from vfguide.planning.route import Route, fresh_route
 from vfguide.sim.autopilot.estimate import Estimate, Origin
 
-RADIUS = 1.57
-"""Of the circle, in turn lengths: 100 m at 25 m/s; more where wind and bank ask for it. On PX4
-the operator sets NAV_LOITER_RAD for his aircraft."""
+HOLD_RADIUS = 1.57
+"""Radius of the circle of a hold [turn lengths]; chosen, 100 m at 25 m/s. Wind and bank may make it
+larger. On PX4 the operator sets NAV_LOITER_RAD for his aircraft."""
 
 
 class LoiterState(NamedTuple):
@@ -62,7 +62,7 @@ class Loiter:
         """A hold for `aircraft` at the true `airspeed` [m/s]."""
         self._vehicle = Vehicle(aircraft, Gains(airspeed))
         self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
-        self._radius = RADIUS * turn_length(airspeed)
+        self._radius = HOLD_RADIUS * turn_length(airspeed)
         self._target = GuidanceTarget((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
         self._state: LoiterState = fresh_loiter()
 

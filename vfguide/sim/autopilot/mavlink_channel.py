@@ -1,5 +1,6 @@
 """One MAVLink channel of the software autopilot: its numbering and its streams."""
 
+from vfguide.geometry.units import SECOND
 from vfguide.link.codec import Encoder, Frame, Parser
 from vfguide.link.enums import MavComponent, MavType
 from vfguide.link.messages import (
@@ -20,9 +21,6 @@ from vfguide.link.messages import (
     WindCov,
 )
 
-SECOND = 1_000_000
-"""[us]."""
-
 ONBOARD: dict[int, float] = {
     Heartbeat.MSGID: 1.0,
     SysStatus.MSGID: 1.0,
@@ -38,8 +36,8 @@ ONBOARD: dict[int, float] = {
     LocalPositionNed.MSGID: 30.0,
     AttitudeQuaternion.MSGID: 50.0,
 }
-"""Messages [Hz] to a companion, without asking. The attitude is last: what guides on its arrival
-then has all the rest of the same instant."""
+"""Rates of the messages to a companion that come without asking [Hz]. The attitude is last:
+guidance on its arrival then has all others of the same instant."""
 GROUND: dict[int, float] = {
     Heartbeat.MSGID: 1.0,
     SysStatus.MSGID: 1.0,
@@ -55,7 +53,7 @@ GROUND: dict[int, float] = {
     GlobalPositionInt.MSGID: 10.0,
     AttitudeQuaternion.MSGID: 10.0,
 }
-"""The same to a ground station."""
+"""Rates of the messages to a ground station that come without asking [Hz]."""
 
 
 class MavlinkChannel:

@@ -19,4 +19,4 @@ class Motor(NamedTuple):
 
 
 SOUND = Motor()
-"""A motor as its map says."""
+"""A motor that gives the thrust of its map."""

@@ -12,13 +12,14 @@ from vfguide.sim.autopilot.instruments import Errors
 from vfguide.sim.signals import InnerTuple
 
 BLOCK = 4096
-"""Random numbers are drawn by so many: one at a time costs a microsecond."""
+"""Number of random numbers that are drawn at once, since one at a time costs a microsecond."""
 VELOCITY_TIME = 1.0
-"""Time constant of the errors of velocity [s]: that of a filter that blends GNSS and inertia."""
+"""Time constant of the errors of velocity [s]; chosen as that of a filter that blends GNSS and
+inertial measurements."""
 ATTITUDE_TIME = 30.0
-"""Time constant of the drift of the attitude [s]."""
+"""Time constant of the drift of the attitude [s]; chosen."""
 WIND_TIME = 30.0
-"""Time constant of the drift of the wind estimate [s]."""
+"""Time constant of the drift of the wind estimate [s]; chosen."""
 
 
 class Bias(NamedTuple):

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from vfguide.link.enums import MavParamType
 from vfguide.link.messages import ParamValue
 
-HOLD_ACTION, RETURN_ACTION = 1, 2
-"""Values of NAV_RCL_ACT that the software autopilot can fly."""
+HOLD_ACTION = 1
+"""Value of NAV_RCL_ACT of PX4 for a hold."""
+RETURN_ACTION = 2
+"""Value of NAV_RCL_ACT of PX4 for a return."""
 
 
 @dataclass

@@ -39,7 +39,7 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.sim.autopilot.estimate import Estimate, Origin
-from vfguide.sim.autopilot.flight_mode import LOST, REPORTED, Mode
+from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, REPORTED, Mode
 
 ALL_HEALTHY = (
     SysStatusSensor.SENSOR_3D_GYRO
@@ -52,8 +52,9 @@ ALL_HEALTHY = (
     | SysStatusSensor.SENSOR_BATTERY
     | SysStatusSensor.PREARM_CHECK
 )
+"""Flags of all sensors of SYS_STATUS as present, enabled and healthy."""
 BATTERY_VOLTAGE = 44_400
-"""[mV]"""
+"""Voltage of the simulated battery [mV]; chosen, 12 cells."""
 
 
 class Report(NamedTuple):
@@ -81,7 +82,7 @@ def heartbeat(report: Report) -> Heartbeat:
         flags |= ModeFlag.AUTO_ENABLED | ModeFlag.GUIDED_ENABLED | ModeFlag.STABILIZE_ENABLED
     if report.armed:
         flags |= ModeFlag.SAFETY_ARMED
-    status = MavState.CRITICAL if report.mode in LOST else MavState.ACTIVE
+    status = MavState.CRITICAL if report.mode in FAILSAFE_MODES else MavState.ACTIVE
     mode = REPORTED[report.mode]
     return Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, flags, mode, status)
 
@@ -241,4 +242,4 @@ MAKERS: dict[int, Callable[[Report], Message]] = {
     ExtendedSysState.MSGID: extended_sys_state,
     CurrentMode.MSGID: current_mode,
 }
-"""The maker of every message that can be streamed or requested, by its id."""
+"""The function that makes each message that can be streamed or requested, by its id."""

@@ -62,13 +62,13 @@ class Air(NamedTuple):
 
 
 LOWEST_AIRSPEED = 10.0
-"""Below it the loop takes this, so that its gains stay finite [m/s]."""
+"""Least airspeed with which the gains are scheduled [m/s]; chosen, so that they stay finite."""
 PROPORTIONAL: Vec3 = (12.0, 9.0, 6.0)
-"""Bandwidths about the three axes [1/s]; the servos leave room for about 20."""
+"""Bandwidths about the three axes [1/s]; chosen, the servos leave room for about 20."""
 INTEGRAL: Vec3 = (20.0, 30.0, 8.0)
-"""Gains of the integrals of the rate errors about the three axes [1/s^2]."""
+"""Gains of the integrals of the rate errors about the three axes [1/s^2]; chosen."""
 INTEGRAL_MAX = 6.0
-"""Largest angular acceleration the integrals may ask for [rad/s^2]."""
+"""Largest angular acceleration that the integrals command [rad/s^2]; chosen."""
 
 
 @compiled

@@ -21,7 +21,8 @@ AxesTuple = tuple[float, float, float]
 """`Axes`, or the same three numbers without names."""
 
 SETPOINT_MAX = 1.25
-"""The table reaches beyond 1, because thin air asks for more."""
+"""Largest thrust setpoint in the table, as a share of the full thrust; chosen above 1, because thin
+air asks for more."""
 _SETPOINTS = np.linspace(0.0, SETPOINT_MAX, 41)
 _THROTTLES = np.linspace(0.0, 1.0, 26)
 _AIRSPEEDS = np.linspace(0.4, 1.6, 13)
