@@ -8,9 +8,10 @@ import pytest
 import quote_source
 
 ROOT = Path(__file__).parent.parent
+GLOSSARY = check_words.GLOSSARY.read_text()
 
 
-def test_no_name_that_was_given_up_is_used():
+def test_no_name_or_word_that_was_given_up_is_used():
     assert list(check_words.violations()) == []
 
 
@@ -18,10 +19,38 @@ def test_the_check_sees_what_is_named_so():
     source = "class Wish:\n    def hop(self, soon): ...\nits = 1\nfor way in (): ...\n"
     found = {name for _, name in check_words.names_given(ast.parse(source))}
     assert found >= {"Wish", "hop", "soon", "its", "way"}
-    old = check_words.old_names(check_words.GLOSSARY.read_text())
+    old = check_words.table_under(check_words.NAMES_HEADING, GLOSSARY)
     assert {"Wish", "soon", "its"} <= old
     with pytest.raises(ValueError, match="no table"):
-        check_words.old_names("# Nothing")
+        check_words.table_under(check_words.NAMES_HEADING, "# Nothing")
+    with pytest.raises(ValueError, match="no table"):
+        check_words.table_under(check_words.WORDS_HEADING, f"{check_words.WORDS_HEADING}\n## More")
+
+
+def test_the_check_reads_docstrings_and_comments_and_nothing_else():
+    words = check_words.table_under(check_words.WORDS_HEADING, GLOSSARY)
+    source = '''"""Hops of a detour.
+
+The wishes of a law.
+"""
+def hop(detour):
+    """One way out."""
+    # no hope for a passer
+    return "a wish"
+'''
+    used = sorted(check_words.words_used(source, words))
+    assert used == [(1, "detour"), (1, "hop"), (3, "wish"), (6, "way out"), (7, "passer")]
+
+
+def test_a_constant_of_two_modules_is_refused(tmp_path, monkeypatch):
+    (tmp_path / "vfguide").mkdir()
+    for name, text in (("one", "RATE = 1.0\nMAX_DATAGRAM = 9\n"), ("two", "MAX_DATAGRAM = 9\n")):
+        (tmp_path / "vfguide" / f"{name}.py").write_text(text)
+    monkeypatch.setattr(check_words, "ROOT", tmp_path)
+    assert list(check_words.shared_constants()) == []
+    (tmp_path / "vfguide" / "two.py").write_text("\nRATE = 2.0\n")
+    (told,) = check_words.shared_constants()
+    assert told == "RATE is defined in vfguide/one.py:1 and vfguide/two.py:2"
 
 
 def test_the_architecture_page_shows_the_step():

@@ -1,35 +1,49 @@
 #!/usr/bin/env python3
-"""Whether the code keeps to the words of the glossary.
+"""Whether the code keeps to the words of the glossary, and each constant to a name of its own.
 
     python tools/check_words.py
 
-Reads the table of names that are not used any more in docs/glossary.md and prints every place in
-vfguide/ and tools/ where one is given to something; exit status 1 if there is any.
+Reads the tables of names and of words that are not used any more in docs/glossary.md, and prints
+every place in vfguide/ and tools/ where such a name is given to something, or a docstring or a
+comment has such a word. Prints besides every public constant of vfguide/ whose name stands for
+another constant in another module, unless it is one of `SHARED`. Exit status 1 if there is any.
 """
 
 import ast
 import re
 import sys
+import tokenize
+from collections import defaultdict
 from collections.abc import Iterator
+from io import StringIO
 from pathlib import Path
+
+from check_docstrings import constants
 
 ROOT = Path(__file__).parent.parent
 GLOSSARY = ROOT / "docs" / "glossary.md"
-HEADING = "## Names that are not used any more"
+NAMES_HEADING = "## Names that are not used any more"
+WORDS_HEADING = "## Words that are not used any more"
 FOLDERS = ("vfguide", "tools")
+SHARED = {
+    "MAX_DATAGRAM": "one fact of UDP, in two rooms that may not import each other",
+}
+"""Constants of one name in several modules, and why."""
 
 
-def old_names(text: str) -> frozenset[str]:
-    """The names in the first column of the table under HEADING.
+def table_under(heading: str, text: str) -> frozenset[str]:
+    """The first column of the table under a heading, without code marks.
 
     Raises:
         ValueError: there is no such table.
     """
-    _, heading, table = text.partition(HEADING)
-    names = re.findall(r"^\| `(\w+)`", table, re.MULTILINE)
-    if not heading or not names:
-        raise ValueError(f"no table of names under {HEADING!r}")
-    return frozenset(names)
+    _, found, rest = text.partition(heading)
+    section = rest.partition("\n## ")[0]
+    rows = re.findall(r"^\| `?([\w ]+?)`?(?:, as a variable)? \|", section, re.MULTILINE)
+    words = frozenset(rows) - {"was"}
+    if not found or not words:
+        raise ValueError(f"no table under {heading!r}")
+    return words
 
 
 def names_given(tree: ast.AST) -> Iterator[tuple[int, str]]:
@@ -48,20 +62,57 @@ def names_given(tree: ast.AST) -> Iterator[tuple[int, str]]:
                 pass
 
 
+def prose(source: str) -> Iterator[tuple[int, str]]:
+    """The lines of a module's docstrings and comments, with their numbers."""
+    for node in ast.walk(ast.parse(source)):
+        match node:
+            case ast.Expr(value=ast.Constant(value=str(text))):
+                yield from enumerate(text.splitlines(), start=node.lineno)
+            case _:
+                pass
+    for token in tokenize.generate_tokens(StringIO(source).readline):
+        if token.type == tokenize.COMMENT:
+            yield token.start[0], token.string
+
+
+def words_used(source: str, words: frozenset[str]) -> Iterator[tuple[int, str]]:
+    """The given-up words in a module's prose, also in the plural, with their lines."""
+    pattern = re.compile(rf"\b({'|'.join(sorted(words))})(?:s|es)?\b", re.IGNORECASE)
+    for line, text in prose(source):
+        yield from ((line, word.lower()) for word in pattern.findall(text))
+
+
+def shared_constants() -> Iterator[str]:
+    """A line for each constant whose name is defined in several modules."""
+    places: defaultdict[str, list[str]] = defaultdict(list)
+    for path in sorted((ROOT / "vfguide").rglob("*.py")):
+        for constant in constants(ast.parse(path.read_text())):
+            for name in constant.names:
+                places[name].append(f"{path.relative_to(ROOT)}:{constant.line}")
+    for name, each in places.items():
+        if len(each) > 1 and name not in SHARED:
+            yield f"{name} is defined in {' and '.join(each)}"
+
+
 def violations() -> Iterator[str]:
-    """A line for each old name that is given to something."""
-    old = old_names(GLOSSARY.read_text())
+    """A line for each old name, each old word and each constant of two meanings."""
+    text = GLOSSARY.read_text()
+    names, words = table_under(NAMES_HEADING, text), table_under(WORDS_HEADING, text)
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*.py")):
-            for line, name in names_given(ast.parse(path.read_text())):
-                if name in old:
-                    yield f"{path.relative_to(ROOT)}:{line}: {name}, see docs/glossary.md"
+            source, at = path.read_text(), path.relative_to(ROOT)
+            for line, name in names_given(ast.parse(source)):
+                if name in names:
+                    yield f"{at}:{line}: {name}, see docs/glossary.md"
+            for line, word in words_used(source, words):
+                yield f'{at}:{line}: "{word}", see docs/glossary.md'
+    yield from shared_constants()
 
 
 def main() -> None:
     """Print the violations."""
     found = list(violations())
-    print("\n".join(found) or "no name that was given up")
+    print("\n".join(found) or "no name or word that was given up")
     sys.exit(bool(found))
 
 
