@@ -55,7 +55,7 @@ def run(
 
 
 def default_folder(name: str) -> Path:
-    """Where results go that nobody asked to have elsewhere."""
+    """The default folder of results."""
     return Path("runs") / f"{name}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
 
 

@@ -82,7 +82,7 @@ def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
 
 
 def onward(passed: int, plan: Plan) -> str:
-    """What follows after so many goals."""
+    """Note of what follows after a number of goals."""
     return f"going on to goal {passed + 1}" if passed < len(plan.goals) else "loitering"
 
 
@@ -133,7 +133,7 @@ NO_PROGRESS = (
 
 
 def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
-    """The origin of the local frame was told again: where it was, or elsewhere."""
+    """Note of an origin of the local frame that was received again, unchanged or moved."""
     if before is None or after is None:
         return []
     was = (before.latitude, before.longitude, before.altitude)
@@ -141,7 +141,7 @@ def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) 
 
 
 def progress_notes(before: Row, after: Row) -> list[str]:
-    """A leg has begun to come to no end."""
+    """Notes of a leg that has begun to make no progress."""
     if is_alarmed(before) or not is_alarmed(after):
         return []
     s = state_of_row(after)

@@ -130,7 +130,7 @@ class Companion:
         return self._housekeeping(now)
 
     def news(self) -> list[str]:
-        """What the operator should read, in plain words; told once."""
+        """The new notes to the operator, each once."""
         sources = (self._control.notes, self.route.notes, self._news)
         told = [note for notes in sources for note in notes]
         for notes in sources:
@@ -138,7 +138,7 @@ class Companion:
         return told
 
     def _watch_link(self, now: int) -> None:
-        """Note that the autopilot is not heard any more."""
+        """Record that the link to the autopilot is lost."""
         if now - self._heard > LINK_TIMEOUT and self.phase is not Phase.SEARCHING:
             self._control.lose_link()
             self.route.pause()
@@ -184,7 +184,7 @@ class Companion:
         setpoint = self.route.guide(self._known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
             return []
-        if self.route.take_jump():  # the origin may have moved, and nobody tells that by himself
+        if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])
         self.setpoints += 1
         self._sent_at = now

@@ -58,7 +58,7 @@ class Control:
             self.notes.append(SILENT_UNTIL_CHANGE)
 
     def lose_link(self) -> None:
-        """The autopilot is not heard any more."""
+        """Record that the link to the autopilot is lost."""
         self.happen(Event.LINK_LOST)
         self._mode, self.follows = None, False
 

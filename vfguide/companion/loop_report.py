@@ -14,7 +14,7 @@ decision_of_row = getter(LoopState, "assurance.decision")
 reason_of_row = getter(LoopState, "assurance.decision.reason")
 """The `Reason` of that alone."""
 route_of_row = getter(LoopState, "planning.following")
-"""The route round hazards."""
+"""The route around hazards."""
 sought_of_row = getter(LoopState, "planning.following.sought")
 """When one was searched for last [s]."""
 looked_of_row = getter(LoopState, "planning.following.looked")

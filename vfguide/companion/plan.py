@@ -60,7 +60,7 @@ class Plan:
     vehicle: Vehicle = field(init=False, compare=False)
     """The aircraft with those gains."""
     vehicle_row: Row = field(init=False, compare=False)
-    """The same as a row."""
+    """The row of that vehicle."""
 
     @property
     def is_assured(self) -> bool:

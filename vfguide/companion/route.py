@@ -156,7 +156,7 @@ class Route:
         return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
-        """Take a report of another aircraft; without an attitude nobody knows its time."""
+        """Take a report of another aircraft; without an attitude its time is unknown."""
         if known.attitude is not None:
             self._surveillance.hear(said, known.attitude.time_boot_ms)
 
@@ -166,7 +166,7 @@ class Route:
         return jumped
 
     def pause(self) -> None:
-        """The autopilot does not follow now, or nobody knows."""
+        """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
 
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:

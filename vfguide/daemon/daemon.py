@@ -23,7 +23,7 @@ class Outcome(Enum):
     HANDED_OVER = auto()
     """The autopilot flies in a mode of its own, as it says itself."""
     UNCONFIRMED = auto()
-    """Nobody knows what it flies: the link is lost, or it does not answer."""
+    """It is unknown what the autopilot flies: the link is lost, or it does not answer."""
     CUT_SHORT = auto()
     """The operator did not want to wait for that."""
 

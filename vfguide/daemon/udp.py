@@ -110,7 +110,7 @@ def listen(url: NetworkUrl, sysid: int) -> UdpLink:
 
 
 def call(url: NetworkUrl, sysid: int) -> UdpLink:
-    """A link that speaks first, to `url`, and hears nobody else.
+    """A link that sends first, to `url`, and receives from there alone.
 
     Raises:
         ConnectError: there is no route to that host.
@@ -128,7 +128,7 @@ def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
     """A socket that never blocks, and the address of `url`.
 
     Raises:
-        ConnectError: nobody knows the host.
+        ConnectError: the host is unknown.
     """
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(
@@ -147,7 +147,7 @@ def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
         try:
             yield opened.recvfrom(MAX_DATAGRAM)
         except ConnectionError:
-            continue  # nobody listened to something that was sent before
+            continue  # an earlier datagram met a closed port
         except OSError:
             return  # nothing more, or the network is down: it may come back
 

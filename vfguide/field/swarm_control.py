@@ -3,7 +3,7 @@
 The paper's law is continuous. Here speed and body rates are held from one step to the next, and
 the gains are those that have the same effect over a step: an error decays as exp(-k t) from step
 to step, at any rate of the steps. Beside the goal's axis R_a may roll by any angle in one step: fed
-forward, that would keep a robot whose nose is off the axis circling round it (TURN).
+forward, that would keep a robot whose nose is off the axis circling around it (`MAX_ROLL_STEP`).
 """
 
 import math

@@ -114,7 +114,7 @@ class Aircraft(Table):
         return self.lift.alpha_load_deg_m2ps2 or TYPICAL_STALL_DEG * self.airspeed.min_mps**2
 
     def performance(self) -> Performance:
-        """The same for the flight law, SI units and radians."""
+        """The performance for the flight law, in SI units and radians."""
         limits, lift, thrust = self.limits, self.lift, self.thrust
         per_climb = thrust.per_climb or max(TYPICAL_GLIDE * thrust.trim, 1.0)
         per_airspeed, integral = airspeed_gains(per_climb, self.response.thrust_s)
@@ -142,7 +142,7 @@ class Aircraft(Table):
         )
 
     def as_identified(self, found: Identified, how: str) -> "Aircraft":
-        """The same with what a flight has shown; `how` says which flight."""
+        """The aircraft with the estimates of a flight; `how` says which flight."""
         each, used = found.aircraft, [finding for finding in found.estimates if finding.used]
         table = self.model_dump(exclude_none=True)
         table["thrust"] |= {
@@ -158,7 +158,7 @@ class Aircraft(Table):
         return Aircraft.model_validate(table)
 
     def to_toml(self) -> str:
-        """An aircraft file that says the same."""
+        """The text of an aircraft file with these values."""
         return tomli_w.dumps(self.model_dump(exclude_none=True))
 
 

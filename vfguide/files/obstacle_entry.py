@@ -61,13 +61,13 @@ ShapeName = Annotated[
 
 
 class ObstacleEntry(Table):
-    """A body to keep out of; U = 1 is its surface."""
+    """A body to keep clear of; U = 1 is its surface."""
 
     name: Annotated[str, AfterValidator(_label)] | None = None
     """None: its index."""
     shape: ShapeName
     position_m: Position
-    """Of its centre at time zero."""
+    """Position of its centre at time zero."""
     radius_m: Size | None = None
     height_m: Size | None = None
     semi_axes_m: Sizes | None = None
@@ -80,7 +80,7 @@ class ObstacleEntry(Table):
     reactive_level: Annotated[float, above(1, 1_000_000)] = 4.0
     """c-bar of the paper: it acts on the field where U is below this."""
     visible_from_m: Annotated[float, above(0, 100_000)] | None = None
-    """Farther from its surface nobody knows of it; None: the detection range."""
+    """Distance from its surface beyond which it is not detected; None: the detection range."""
 
 
 def check_sizes(entry: ObstacleEntry, source: Source, at: Location) -> None:

@@ -159,7 +159,7 @@ class GoalEntry(Table):
     tolerance_m: Annotated[float, above(0, 1000)] = 5.0
     tolerance_deg: Annotated[float, above(0, 180)] = 10.0
     attempts: Annotated[int, between(0, 1000)] = 0
-    """The goal is given up after so many missed passes; 0: never."""
+    """Number of missed passes after which the goal is given up; 0: never."""
 
 
 class VehicleEntry(Table):

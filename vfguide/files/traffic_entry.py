@@ -43,7 +43,7 @@ class TrafficChange(Table):
 
 
 class TrafficEntry(Table):
-    """Another aircraft with a transponder; it avoids nobody."""
+    """Another aircraft with a transponder; it avoids no other."""
 
     name: Annotated[str, AfterValidator(_callsign)]
     """Its callsign."""

@@ -36,7 +36,7 @@ class Shape(tuple[int, ...]):
     __slots__ = ()
 
     def __new__(cls, *sizes: int) -> "Shape":
-        """The shape of so many numbers along each axis."""
+        """The shape with a number of entries along each axis."""
         return super().__new__(cls, sizes)
 
 
@@ -208,7 +208,7 @@ def reader(kind: type[T]) -> Callable[[Row], T]:
 
 
 def python_reader(kind: type[T]) -> Callable[[Sequence[float] | Row], T]:
-    """The same in Python, also for a list of the numbers."""
+    """A reader in Python, also for a list of numbers."""
     scope: dict[str, Any] = {}
     source = _reading(kind, scope, [0])
     name = f"read_{symbol(kind)}"

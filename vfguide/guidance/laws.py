@@ -79,7 +79,7 @@ def update(
 def _compiled_update(
     law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
 ) -> Any:
-    """The same in compiled code."""
+    """The `update` of a law in compiled code, chosen by the type of its record."""
     chosen: Any = LAWS[law.instance_class]
 
     def fly(law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any) -> Any:

@@ -51,7 +51,7 @@ class Frame(NamedTuple):
 
     @property
     def signed(self) -> bool:
-        """Whether it carries a signature; nobody has checked it."""
+        """Whether it carries a signature, which is not checked."""
         return self.version == 2 and bool(self.raw[2] & SIGNED)
 
 
@@ -66,7 +66,7 @@ class Flaw(Enum):
     INCOMPLETE = auto()
     """More bytes are needed to decide."""
     FOREIGN = auto()
-    """Flags that nobody has defined: its length cannot be known."""
+    """Undefined flags: its length cannot be known."""
     UNKNOWN = auto()
     """A message that the dialect does not have: its checksum cannot be known."""
     BAD_CRC = auto()

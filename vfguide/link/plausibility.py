@@ -1,4 +1,4 @@
-"""Which messages can be true: one that cannot is as good as not heard."""
+"""Plausibility of messages: an implausible one counts as not received."""
 
 import math
 from collections.abc import Callable
@@ -53,7 +53,7 @@ def _position(said: LocalPositionNed) -> bool:
 
 
 def _hud(said: VfrHud) -> bool:
-    """The airspeed is not a number where the autopilot has no sensor that it trusts."""
+    """Plausible airspeed and altitude; the airspeed is not a number where no sensor is trusted."""
     known = 0.0 <= said.airspeed < FASTEST or math.isnan(said.airspeed)
     return known and LOWEST < said.alt < HIGHEST
 

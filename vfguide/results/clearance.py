@@ -46,7 +46,7 @@ def clearances(record: FlightRecord, obstacles: Rows) -> Array:
 
 
 def _min_clearance(record: FlightRecord, row: Rows) -> float:
-    """The same for one obstacle, in one row; exact distances only where they can be the least."""
+    """Least clearance from one obstacle; exact distances only where they can be the least."""
     offset = record.p_n - centres(row, record.time)
     from_centre = np.linalg.norm(offset, axis=1)
     nearest = int(np.argmin(from_centre))

@@ -37,11 +37,11 @@ class Flight:
 
 
 def ignore_progress(_: float, __: Sequence[Flown]) -> None:
-    """Progress that nobody watches."""
+    """A progress that does nothing."""
 
 
 def never() -> bool:
-    """A flight that nobody stops."""
+    """The answer of a flight that is never stopped."""
     return False
 
 

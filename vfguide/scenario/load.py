@@ -36,23 +36,23 @@ class LoadedScenario:
     files: Mapping[str, AircraftFiles]
     aircraft: Mapping[str, Aircraft]
     warnings: tuple[str, ...] = ()
-    """What may go wrong with it, as a message each."""
+    """Warnings about it, one message each."""
 
     def performance(self, vehicle: Vehicle) -> Performance:
-        """What the flight law knows of the aircraft of `vehicle`."""
+        """The performance of the aircraft of `vehicle`."""
         return self.aircraft[vehicle.aircraft].performance()
 
     def gains(self, vehicle: Vehicle) -> Gains:
-        """What the flight law of `vehicle` flies with."""
+        """The gains of `vehicle` that suit its roll response."""
         roll_rate = self.performance(vehicle).rate_max[0]
         return suited(self.untuned(vehicle), self.roll_time(vehicle), roll_rate)
 
     def roll_time(self, vehicle: Vehicle) -> float:
-        """How fast the aircraft of `vehicle` follows, 63 % of a step of the roll rate [s]."""
+        """Roll response time of `vehicle`: 63 % of a step of the roll rate [s]."""
         return self.aircraft[vehicle.aircraft].response.roll_s
 
     def untuned(self, vehicle: Vehicle) -> Gains:
-        """The same, if the aircraft followed at once."""
+        """The gains of `vehicle` for a roll response within FAST_ROLL."""
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
         return Gains(

@@ -29,7 +29,7 @@ class Goal(Table):
     tolerance_m: float
     tolerance_deg: float
     attempts: int = 0
-    """The goal is given up after so many missed passes; 0: never."""
+    """Number of missed passes after which the goal is given up; 0: never."""
 
 
 class Vehicle(Table):

@@ -95,7 +95,7 @@ class Plant:
         self.steps += 1
 
     def run_bare(self, steps: int) -> None:
-        """JSBSim and nothing else for so many time steps, controls held: a yardstick."""
+        """JSBSim alone for a number of time steps, controls held: a reference of speed."""
         for _ in range(steps):
             self._run()
         self.steps += steps

@@ -74,7 +74,7 @@ class Station:
 
 
 class RealtimeFlight:
-    """Vehicles that fly by the clock until somebody stops them."""
+    """Vehicles that fly in real time until they are stopped."""
 
     def __init__(
         self,
@@ -106,7 +106,7 @@ class RealtimeFlight:
         return self.pace.taken * STEP
 
     def run(self, stopped: Callable[[], bool]) -> None:
-        """Fly until `stopped` says so, or nobody flies any more."""
+        """Fly until `stopped` is true, or no vehicle flies any more."""
         # select() waits to the microsecond; epoll, in Python, to the next millisecond.
         with selectors.SelectSelector() as selector:
             for station in self.flying:

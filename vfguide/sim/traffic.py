@@ -95,16 +95,16 @@ class Transponder(NamedTuple):
 
 
 class Sender:
-    """A transponder at work."""
+    """A transponder with its random errors and the number of its reports."""
 
     def __init__(self, each: Transponder) -> None:
-        """One that has said nothing yet."""
+        """A transponder before its first report."""
         self.each = each
         self._rng = np.random.default_rng(each.seed)
         self._number = 0
 
     def take(self, time: float) -> list[tuple[Vec3, Vec3, Vec3]]:
-        """The reports that have arrived by `time` [s]: place, error and velocity, NED."""
+        """The reports that have arrived by `time` [s]: position, error and velocity, NED."""
         taken: list[tuple[Vec3, Vec3, Vec3]] = []
         while self._number * self.each.interval + self.each.delay <= time + TIME_TOLERANCE:
             told = np.array([self._number * self.each.interval])
@@ -119,12 +119,12 @@ class Receiver:
     """Hears the transponders in range, each report once."""
 
     def __init__(self, transponders: Sequence[Transponder], origin: Vec3, reach: float) -> None:
-        """A receiver that has heard nothing.
+        """A receiver before its first report.
 
         Args:
-            transponders: of all other aircraft.
+            transponders: the transponders of all other aircraft.
             origin: latitude, longitude [rad], altitude [m] of the frame of their paths.
-            reach: it hears no farther [m].
+            reach: distance within which it hears [m].
         """
         self._plane = tangent_plane(*origin)
         self._reach = reach

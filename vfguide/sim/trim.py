@@ -17,18 +17,20 @@ from vfguide.sim.signals import Controls
 
 
 class Unknowns(NamedTuple):
-    """What a trim looks for."""
+    """The unknowns of a trim."""
 
     alpha: float
     """Angle of attack [rad]."""
     bank: float
     """Roll angle [rad]."""
     aileron: float
+    """Aileron, -1 to 1."""
     elevator: float
+    """Elevator, -1 to 1."""
     rudder: float
-    """Surfaces, -1 to 1."""
+    """Rudder, -1 to 1."""
     throttle: float
-    """0 to 1."""
+    """Throttle, 0 to 1."""
 
 
 _WEIGHTS = np.ravel(Accelerations((1.0, 1.0, 1.0), (5.0, 5.0, 5.0)))

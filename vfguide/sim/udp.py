@@ -27,7 +27,7 @@ class Numbers(NamedTuple):
     own: int
     """Port the vehicle sends from."""
     peer: int
-    """Port it sends to until somebody else speaks to it."""
+    """Port it sends to until another peer sends to it."""
 
 
 def offboard_numbers(sysid: int) -> Numbers:
@@ -70,7 +70,7 @@ class Channel:
             except BlockingIOError:
                 return
             except ConnectionError:
-                continue  # nobody listened to something we sent before
+                continue  # an earlier datagram met a closed port
             before = self._port.parser.counters.frames
             answers = self.vehicle.receive(self._port, data)
             if self._port.parser.counters.frames > before:

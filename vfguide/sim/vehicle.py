@@ -102,7 +102,7 @@ class Vehicle:
             plant.advance(control(plant.inner(), STEP))
 
     def renew(self) -> None:
-        """The autopilot looks at the vehicle."""
+        """Update the autopilot with the truth, and pass reports of traffic on."""
         self.truth = self.plant.truth()
         self.autopilot.update(self.now, self.truth)
         if self.autopilot.ports:

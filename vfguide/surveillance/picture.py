@@ -45,14 +45,14 @@ def is_ownship_echo(report: Report, ownship: Ownship) -> bool:
 
 
 class Picture:
-    """Who else flies, by their addresses."""
+    """The newest reports of other aircraft, by their addresses."""
 
     def __init__(self, origin: Vec3, volume: Volume, own_icao: int = 0) -> None:
-        """A picture of nobody.
+        """An empty picture.
 
         Args:
-            origin: of the plan's frame.
-            volume: to keep out of.
+            origin: latitude, longitude [rad] and altitude [m] of the plan's frame.
+            volume: volume to keep out of around each aircraft.
             own_icao: address of the own transponder; 0: there is none.
         """
         self._origin, self._volume, self._own_icao = origin, volume, own_icao
@@ -65,7 +65,7 @@ class Picture:
 
     @property
     def is_empty(self) -> bool:
-        """Whether nobody is heard of."""
+        """Whether there is no aircraft in it."""
         return not self._heard
 
     def hear(self, said: AdsbVehicle, now_ms: int) -> None:
@@ -89,7 +89,7 @@ class Picture:
             self._heard[report.icao] = Heard(known.report, report)
 
     def forget(self, now_ms: int) -> None:
-        """Drop those not heard of for too long; an autopilot that began anew counts as that."""
+        """Drop aircraft silent for LONGEST_SILENCE, or all after a restart of the autopilot."""
         self._heard = {
             icao: each
             for icao, each in self._heard.items()
@@ -97,7 +97,7 @@ class Picture:
         }
 
     def others(self, ownship: Ownship) -> list[Report]:
-        """All but the own echo, the nearest first."""
+        """All reports but echoes of the ownship, the nearest first."""
         there = (
             each.report
             for each in self._heard.values()
@@ -108,6 +108,6 @@ class Picture:
         )
 
     def newest(self, icao: int) -> Report | None:
-        """The newest report of one; None: it is forgotten."""
+        """The newest report of an aircraft; None if it was dropped."""
         known = self._heard.get(icao)
         return None if known is None else known.report

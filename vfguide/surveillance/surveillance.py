@@ -24,7 +24,7 @@ class Surveillance:
     """The traffic picture, looked at twice a second."""
 
     def __init__(self, picture: Picture) -> None:
-        """Nobody is heard of yet."""
+        """Surveillance before the first report."""
         self._picture = picture
         self._alerts: dict[int, Alert] = {}
         self._near: tuple[int, ...] = ()
@@ -35,7 +35,7 @@ class Surveillance:
         self._picture.hear(said, now_ms)
 
     def is_due(self, now_ms: int) -> bool:
-        """Whether there is somebody to look at, and nobody has looked lately."""
+        """Whether there is traffic, and LOOK_INTERVAL has passed since the last look."""
         if self._picture.is_empty:
             return False
         return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK_INTERVAL
@@ -54,7 +54,7 @@ class Surveillance:
         return notes
 
     def among(self, hazards: Hazards, now_ms: int, t: float) -> Hazards:
-        """The hazards with the others in reach as their traffic; as they are if there is nobody."""
+        """The hazards with the aircraft in reach as their traffic; unchanged if there are none."""
         return hazards._replace(traffic=self.rows(now_ms, t)) if self._near else hazards
 
     def rows(self, now_ms: int, t: float) -> Rows:
