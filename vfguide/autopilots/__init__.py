@@ -1,1 +1,1 @@
-"""What autopilots are to the companion: one module each, chosen by the make in their heartbeat."""
+"""Autopilots as the companion knows them: a record of each make, chosen by the first HEARTBEAT."""

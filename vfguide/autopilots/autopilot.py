@@ -1,6 +1,6 @@
-"""What an autopilot is to the companion: a record of all that differs from one make to another.
+"""An autopilot as the companion knows it: a record of all that differs from one make to another.
 
-The rest of what passes between the two is common to all that speak MAVLink.
+All other messages between the two are the same for every autopilot that speaks MAVLink.
 """
 
 import math
@@ -14,11 +14,12 @@ from vfguide.link.enums import MavAutopilot
 
 
 class Stream(NamedTuple):
-    """A message that the companion flies on."""
+    """A message that guidance needs."""
 
     msgid: int
+    """Its id."""
     fastest: float = math.inf
-    """The companion asks for no more of them in a second [Hz]."""
+    """Largest rate that the companion asks for [Hz]."""
 
 
 @dataclass(frozen=True)
@@ -26,27 +27,27 @@ class Autopilot:
     """One make of autopilot."""
 
     make: MavAutopilot
-    """What HEARTBEAT.autopilot says."""
+    """The make, as in HEARTBEAT.autopilot."""
     modes: type[IntEnum]
     """Flight modes: the value is HEARTBEAT.custom_mode, the name is what the operator reads."""
     follow_mode: IntEnum
-    """The mode in which it follows setpoints."""
+    """The mode in which the autopilot follows setpoints."""
     hold_mode: IntEnum
-    """The mode that the companion leaves it in: it circles by itself."""
+    """The mode in which the companion leaves the autopilot: it circles by itself."""
     mode_parameters: Callable[[int], tuple[float, ...]]
-    """Takes a mode; returns the parameters of MAV_CMD_DO_SET_MODE that ask for it."""
+    """Parameters of MAV_CMD_DO_SET_MODE that ask for a mode; the argument is the mode."""
     offer: int
-    """Setpoints go out for this long before the companion asks for the follow mode [us]."""
+    """Time for which setpoints are sent before the companion asks for the follow mode [us]."""
     type_mask: int
-    """Of SET_ATTITUDE_TARGET: what of a setpoint it has to ignore. A setpoint has body rates,
-    thrust, and the attitude that the body rates lead to."""
+    """Type mask of SET_ATTITUDE_TARGET: flags of the parts of a setpoint that are ignored. A
+    setpoint has body rates, thrust, and the attitude to which the body rates lead."""
     projection: Projection
-    """Between its LOCAL_POSITION_NED and the earth."""
+    """Projection of the earth in which its LOCAL_POSITION_NED is."""
     streams: tuple[Stream, ...]
-    """What the companion asks it to send, in the order of asking."""
+    """Messages that the companion asks for, in the order of asking."""
 
     def mode_name(self, custom_mode: int | None) -> str:
-        """What the operator reads of a mode; None: it is not known."""
+        """The name of a mode in notes to the operator; None: the mode is not known."""
         if custom_mode is None:
             return "nothing known"
         known = custom_mode in set(self.modes)

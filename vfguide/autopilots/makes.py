@@ -4,13 +4,13 @@ from vfguide.autopilots.autopilot import Autopilot
 from vfguide.autopilots.px4 import PX4
 
 AUTOPILOTS: tuple[Autopilot, ...] = (PX4,)
-"""Every one that is known."""
+"""The record of every make that is known."""
 BY_MAKE: dict[int, Autopilot] = {autopilot.make: autopilot for autopilot in AUTOPILOTS}
-"""The same by HEARTBEAT.autopilot, a MAV_AUTOPILOT."""
+"""The record of each make, by HEARTBEAT.autopilot, a MAV_AUTOPILOT."""
 ASSUMED = PX4
-"""Stands for an autopilot that was not heard yet, or whose make is not known."""
+"""The record that is used before the first HEARTBEAT, and for makes that are not known."""
 
 
 def autopilot_of(make: int) -> Autopilot:
-    """The autopilot whose heartbeat tells this MAV_AUTOPILOT."""
+    """The record of the make in a HEARTBEAT, a MAV_AUTOPILOT; ASSUMED if it is not known."""
     return BY_MAKE.get(make, ASSUMED)

@@ -1,4 +1,4 @@
-"""PX4 on a fixed wing: its flight modes, and what of a setpoint it follows.
+"""PX4 on a fixed wing: its flight modes, and the parts of a setpoint that it follows.
 
 Sources: px4_custom_mode.h and MavlinkReceiver::handle_message_set_attitude_target of PX4 1.17.
 """
@@ -17,7 +17,7 @@ MAIN_MODE = 16
 
 
 class Px4Mode(IntEnum):
-    """custom_mode = main << 16 | sub << 24."""
+    """Flight modes of PX4: custom_mode = main << 16 | sub << 24."""
 
     MANUAL = 1 << MAIN_MODE
     ALTCTL = 2 << MAIN_MODE

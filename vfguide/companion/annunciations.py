@@ -39,13 +39,13 @@ ON_ENTERING = {
 def phase_note(
     before: Phase, after: Phase, autopilot: Autopilot, custom_mode: int | None, engage: bool
 ) -> str:
-    """What a change of phase means.
+    """Note of a change of phase.
 
     Args:
-        before: the phase that is over.
-        after: the one that begins.
-        autopilot: whose modes they are.
-        custom_mode: what it flies; None: unknown.
+        before: the phase that ends.
+        after: the phase that begins.
+        autopilot: the make of the autopilot, which names its modes.
+        custom_mode: the mode that it flies; None: unknown.
         engage: whether the companion asks for the follow mode by itself.
     """
     return note_on(before, after, engage).format(
@@ -56,7 +56,7 @@ def phase_note(
 
 
 def note_on(before: Phase, after: Phase, engage: bool) -> str:
-    """The same, before the modes have their names."""
+    """Note of a change of phase, with placeholders for the names of modes."""
     if after is not Phase.OFFERING:
         return ON_ENTERING[after]
     if before is Phase.ASKING:
@@ -65,13 +65,13 @@ def note_on(before: Phase, after: Phase, engage: bool) -> str:
 
 
 def route_note(goal: int, plan: Plan) -> str:
-    """What is flown to."""
+    """Note of what is flown to."""
     goals = len(plan.goals)
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
 def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
-    """A goal was passed with a `miss` [m]; the states of the loop before and after."""
+    """Note of a goal that was passed with a `miss` [m], from the states of the loop around it."""
     was, now = state_of_row(before).mission, state_of_row(after).mission
     goal = was.goal + 1
     if now.attempts.given_up > was.attempts.given_up:
@@ -87,7 +87,7 @@ def onward(passed: int, plan: Plan) -> str:
 
 
 def times(number: int) -> str:
-    """How often, in words."""
+    """A number of times in words."""
     return "once" if number == 1 else f"{number} times"
 
 
@@ -104,7 +104,7 @@ UNSEEN = "not seen well enough, flown as it was known before: {names}"
 
 
 def identified_notes(found: Identified) -> list[str]:
-    """What a test flight has shown."""
+    """Notes of the estimates of an identification flight."""
     seen = [str(each) for each in found.estimates if each.used]
     unseen = [each.key for each in found.estimates if not each.used]
     lists = ((MEASURED, seen), (UNSEEN, unseen))
@@ -149,7 +149,7 @@ def progress_notes(before: Row, after: Row) -> list[str]:
 
 
 def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
-    """What has changed in a step about the air and the autopilot's place."""
+    """Notes of changes of the airspeed sensor, the position and the wind hold in a step."""
     was, now, notes = state_of_row(before), state_of_row(after), list[str]()
     trusted, begins = now.estimation.air.sensor.trusted, was.estimation.air.time < 0.0
     if trusted != was.estimation.air.sensor.trusted or begins:
@@ -163,14 +163,14 @@ def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
 
 
 def sensor_notes(trusted: bool, *, begins: bool) -> list[str]:
-    """What the airspeed sensor is worth now; nothing where a flight begins with a good one."""
+    """Notes of the state of the airspeed sensor; none where a flight begins with a good one."""
     if trusted:
         return [] if begins else [SENSOR_BACK]
     return [f"{NO_SENSOR if begins else SENSOR_LOST}: {ESTIMATED}"]
 
 
 def wind_note(s: LoopState, plan: Plan) -> str:
-    """A goal cannot be reached in this wind, or can again."""
+    """Note of a wind hold that begins or ends."""
     goal, hold = s.mission.goal, s.mission.wind_hold
     if not hold.holds:
         return f"{WEAK_AGAIN}: {route_note(goal, plan)}"

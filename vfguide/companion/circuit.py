@@ -1,4 +1,4 @@
-"""The circuit of a test flight: its legs, and the room that hazards leave it.
+"""The circuit of an identification flight: its legs, and their distance from hazards.
 
 It is a closed circuit of straight legs and two turns, with a climb, a descent, a fast and a slow
 leg.
@@ -55,7 +55,10 @@ class Manoeuvre(NamedTuple):
 
 
 def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:
-    """The legs of a test flight that begins and ends at `state`, its turns right (+1) or left."""
+    """The legs of a test flight that begins and ends at `state`.
+
+    Its turns are to the right with `side` +1, to the left with -1.
+    """
     gains, aircraft = plan.tuned, plan.aircraft
     speed = gains.airspeed
     fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, 0.95 * aircraft.airspeed_max))
@@ -88,9 +91,10 @@ def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...
 def places_along(
     p_n: Vec3, course: float, radius: float, turned: float, length: float, height: float
 ) -> tuple[Vec3, ...]:
-    """Places on an arc that turns by `turned` [rad], right positive, and on the straight after it.
+    """Positions on an arc that turns by `turned` [rad], right positive, and the straight after it.
 
-    They are no farther than ROOM_SPACING apart; the height [m] is gained on the straight.
+    They are no farther than ROOM_SPACING apart. The straight is `length` long, and gains `height`
+    [m]. All positions are NED [m].
     """
     places: list[Vec3] = []
     steps = math.ceil(radius * abs(turned) / ROOM_SPACING)
@@ -108,18 +112,18 @@ def places_along(
 
 
 def least_room(legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
-    """Least distance of the legs from a hazard at the time `t` [s] [m]."""
+    """Least distance of the legs from a hazard [m] at the time `t` [s]."""
     return min(room(place, hazards, t) for leg in legs for place in leg.places)
 
 
 def room(p_n: Vec3, hazards: Hazards | None, t: float) -> float:
-    """Distance of a place from the nearest hazard at the time `t` [s] [m]."""
+    """Distance of a position from the nearest hazard [m] at the time `t` [s]."""
     if hazards is None:
         return math.inf
     return min(hazard_distance(hazards, i, p_n, t) for i in range(hazard_count(hazards)))
 
 
 def moved(p_n: Vec3, course: float, ahead: float, right: float, up: float) -> Vec3:
-    """A place from another one, in the directions of a course [m]."""
+    """The position `ahead`, `right` and `up` [m] of another along a course [rad], NED [m]."""
     north, east = rotated(ahead, right, math.cos(course), math.sin(course))
     return p_n[0] + north, p_n[1] + east, p_n[2] - up

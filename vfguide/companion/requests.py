@@ -29,17 +29,17 @@ def set_mode(target: int, autopilot: Autopilot, mode: int) -> CommandLong:
 
 
 def request_origin(target: int) -> CommandLong:
-    """The command that makes the autopilot tell the origin of its local frame.
+    """The command that makes the autopilot send the origin of its local frame.
 
-    Not every one does so by itself.
+    Not every make does so by itself.
     """
     return command(target, MavCmd.REQUEST_MESSAGE, GpsGlobalOrigin.MSGID)
 
 
 def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[CommandLong]:
-    """The commands that make the autopilot send what the companion flies on.
+    """The commands that make the autopilot send the messages that guidance needs.
 
-    It guides `rate` times a second; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
+    `rate` is that of guidance [Hz]; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
     """
     intervals = (
         (stream.msgid, round(1e6 / min(rate, stream.fastest))) for stream in autopilot.streams
@@ -126,6 +126,6 @@ class ModeRequest:
 
 
 def result_name(result: int) -> str:
-    """What an autopilot answered, in words."""
+    """The result of an acknowledgement in words."""
     known = result in set(MavResult)
     return MavResult(result).name.lower().replace("_", " ") if known else f"result {result}"

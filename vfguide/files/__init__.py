@@ -1,1 +1,1 @@
-"""Scenario and aircraft files: their keys, what each may be, where they are found."""
+"""Scenario and aircraft files: their keys, the values allowed for each, where they are found."""

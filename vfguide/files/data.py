@@ -18,15 +18,15 @@ class AircraftFiles:
 
     name: str
     root: Path
-    """The `aircraft` folder that holds them: the aircraft path of JSBSim."""
+    """The `aircraft` folder that contains them: the aircraft path of JSBSim."""
     performance: Path
-    """What the companion knows of it: `NAME.toml` or `NAME/NAME.toml`."""
+    """The aircraft file, which the companion reads: `NAME.toml` or `NAME/NAME.toml`."""
     model: Path | None
     """The JSBSim model `NAME/NAME.xml`; None where there is none."""
 
 
 def data_folder() -> Path:
-    """The folder that holds the shipped `aircraft` and `scenarios`: in the wheel or a checkout."""
+    """The folder of the shipped `aircraft` and `scenarios`, in the wheel or in a checkout."""
     inside = PACKAGE / "_data"
     return inside if inside.is_dir() else PACKAGE.parent
 
@@ -61,11 +61,11 @@ def find_aircraft(name: str, beside: Path | None = None) -> AircraftFiles:
     """The files of an aircraft: from `aircraft/` beside the scenario file, else shipped.
 
     Args:
-        name: of the aircraft.
+        name: name of the aircraft.
         beside: the scenario file.
 
     Raises:
-        InputError: there is none of that name; the message lists those that there are.
+        InputError: there is no aircraft of that name; the message lists all names.
     """
     own = [beside.parent / "aircraft"] if beside else []
     roots = [*own, data_folder() / "aircraft"]
@@ -78,7 +78,7 @@ def find_aircraft(name: str, beside: Path | None = None) -> AircraftFiles:
 
 
 def close_match(wrong: str, right: Iterable[str]) -> str:
-    """`, did you mean X?` or nothing, to be put after the naming of `wrong`."""
+    """A hint to put after the name `wrong`, `, did you mean X?`; empty if nothing is similar."""
     matches = get_close_matches(wrong, list(right), n=1)
     return f", did you mean {matches[0]}?" if matches else ""
 

@@ -1,4 +1,4 @@
-"""The one error of bad input: what the user gave cannot be used."""
+"""The error of bad input from the user."""
 
 
 class InputError(Exception):

@@ -1,4 +1,4 @@
-"""The fence of a scenario: zones and heights, as written and for the guard."""
+"""The fence of a scenario: its zones and heights, as written and in SI units."""
 
 import math
 from typing import Annotated, Literal
@@ -30,12 +30,13 @@ class ZoneEntry(Table):
     centre_m: Place | None = None
     radius_m: Annotated[float, above(0, 100_000)] | None = None
     lowest_m: Height | None = None
+    """Least height above the origin at which the zone holds; None: any."""
     highest_m: Height | None = None
-    """Heights above the origin between which it holds; None: any."""
+    """Greatest height above the origin at which the zone holds; None: any."""
 
 
 class Fence(Table):
-    """Where every vehicle has to stay; heights are above the origin's altitude."""
+    """The region in which every vehicle has to stay; heights are above the origin's altitude."""
 
     floor_m: Height | None = None
     ceiling_m: Height | None = None
@@ -51,10 +52,10 @@ def zone_of(entry: ZoneEntry) -> Zone:
 
 
 def check_zones(fence: Fence, source: Source) -> None:
-    """Every zone is a polygon or a circle, and reaches up; so does the fence.
+    """Check that every zone is a polygon or a circle, and that all heights are in order.
 
     Raises:
-        InputError: one does not.
+        InputError: a zone is neither, or a greatest height is not above the least one.
     """
     for index, zone in enumerate(fence.zone):
         at: Location = ("fence", "zone", index)

@@ -1,4 +1,4 @@
-"""Where the values of a file come from, and messages that say so."""
+"""The source of the values of a file, and error messages that name it."""
 
 import json
 import tomllib
@@ -40,7 +40,7 @@ class Source:
         """The table of the file with the overrides applied.
 
         Raises:
-            InputError: no readable file, not TOML, or an override that finds no place.
+            InputError: the file is not readable or not TOML, or an override names no key.
         """
         table = read_toml(self.path)
         for override in self.overrides:
@@ -51,7 +51,7 @@ class Source:
         """The file as a `model`.
 
         Raises:
-            InputError: the first thing that is wrong, unknown keys before their consequences.
+            InputError: a value is wrong; the message names the first, unknown keys before others.
         """
         try:
             return model.model_validate(self.read())

@@ -15,7 +15,7 @@ class Table(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True, allow_inf_nan=False)
 
     not_yet: ClassVar[dict[str, str]] = {}
-    """Keys of the format that the program cannot fly yet: what they are for."""
+    """Purposes of the keys of the format that the program does not support yet."""
 
     @model_validator(mode="before")
     @classmethod
@@ -77,7 +77,7 @@ def word(*names: str) -> BeforeValidator:
 
 
 def listed(names: Sequence[str]) -> str:
-    """Names in a row: a, b and c."""
+    """Names as a list in words: a, b and c."""
     *first, last = names
     return f"{', '.join(first)} and {last}" if first else last
 

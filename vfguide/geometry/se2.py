@@ -38,7 +38,7 @@ read_pose, write_pose = reader(Pose), writer(Pose)
 def rotated(x: float, y: float, c: float, s: float) -> Vec2:
     """R (x, y), where R turns clockwise by the angle with cosine `c` and sine `s`.
 
-    It takes the components along the axes of a frame to those along the axes it is given in.
+    It takes components along the axes of a frame to those along the axes in which it is given.
     """
     return c * x - s * y, s * x + c * y
 
@@ -51,9 +51,9 @@ def unrotated(x: float, y: float, c: float, s: float) -> Vec2:
 
 @compiled
 def composed(frame: Pose, pose: Pose) -> Pose:
-    """T_nf T_fp: a pose that is given in `frame`, in the axes of `frame` itself.
+    """T_nf T_fp: a pose given in the axes of `frame`, in the axes in which `frame` is given.
 
-    The course is the sum of both, not wrapped.
+    Its course is the sum of both courses, not wrapped.
     """
     x, y = rotated(pose.x, pose.y, math.cos(frame.course), math.sin(frame.course))
     return Pose(frame.x + x, frame.y + y, frame.course + pose.course)

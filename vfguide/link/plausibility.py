@@ -37,7 +37,7 @@ ADDRESSES = 2**24
 
 
 def is_plausible(message: Message) -> bool:
-    """Whether what the companion flies on can be true; not-a-number never is."""
+    """Whether the values of a message that guidance uses are plausible; not-a-number never is."""
     check = _CHECKS.get(type(message))
     return check is None or check(message)
 

@@ -40,7 +40,7 @@ class Planar(NamedTuple):
 
 @compiled
 def planar_from(frame: Pose, at: Planar) -> Planar:
-    """The vehicle in the axes of a pose."""
+    """Position and velocity of the vehicle in the axes of a pose."""
     c, s = math.cos(frame.course), math.sin(frame.course)
     x, y = unrotated(at.x - frame.x, at.y - frame.y, c, s)
     vx, vy = unrotated(at.vx, at.vy, c, s)
@@ -49,7 +49,7 @@ def planar_from(frame: Pose, at: Planar) -> Planar:
 
 @compiled
 def planar_of(state: FlightState) -> Planar:
-    """The vehicle in the horizontal plane, NED."""
+    """Position and velocity of the vehicle in the horizontal plane, NED."""
     return Planar(state.p_n[0], state.p_n[1], state.v_n[0], state.v_n[1])
 
 

@@ -1,4 +1,4 @@
-"""Edges of a route: Dubins paths that join poses of the horizontal plane, NED."""
+"""Edges: Dubins paths that start at a pose of the horizontal plane, those of a route in NED."""
 
 import math
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Progress along a Dubins path: the one follower, of the path of a leg and of edges of a route.
+"""Progress along a Dubins path, that of a leg or an edge of a route.
 
 The path is followed segment by segment, by the course laws of lines and circles. The last turn is
 the one that ends at the end pose: a path from which a turn of nearly a full circle was left out
@@ -23,7 +23,7 @@ the point mass."""
 
 
 class PathProgress(NamedTuple):
-    """A Dubins path in the plane, and how far along it the vehicle is."""
+    """A Dubins path in the horizontal plane, and the progress of the vehicle along it."""
 
     edge: Edge
     """The path, and the pose at its start."""
@@ -89,13 +89,13 @@ def present_turn(progress: PathProgress) -> Turn:
 
 @compiled
 def on_straight(progress: PathProgress, at: Planar) -> tuple[float, float]:
-    """The vehicle along the present straight, and to the right of it [m]."""
+    """Position of the vehicle along the present straight, and to the right of it [m]."""
     return point_from(segment_at(progress.edge, MIDDLE, progress.radius).begin, at.x, at.y)
 
 
 @compiled
 def about(turn: Turn, at: Planar) -> Planar:
-    """The vehicle relative to the centre of a turn."""
+    """Position and velocity of the vehicle relative to the centre of a turn."""
     return Planar(at.x - turn.x, at.y - turn.y, at.vx, at.vy)
 
 

@@ -1,1 +1,1 @@
-"""Who else flies: reports of other aircraft, the picture they make, alerts."""
+"""Surveillance of other aircraft: their reports, the traffic picture, alerts."""

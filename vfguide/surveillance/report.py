@@ -56,9 +56,9 @@ class Report(NamedTuple):
     icao: int
     name: str
     time_ms: int
-    """time_boot_ms at which it was there."""
+    """Time at which it had this position, as time_boot_ms [ms]."""
     intruder: Intruder
-    """Its time is not set."""
+    """The aircraft as a hazard; its time is not set."""
 
 
 class Ownship(NamedTuple):
@@ -73,7 +73,7 @@ class Ownship(NamedTuple):
 
 
 def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> Report | None:
-    """The report in the tangent plane at `origin`; None: it cannot be true, or has no place."""
+    """The report in the tangent plane at `origin`; None if it is implausible or has no position."""
     flags = said.flags
     if not is_plausible(said) or not flags & AdsbFlags.VALID_COORDS:
         return None

@@ -71,7 +71,7 @@ def rows_of(reports: Sequence[Report], now_ms: int, t: float) -> Rows:
 
 
 def within_reach(each: Report, ownship: Ownship) -> bool:
-    """Whether the two can meet soon."""
+    """Whether an aircraft can meet the ownship within REACH."""
     apart = norm(sub(placed_at(each, ownship.time_ms), ownship.p_n)) - each.intruder.radius
     closing = norm(each.intruder.v_n) + each.intruder.uncertainty_rate + norm(ownship.v_n)
     return apart <= REACH * closing

@@ -44,7 +44,7 @@ def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | Com
 
 
 def change_mode(autopilot: Autopilot, event: Event) -> MavResult:
-    """Take the mode; OFFBOARD only while setpoints arrive."""
+    """Change to a mode; OFFBOARD is accepted only while setpoints arrive."""
     if event is Event.OFFBOARD_ASKED and not autopilot.has_stream:
         return MavResult.TEMPORARILY_REJECTED
     autopilot.happen(event)
@@ -62,14 +62,14 @@ def loiter(autopilot: Autopilot, *_: object) -> Outcome:
 
 
 def arm_or_disarm(_: Autopilot, __: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
-    """Armed it is already; in the air it does not disarm."""
+    """COMPONENT_ARM_DISARM: the aircraft is armed already, and does not disarm in the air."""
     return (MavResult.ACCEPTED if command.param1 == 1.0 else MavResult.DENIED), []
 
 
 def set_message_interval(
     autopilot: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
 ) -> Outcome:
-    """SET_MESSAGE_INTERVAL of a message that there is a stream of."""
+    """SET_MESSAGE_INTERVAL of a message that can be streamed."""
     if not (is_number(command.param1) and is_number(command.param2)):
         return MavResult.DENIED, []
     if int(command.param1) not in MAKERS:

@@ -1,4 +1,4 @@
-"""What the software autopilot knows of its airframe, measured on the JSBSim model itself."""
+"""The airframe as the software autopilot knows it, measured on the JSBSim model itself."""
 
 from dataclasses import dataclass, replace
 from functools import cache
@@ -19,11 +19,12 @@ from vfguide.sim.trim import trim
 
 
 class Variables(NamedTuple):
-    """What the accelerations of an airframe in given air depend on."""
+    """The variables on which the accelerations of an airframe in given air depend."""
 
     alpha: float
+    """Angle of attack [rad]."""
     beta: float
-    """Angles of attack and sideslip [rad]."""
+    """Angle of sideslip [rad]."""
     omega_b: Vec3
     """Body rates [rad/s]."""
     surfaces: Vec3
@@ -32,7 +33,7 @@ class Variables(NamedTuple):
 
 _variables_of = python_reader(Variables)
 _STEPS = row_of(Variables(1.0 * DEG, 1.0 * DEG, (5.0 * DEG, 5.0 * DEG, 5.0 * DEG), (0.1, 0.1, 0.1)))
-"""To each side, for the differences."""
+"""Steps to each side for the differences."""
 _CONDITION_MAX = 1e4
 """Condition number of the control effectiveness beyond which an axis is without control."""
 
@@ -43,10 +44,10 @@ class AirframeModelError(Exception):
 
 @dataclass(frozen=True)
 class Airframe:
-    """A model as its autopilot knows it."""
+    """A model as its autopilot knows it: measured tables, no coefficients of JSBSim."""
 
     rates: RateTable
-    """For `rate_loop`."""
+    """The table of `rate_loop`."""
     thrust: ThrustMap
     cruise: FlightCondition
     """Level trimmed flight, about which the airframe was measured."""
@@ -55,7 +56,7 @@ class Airframe:
 
     @property
     def tables(self) -> Tables:
-        """For `inner_loop`."""
+        """The tables of `inner_loop`."""
         return (self.rates, self.thrust.throttles, self.thrust.axes.numbers)
 
 
@@ -67,7 +68,7 @@ def identify(model: Model, airspeed: float, altitude: float = 0.0) -> Airframe:
     Raises:
         ModelError: the model is missing, unreadable or broken.
         TrimError: it cannot fly level so.
-        IdentifyError: its surfaces do not move it about all three axes.
+        AirframeModelError: its surfaces do not move it about all three axes.
     """
     return _identified(model, model.fingerprint(), airspeed, altitude)
 
@@ -85,7 +86,7 @@ def rate_table(bench: Bench, cruise: FlightCondition) -> RateTable:
     """The table of `rate_loop` for the model on `bench`, about `cruise`.
 
     Raises:
-        IdentifyError: the control effectiveness is singular.
+        AirframeModelError: the control effectiveness is singular.
     """
     slopes = _slopes(bench, cruise, _variables(cruise))
     momentum = bench.density * cruise.airspeed
@@ -120,9 +121,9 @@ def _with_variables(condition: FlightCondition, row: Vector) -> FlightCondition:
 
 
 def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Matrix:
-    """Derivatives of (p', q', r') by the variables, (3, width), from differences of both sides.
+    """Derivatives of (p', q', r') by the variables, (3, width), from central differences.
 
-    A surface near its stop is moved up to there only.
+    A surface near its stop is moved up to the stop only.
     """
 
     def omega_dot(variables: Vector) -> Vector:
@@ -140,8 +141,8 @@ def _slopes(bench: Bench, cruise: FlightCondition, middle: Vector) -> Matrix:
 def _gyroscopic(inertia_b: Mat3) -> dict[str, Vector]:
     """Coefficients of pq, pr, qr, p^2 - r^2 in (p', q', r') = -J^-1 (w x J w), (3,) each.
 
-    They have the names of an `Axis`.
-    Beard and McLain (3.17), for an airframe with a plane of symmetry.
+    The keys are fields of `Axis`. The equation is Beard and McLain's (3.17), for an airframe with a
+    plane of symmetry.
     """
     J = np.array(inertia_b)
 
@@ -159,7 +160,7 @@ def _gyroscopic(inertia_b: Mat3) -> dict[str, Vector]:
 
 
 def _inverse(effect: Matrix, bench: Bench) -> Matrix:
-    """Surfaces for angular accelerations, of how these answer to the surfaces."""
+    """Inverse of the control effectiveness: surfaces for angular accelerations, (3, 3)."""
     if np.linalg.cond(effect) > _CONDITION_MAX:
         name = bench.model.name
         raise AirframeModelError(f"{name}: its surfaces do not turn it about three axes")

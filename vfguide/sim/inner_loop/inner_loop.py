@@ -7,7 +7,7 @@ from vfguide.sim.inner_loop.thrust_map import Axes, AxesTuple, Throttles, thrott
 from vfguide.sim.signals import ControlTuple, Inner, InnerTuple
 
 Tables = tuple[RateTable, Throttles, AxesTuple]
-"""What the loop knows of its airframe: the table of `rate_loop`, then those of `throttle_for`."""
+"""The airframe as the loop knows it: the table of `rate_loop`, then those of `throttle_for`."""
 
 
 @compiled

@@ -1,12 +1,12 @@
 """The rate loop of the software autopilot: body rates to surfaces, by inverting the airframe.
 
-What the loop knows of the airframe is a record: the angular acceleration about each axis is
+The airframe is a record of coefficients: the angular acceleration about each axis is
 
     rho V^2 (zero + alpha, beta terms),  rho V (p, q, r terms),  and p q, p r, q r, p^2 - r^2 terms,
 
-plus rho V^2 times the control effectiveness, which is kept inverted, a surface for each axis.
-So every term keeps its size in units of the air: static moments and controls grow with
-dynamic pressure, damping with rho V, gyroscopic terms with neither.
+plus rho V^2 times the control effectiveness, which is stored inverted, a surface for each axis.
+The coefficients so do not depend on the air: static moments and controls grow with dynamic
+pressure, damping with rho V, gyroscopic terms with neither.
 """
 
 from typing import NamedTuple
@@ -18,26 +18,30 @@ from vfguide.sim.signals import Inner, Surfaces
 
 
 class Axis(NamedTuple):
-    """What turns the airframe about one body axis with the surfaces at zero, and its surface."""
+    """Angular acceleration about one body axis with the surfaces at zero, and its surface."""
 
     zero: float
     """Angular acceleration at no angle and no rate, by rho V^2 [1/(kg/m)]."""
     alpha: float
+    """Its derivative by the angle of attack, by rho V^2 [1/(kg/m rad)]."""
     beta: float
-    """Its growth with the angles of attack and sideslip, by rho V^2 [1/(kg/m rad)]."""
+    """Its derivative by the angle of sideslip, by rho V^2 [1/(kg/m rad)]."""
     damping: Vec3
-    """Its growth with the body rates p, q, r, by rho V [m^2/kg]."""
+    """Its derivatives by the body rates p, q, r, by rho V [m^2/kg]."""
     pq: float
+    """Gyroscopic coefficient of p q [1]."""
     pr: float
+    """Gyroscopic coefficient of p r [1]."""
     qr: float
+    """Gyroscopic coefficient of q r [1]."""
     pp_rr: float
-    """Gyroscopic: by the products of body rates, and by p^2 - r^2 [1]."""
+    """Gyroscopic coefficient of p^2 - r^2 [1]."""
     surface: Vec3
     """Aileron, elevator or rudder for an angular acceleration about x, y, z, times rho V^2."""
 
 
 class Rates(NamedTuple):
-    """What the loop knows of the airframe."""
+    """The coefficients of all three axes."""
 
     roll: Axis
     pitch: Axis
@@ -45,20 +49,21 @@ class Rates(NamedTuple):
 
 
 RateTable = Row
-"""The row of `Rates`: an array crosses into compiled code sooner than a record."""
+"""The row of `Rates`, since an array crosses into compiled code in less time than a record."""
 read_rates = reader(Rates)
 
 
 class Air(NamedTuple):
-    """The air as the airframe feels it."""
+    """The air flow that acts on the airframe."""
 
     pressure: float
     """rho V^2 [kg/(m s^2)]."""
     momentum: float
     """rho V [kg/(m^2 s)]."""
     alpha: float
+    """Angle of attack [rad]."""
     beta: float
-    """Angles of attack and sideslip [rad]."""
+    """Angle of sideslip [rad]."""
 
 
 LOWEST_AIRSPEED = 10.0
@@ -77,13 +82,13 @@ def rate_loop(
 ) -> tuple[Surfaces, Vec3]:
     """Surfaces that bring the body rates to `omega_b`, and the memory of the next step.
 
-    The angular acceleration wished for is proportional plus integral in the rate errors. The
+    The commanded angular acceleration is proportional plus integral in the rate errors. The
     airframe is inverted for it with the static terms at the measured angles and the damping at
-    the rates wished for, which need not wait for an error.
+    the commanded rates, a feed-forward that needs no error.
 
     Args:
         table: the airframe, the row of `Rates`.
-        inner: what the loop measures.
+        inner: measurements of the loop.
         omega_b: setpoint of the body rates [rad/s].
         memory: integrals [rad/s^2], zero at first.
         dt: time step [s].
@@ -131,7 +136,7 @@ def _uncontrolled(axis: Axis, air: Air, damped_b: Vec3, omega_b: Vec3) -> float:
 
 @compiled
 def _growth(growth: float, surface: float, effect: float) -> float:
-    """Growth of an integral; none while the surface is at its stop and would only go further."""
+    """Growth of an integral; zero while the surface is at its stop and would move beyond it."""
     if abs(surface) > 1.0 and growth * effect * surface > 0.0:
         return 0.0
     return growth

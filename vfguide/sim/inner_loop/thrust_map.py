@@ -26,15 +26,16 @@ air asks for more."""
 _SETPOINTS = np.linspace(0.0, SETPOINT_MAX, 41)
 _THROTTLES = np.linspace(0.0, 1.0, 26)
 _AIRSPEEDS = np.linspace(0.4, 1.6, 13)
-"""As multiples of the cruise airspeed."""
+"""Airspeeds of the rows, as multiples of the cruise airspeed."""
 
 
 class Axes(NamedTuple):
-    """What a table of throttles is measured at."""
+    """The airspeeds and the density at which a table of throttles was measured."""
 
     first_airspeed: float
+    """True airspeed of the first row [m/s]."""
     airspeed_step: float
-    """True airspeed of the first row, and from one row to the next [m/s]."""
+    """True airspeed between two rows [m/s]."""
     density: float
     """Air density [kg/m^3]."""
 
@@ -46,7 +47,7 @@ class Axes(NamedTuple):
 
 @dataclass(frozen=True)
 class ThrustMap:
-    """What `throttle_for` needs of one airframe."""
+    """The table of throttles of one airframe for `throttle_for`."""
 
     throttles: Throttles
     axes: Axes
@@ -88,7 +89,8 @@ def throttle_for(
 ) -> float:
     """Throttle, 0 to 1, that gives the thrust setpoint at this airspeed [m/s] and density.
 
-    Bilinear in the table of a ThrustMap; beyond its ends the value at the end holds.
+    It is interpolated bilinearly in the table of a ThrustMap, and constant beyond its ends. The
+    density is in kg/m^3.
     """
     rows, columns = throttles.shape
     i, u = _cell((airspeed - axes.first_airspeed) / axes.airspeed_step, rows)
@@ -101,7 +103,7 @@ def throttle_for(
 
 @compiled
 def _cell(position: float, size: int) -> tuple[int, float]:
-    """Cell of a grid of `size` points that holds `position`, and where in it, 0 to 1."""
+    """Cell of a grid of `size` points that contains `position`, and the position in it, 0 to 1."""
     position = min(max(position, 0.0), size - 1.0)
     cell = min(int(position), size - 2)
     return cell, position - cell
