@@ -12,6 +12,7 @@ import numpy as np
 
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.polygon import prism_distance, side_from, signed_root
 from vfguide.geometry.rows import reader, table_of
 from vfguide.geometry.vector import Vec3, Vectors
 
@@ -99,9 +100,7 @@ def fence_distance(fences: Fences, i: int, p_n: Vec3) -> float:
     upright = max(zone.lowest - height, height - zone.highest)
     if zone.inclusion:
         return -max(flat, upright)
-    if flat <= 0.0 or upright <= 0.0:
-        return max(flat, upright)
-    return math.sqrt(flat * flat + upright * upright)
+    return prism_distance(flat, upright)
 
 
 @compiled
@@ -111,13 +110,10 @@ def zone_distance(zone: PackedZone, corners: Vectors, north: float, east: float)
     if count == 1:
         return math.hypot(north - corners[first, 0], east - corners[first, 1]) - zone.radius
     least, inside = math.inf, False
-    before = first + count - 1
+    x0, y0 = corners[first + count - 1, 0], corners[first + count - 1, 1]
     for k in range(first, first + count):
-        u, v = corners[before, 0] - corners[k, 0], corners[before, 1] - corners[k, 1]
-        x, y = north - corners[k, 0], east - corners[k, 1]
-        part = max(0.0, min(1.0, (x * u + y * v) / max(u * u + v * v, 1e-300)))
-        least = min(least, (x - part * u) ** 2 + (y - part * v) ** 2)
-        if (y < 0.0) != (y < v) and (x < u * y / v):
-            inside = not inside
-        before = k
-    return -math.sqrt(least) if inside else math.sqrt(least)
+        x1, y1 = corners[k, 0], corners[k, 1]
+        seen = side_from(x0, y0, x1, y1, north, east)
+        least, inside = min(least, seen.square), inside != seen.crosses
+        x0, y0 = x1, y1
+    return signed_root(least, inside)

@@ -123,16 +123,26 @@ def with_corner(side: Side, before: Side) -> Side:
 
 
 @compiled
-def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
-    """First and last time at which row `i` is in the band [s]; never if the first is later."""
-    obstacle = read_obstacle(obstacles[i])
-    half, height, rate = obstacle.semi_axes[2], obstacle.p_n[2], obstacle.v_n[2]
+def times_in(band: Band, height: float, half_height: float, rate: float) -> tuple[float, float]:
+    """From when until when a moving body reaches into a band [s]; never: the first is later.
+
+    Args:
+        band: the heights.
+        height: z of its centre at time 0 [m].
+        half_height: half of its height [m].
+        rate: its velocity down [m/s].
+    """
+    low, high = band.top - half_height - height, band.bottom + half_height - height
     if rate == 0.0:
-        reaches = band.top <= height + half and height - half <= band.bottom
-        return (-math.inf, math.inf) if reaches else (math.inf, -math.inf)
-    from_above = (band.top - half - height) / rate
-    from_below = (band.bottom + half - height) / rate
-    return min(from_above, from_below), max(from_above, from_below)
+        return (-math.inf, math.inf) if low <= 0.0 <= high else (math.inf, -math.inf)
+    return min(low / rate, high / rate), max(low / rate, high / rate)
+
+
+@compiled
+def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
+    """From when until when row `i` reaches into the band [s], as of `times_in`."""
+    obstacle = read_obstacle(obstacles[i])
+    return times_in(band, obstacle.p_n[2], obstacle.semi_axes[2], obstacle.v_n[2])
 
 
 @compiled

@@ -11,7 +11,7 @@ import numpy as np
 
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.airspace.fence import Fences, fence_distance
-from vfguide.airspace.footprint import SIDE_WIDTH, Band
+from vfguide.airspace.footprint import SIDE_WIDTH, Band, times_in
 from vfguide.airspace.keep_out import (
     KEEP_OUT,
     ZONE_ROW_WIDTH,
@@ -135,7 +135,7 @@ def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> 
     (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
     grown = max(t - time, 0.0) + TRAFFIC_LOOKAHEAD
     reach = intruder.half_height + grown * intruder.uncertainty_rate_up + margin
-    since, until = stay_in(band.top - reach - down, band.bottom + reach - down, sinking)
+    since, until = times_in(band, down, reach, sinking)
     x, y, radius = (
         north - time * vx,
         east - time * vy,
@@ -143,14 +143,6 @@ def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> 
     )
     place = (KEEP_OUT, x, y, vx, vy, math.hypot(vx, vy))
     return KeepOutZone(*place, radius, 0, 0, time + since, time + until, True)
-
-
-@compiled
-def stay_in(low: float, high: float, speed: float) -> tuple[float, float]:
-    """First and last time [s] at which `speed` t is in [low, high]; never if the first is later."""
-    if speed == 0.0:
-        return (-math.inf, math.inf) if low <= 0.0 <= high else (math.inf, -math.inf)
-    return min(low / speed, high / speed), max(low / speed, high / speed)
 
 
 @compiled

@@ -7,6 +7,7 @@ from vfguide.airspace.footprint import read_side
 from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.polygon import side_from, signed_root
 
 NO_HAZARD = -1
 """Row number that stands for no hazard."""
@@ -32,16 +33,9 @@ def polygon_distance(sides: Rows, x: float, y: float) -> float:
     for k in range(len(sides) - 1, -1, -1):
         x0, y0 = side.x, side.y
         side = read_side(sides[k])
-        x1, y1 = side.x, side.y
-        ex, ey, dx, dy = x1 - x0, y1 - y0, x - x0, y - y0
-        length = ex * ex + ey * ey
-        part = (dx * ex + dy * ey) / length if length > 0.0 else 0.0
-        part = max(0.0, min(1.0, part))
-        ox, oy = dx - part * ex, dy - part * ey
-        least = min(least, ox * ox + oy * oy)
-        if (y0 > y) != (y1 > y) and (dx * ey - dy * ex) * ey < 0.0:
-            inside = not inside
-    return -math.sqrt(least) if inside else math.sqrt(least)
+        seen = side_from(x0, y0, side.x, side.y, x, y)
+        least, inside = min(least, seen.square), inside != seen.crosses
+    return signed_root(least, inside)
 
 
 @compiled

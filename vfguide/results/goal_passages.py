@@ -8,6 +8,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.loop.attempts import ATTEMPT_MISS
+from vfguide.results.hermite import derivative_at, hermite, value_at
 from vfguide.scenario.resolved import Goal
 
 
@@ -117,12 +118,12 @@ def interpolate(one: Sample, other: Sample, time: float) -> Sample:
     """The path between two samples: the cubic with their positions and velocities (Hermite)."""
     span = other.time - one.time
     s = (time - one.time) / span
-    powers: list[tuple[float, float, float, float]] = []
-    for p0, p1, v0, v1 in zip(one.p_n, other.p_n, one.v_n, other.v_n, strict=True):
-        step, d0, d1 = p1 - p0, v0 * span, v1 * span
-        powers.append((p0, d0, 3.0 * step - 2.0 * d0 - d1, d0 + d1 - 2.0 * step))
-    x, y, z = (a + s * (b + s * (c + s * d)) for a, b, c, d in powers)
-    u, v, w = ((b + s * (2.0 * c + s * 3.0 * d)) / span for _, b, c, d in powers)
+    axes = [
+        hermite(p0, p1, v0 * span, v1 * span)
+        for p0, p1, v0, v1 in zip(one.p_n, other.p_n, one.v_n, other.v_n, strict=True)
+    ]
+    x, y, z = (value_at(axis, s) for axis in axes)
+    u, v, w = (derivative_at(axis, s) / span for axis in axes)
     return Sample(time, (x, y, z), (u, v, w))
 
 

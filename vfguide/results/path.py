@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.geometry.vector import Matrices
+from vfguide.results.hermite import hermite, value_at
 from vfguide.results.record import Array, FlightRecord
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
@@ -32,10 +33,8 @@ def positions(record: FlightRecord, time: Array) -> Array:
 def _on_cubics(record: FlightRecord, steps: Steps, since: Array) -> Array:
     span = np.diff(record.time)[steps][:, None]
     s = since[:, None] / span
-    p0, p1 = record.p_n[steps], record.p_n[steps + 1]
-    d0, d1 = span * record.v_n[steps], span * record.v_n[steps + 1]
-    b, c = 3.0 * (p1 - p0) - 2.0 * d0 - d1, d0 + d1 - 2.0 * (p1 - p0)
-    return p0 + s * (d0 + s * (b + s * c))
+    p_n, d_n = record.p_n, span * record.v_n[steps]
+    return value_at(hermite(p_n[steps], p_n[steps + 1], d_n, span * record.v_n[steps + 1]), s)
 
 
 def _on_helices(record: FlightRecord, R_nb: Matrices, steps: Steps, since: Array) -> Array:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfguide.files.scenario_file import Avoidance
+from vfguide.geometry.polygon import prism_distances
 from vfguide.geometry.vector import Series, Vectors
 from vfguide.results.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
@@ -50,14 +51,7 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
 def volume_distance(avoidance: Avoidance, apart: Vectors) -> Series:
     """Distance of a vehicle from the volume of another aircraft that is `apart`, (n, 3), [m]."""
     beside = np.hypot(apart[:, 0], apart[:, 1]) - avoidance.traffic_radius_m
-    return clearance(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
-
-
-def clearance(beside: Array, above: Array) -> Array:
-    """Distance from an upright cylinder, from those to its side and to its ends [m]."""
-    outside = np.hypot(np.maximum(beside, 0.0), np.maximum(above, 0.0))
-    deepest = np.maximum(beside, above)
-    return np.where(deepest > 0.0, outside, deepest)
+    return prism_distances(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
 
 
 def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:

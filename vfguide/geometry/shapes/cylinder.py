@@ -3,6 +3,7 @@
 import math
 
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.polygon import prism_distance
 from vfguide.geometry.shapes.base import (
     BESIDE,
     EDGED,
@@ -69,11 +70,7 @@ def cylinder_bound(x: float, y: float, z: float, radius: float, half_height: flo
 @compiled
 def upright_distance(x: float, y: float, z: float, radius: float, half_height: float) -> float:
     """Distance from the upright cylinder with sharp edges [m], negative inside."""
-    u, w = math.sqrt(x * x + y * y) - radius, abs(z) - half_height
-    if max(u, w) <= 0.0:
-        return max(u, w)
-    u, w = max(u, 0.0), max(w, 0.0)
-    return math.sqrt(u * u + w * w)
+    return prism_distance(math.sqrt(x * x + y * y) - radius, abs(z) - half_height)
 
 
 @compiled
