@@ -6,10 +6,12 @@ from typing import NamedTuple
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
+from vfguide.companion.route import Step
 from vfguide.companion.session import Record, Session
 from vfguide.link.codec import Frame, Parser, decode
 from vfguide.link.enums import MavComponent
 from vfguide.link.messages import SetAttitudeTarget
+from vfguide.loop.rows import step_measured
 
 
 class Timed(NamedTuple):
@@ -44,16 +46,19 @@ class Comparison(NamedTuple):
 class Replay:
     """One companion fed with a log."""
 
-    def __init__(self, sysid: int, plan: Plan, record: Record) -> None:
+    def __init__(self, sysid: int, plan: Plan, record: Record, step: Step = step_measured) -> None:
         """A replay for one vehicle.
 
         Args:
             sysid: MAVLink system of the vehicle.
             plan: what its companion was asked to do.
             record: takes what the companion receives and sends now.
+            step: of the control loop.
         """
         self._sysid = sysid
-        self._session = Session(Companion(sysid, plan, engage=False), record)
+        self.companion = Companion(sysid, plan, engage=False, step=step)
+        """The companion that is fed."""
+        self._session = Session(self.companion, record)
 
     def compare(self, log: Iterable[tuple[int, Frame]]) -> Comparison:
         """Feed the whole log; setpoints are compared one by one, in their order."""
