@@ -42,3 +42,21 @@ EASYSTAR = Performance(
     thrust_per_airspeed=0.134,
     thrust_integral=0.026,
 )
+CESSNA = Performance(
+    airspeed_min=26.0,
+    airspeed_cruise=45.0,
+    airspeed_max=58.0,
+    bank_max=45.0 * DEG,
+    load_max=1.7,
+    load_min=0.3,
+    climb_max=5.0 * DEG,
+    descent_max=5.0 * DEG,
+    rate_max=(30.0 * DEG, 12.0 * DEG, 10.0 * DEG),
+    alpha_zero=-3.47 * DEG,
+    alpha_load=10830.0 * DEG,
+    thrust_trim=0.38,
+    thrust_per_climb=3.77,
+    thrust_per_load=0.115,
+    thrust_per_airspeed=0.15,
+    thrust_integral=0.02,
+)

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 
 import pytest
-from aeroplanes import AEROSONDE, EASYSTAR
+from aeroplanes import AEROSONDE, CESSNA, EASYSTAR
 
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, find_aircraft
@@ -81,6 +81,8 @@ def test_bad_files(tmp_path: Path, old: str, new: str, message: str) -> None:
     assert str(error.value).startswith(f"{file}: {message}")
 
 
-@pytest.mark.parametrize(("name", "same"), [("aerosonde", AEROSONDE), ("easystar", EASYSTAR)])
+@pytest.mark.parametrize(
+    ("name", "same"), [("aerosonde", AEROSONDE), ("c172p", CESSNA), ("easystar", EASYSTAR)]
+)
 def test_the_aeroplanes_of_the_other_tests_are_those_of_the_files(name, same) -> None:
     assert load_aircraft(find_aircraft(name)).performance() == same

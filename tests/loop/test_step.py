@@ -128,13 +128,6 @@ USED_BY = {
     "guidance/laws.py": LAWS,
     # The paper says nothing of the circle after the last goal.
     "guidance/paper_law.py": {"vfguide.guidance.flight_law.update"},
-    # The one exception, until the software autopilot has a loiter of its own.
-    "sim/autopilot/loiter.py": {
-        "vfguide.planning.planning.update",
-        "vfguide.guidance.flight_law.update",
-        "vfguide.control.control.update",
-        "vfguide.control.limits.apply",
-    },
 }
 """Modules that may name the function of a stage."""
 

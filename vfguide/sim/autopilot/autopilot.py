@@ -6,12 +6,12 @@ No socket, clock or thread: the caller brings the time, the truth and the bytes.
 import math
 
 from vfguide.aircraft.performance import Performance
-from vfguide.field.rate_law import rate_law
-from vfguide.geometry.so3 import from_euler, from_quaternion, to_euler
-from vfguide.geometry.units import G0, MS, SECOND
+from vfguide.geometry.so3 import from_quaternion, to_euler
+from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
+from vfguide.sim.autopilot.attitude_control import rates_for_attitude
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
 from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, NEXT_MODE, REPORTED, Event, Mode
 from vfguide.sim.autopilot.instruments import Instruments
@@ -37,8 +37,6 @@ PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
 """Type mask flag of an ignored pitch rate as a plain integer."""
 YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
 """Type mask flag of an ignored yaw rate as a plain integer."""
-K_ATTITUDE = 2.5
-"""Gain from the attitude error to the body rates [1/s]: 1 / FW_R_TC, PX4's default of 0.4 s."""
 
 
 class Autopilot:
@@ -80,8 +78,7 @@ class Autopilot:
         self._cruise = aircraft.airspeed_cruise
         self._has_airspeed = self._estimator.has_airspeed(first.time)
         self.estimate: Estimate = self._estimator.update(first)
-        self._hold = Loiter(aircraft, airspeed)
-        self._hold.start_here(self.estimate)
+        self._hold = Loiter(aircraft, airspeed, self.estimate)
         self.setpoint: SetAttitudeTarget | None = None
         self._setpoint_at = -SECOND * 3600
         self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
@@ -121,8 +118,8 @@ class Autopilot:
         self._thrust_share = self._motor.share(truth.time)
         self._watch_stream()
         if self.mode is not Mode.OFFBOARD:
-            wanted = self._hold.step(self.estimate)
-            self._wanted = (*wanted.omega_b, wanted.thrust)
+            omega_b, thrust = self._hold.step(self.estimate)
+            self._wanted = (*omega_b, thrust)
             self._is_flyable = True
         elif self.setpoint is not None and not self.setpoint.type_mask & ATTITUDE_IGNORE:
             self._follow(self.setpoint)  # its body rates change with the attitude
@@ -175,7 +172,7 @@ class Autopilot:
         if after in (Mode.HOLD, Mode.LOST_TO_HOLD):
             self._hold.start_here(self.estimate)
         elif after is not Mode.OFFBOARD:
-            self._hold.begin_about(self._estimator.home)
+            self._hold.begin_about(self._estimator.home, self.estimate)
         elif self.setpoint is not None:
             self._follow(self.setpoint)
         self._announce(after)
@@ -217,12 +214,5 @@ class Autopilot:
     def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
         """Roll and pitch of the quaternion, the yaw of a coordinated turn."""
         roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
-        yaw = self.estimate.euler[2]
-        turn = G0 * math.tan(roll) / max(self.estimate.true_airspeed, 5.0)
-        coordinated = (
-            -turn * math.sin(pitch),
-            turn * math.sin(roll) * math.cos(pitch),
-            turn * math.cos(roll) * math.cos(pitch),
-        )
-        R_na = from_euler(roll, pitch, yaw)
-        return rate_law(from_euler(*self.estimate.euler), R_na, coordinated, K_ATTITUDE)
+        estimate = self.estimate
+        return rates_for_attitude(roll, pitch, estimate.euler, estimate.true_airspeed)

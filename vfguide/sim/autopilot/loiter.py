@@ -1,30 +1,34 @@
-"""What the software autopilot flies by itself: level circles.
+"""What the software autopilot flies by itself: level right-hand circles.
 
-It flies them with the stages of the companion's loop, without estimation, mission and assurance.
+Directional guidance gives the bank, energy control pitch and thrust, attitude control turns these
+into body rates. None of them is shared with the companion: its faults would not show against an
+autopilot that had them too.
 """
 
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.performance import Gains, Performance, turn_length
-from vfguide.aircraft.state import FlightState, RateSetpoint
-from vfguide.aircraft.vehicle import Vehicle
-from vfguide.control import control, limits
-from vfguide.control.control import ControlState, fresh_control
-from vfguide.estimation.estimation import known_state
+from vfguide.aircraft.performance import Performance
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
-from vfguide.geometry.so3 import from_euler
-from vfguide.guidance import flight_law
-from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
-from vfguide.planning import planning
-from vfguide.planning.objective import GuidanceTarget, objective_at
-from vfguide.planning.route import Route, fresh_route
+from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3
+from vfguide.sim.autopilot.attitude_control import rates_for_attitude, within_limits
+from vfguide.sim.autopilot.directional_guidance import lateral_acceleration
+from vfguide.sim.autopilot.energy_control import (
+    EnergyState,
+    Longitudinal,
+    fresh_energy,
+    pitch_and_thrust,
+)
 from vfguide.sim.autopilot.estimate import Estimate, Origin
+from vfguide.sim.autopilot.loiter_circle import Circle, largest_bank, radius_in
 
-HOLD_RADIUS = 1.57
-"""Radius of the circle of a hold [turn lengths]; chosen, 100 m at 25 m/s. Wind and bank may make it
-larger. On PX4 the operator sets NAV_LOITER_RAD for his aircraft."""
+RADIUS_TIME = 60.0
+"""Time constant with which the radius follows the wind [s]; chosen long, since gusts would swing the
+circle."""
+HOLD_STEP_MAX = 0.1
+"""Largest time step of integrals and radius [s]; chosen."""
 
 
 class LoiterState(NamedTuple):
@@ -32,72 +36,85 @@ class LoiterState(NamedTuple):
 
     time: float
     """Of the step before [s]; negative before the first."""
-    route: Route
-    guidance: GuidanceState
-    control: ControlState
+    radius: float
+    """Of the circle [m]."""
+    energy: EnergyState
 
 
 @compiled
-def fresh_loiter() -> LoiterState:
-    """Nothing is flown yet."""
-    return LoiterState(-1.0, fresh_route(), fresh_guidance(), fresh_control())
+def fresh_loiter(radius: float) -> LoiterState:
+    """Nothing is flown yet of a circle of this radius [m]."""
+    return LoiterState(-1.0, radius, fresh_energy())
+
+
+@compiled
+def wanted_bank(
+    estimate: Estimate, circle: Circle, radius: float, airspeed: float, aircraft: Performance
+) -> float:
+    """Bank that leads clockwise round a circle of a radius [m], at an airspeed [m/s], in [rad]."""
+    p_n = geodetic_to_ned(circle.plane, estimate.latitude, estimate.longitude, estimate.altitude)
+    (north, east, _), (wind_north, wind_east, _) = estimate.v_n, estimate.wind_n
+    place = (p_n[0] - circle.north, p_n[1] - circle.east)
+    lateral = lateral_acceleration(place, (north, east), (wind_north, wind_east), airspeed, radius)
+    most = largest_bank(aircraft, airspeed)
+    return max(-most, min(most, math.atan(lateral / G0)))
 
 
 @compiled
 def step_loiter(
-    state: FlightState, target: GuidanceTarget, vehicle: Vehicle, s: LoiterState
-) -> tuple[RateSetpoint, LoiterState]:
-    """Body rates and thrust that fly the circle of a target."""
-    nav, goal = known_state(state, s.time), objective_at(target, state)
-    route = planning.update(nav, goal, None, True, s.route, s.guidance.slope, vehicle)
-    command, guidance = flight_law.update(nav, goal, route, None, s.guidance, vehicle)
-    asked, controlled = control.update(nav, command, s.control, vehicle)
-    return limits.apply(asked, vehicle), LoiterState(state.time, route, guidance, controlled)
+    estimate: Estimate, circle: Circle, aircraft: Performance, s: LoiterState
+) -> tuple[Vec3, float, LoiterState]:
+    """Body rates [rad/s] and thrust (0 to 1) that fly a circle, and the next state."""
+    airspeed = max(estimate.true_airspeed, 0.5 * aircraft.airspeed_min)
+    now = Longitudinal(
+        circle.plane.alt - estimate.altitude,
+        circle.airspeed - estimate.true_airspeed,
+        airspeed,
+        -estimate.v_n[2] / airspeed,
+        estimate.euler[0],
+    )
+    dt = 0.0 if s.time < 0.0 else max(0.0, min(estimate.time - s.time, HOLD_STEP_MAX))
+    fits = radius_in(estimate.wind_n, circle.airspeed, aircraft)
+    radius = s.radius + dt / RADIUS_TIME * (fits - s.radius)
+    roll = wanted_bank(estimate, circle, radius, airspeed, aircraft)
+    pitch, thrust, energy = pitch_and_thrust(now, s.energy, aircraft, dt)
+    omega_b = rates_for_attitude(roll, pitch, estimate.euler, airspeed)
+    omega_b = within_limits(omega_b, estimate.euler, airspeed, aircraft)
+    return omega_b, thrust, LoiterState(estimate.time, radius, energy)
 
 
 class Loiter:
     """A level right-hand circle."""
 
-    def __init__(self, aircraft: Performance, airspeed: float) -> None:
-        """A hold for `aircraft` at the true `airspeed` [m/s]."""
-        self._vehicle = Vehicle(aircraft, Gains(airspeed))
-        self._plane: TangentPlane = tangent_plane(0.0, 0.0, 0.0)
-        self._radius = HOLD_RADIUS * turn_length(airspeed)
-        self._target = GuidanceTarget((0.0, 0.0, 0.0), 0.0, 0.0, 1.0, self._radius)
-        self._state: LoiterState = fresh_loiter()
+    def __init__(self, aircraft: Performance, airspeed: float, estimate: Estimate) -> None:
+        """A hold for `aircraft` at the true `airspeed` [m/s], begun at the estimate."""
+        self._aircraft = aircraft
+        self._airspeed = airspeed
+        self._circle: Circle
+        self._state: LoiterState
+        self.start_here(estimate)
 
     def start_here(self, estimate: Estimate) -> None:
         """Turn off the present path to the right, at this height."""
+        radius = self._radius(estimate)
         north, east, _ = estimate.v_n
-        place = (estimate.latitude, estimate.longitude, estimate.altitude)
-        self._begin(place, (0.0, 0.0, 0.0), math.atan2(east, north))
+        course = math.atan2(east, north)
+        here = tangent_plane(estimate.latitude, estimate.longitude, estimate.altitude)
+        beside = (-radius * math.sin(course), radius * math.cos(course))
+        self._circle = Circle(here, *beside, self._airspeed)
+        self._state = fresh_loiter(radius)
 
-    def begin_about(self, origin: Origin) -> None:
+    def begin_about(self, origin: Origin, estimate: Estimate) -> None:
         """Fly to a circle about `origin`, at its height."""
-        self._begin(
-            (origin.latitude, origin.longitude, origin.altitude), (0.0, -self._radius, 0.0), 0.0
-        )
+        self._circle = Circle(tangent_plane(*origin), 0.0, 0.0, self._airspeed)
+        self._state = fresh_loiter(self._radius(estimate))
 
-    def _begin(
-        self,
-        place: tuple[float, float, float],
-        p_n: tuple[float, float, float],
-        course: float,
-    ) -> None:
-        self._plane = tangent_plane(*place)
-        self._target = GuidanceTarget(p_n, course, 0.0, 1.0, self._radius)
-        self._state = fresh_loiter()
-
-    def step(self, estimate: Estimate) -> RateSetpoint:
-        """Body rates and thrust for the next while."""
-        p_n = geodetic_to_ned(self._plane, estimate.latitude, estimate.longitude, estimate.altitude)
-        state = FlightState(
-            estimate.time,
-            p_n,
-            estimate.v_n,
-            from_euler(*estimate.euler),
-            estimate.true_airspeed,
-            estimate.wind_n,
+    def step(self, estimate: Estimate) -> tuple[Vec3, float]:
+        """Body rates [rad/s] and thrust (0 to 1) for the next while."""
+        omega_b, thrust, self._state = step_loiter(
+            estimate, self._circle, self._aircraft, self._state
         )
-        setpoint, self._state = step_loiter(state, self._target, self._vehicle, self._state)
-        return setpoint
+        return omega_b, thrust
+
+    def _radius(self, estimate: Estimate) -> float:
+        return radius_in(estimate.wind_n, self._airspeed, self._aircraft)
