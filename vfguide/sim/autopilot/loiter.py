@@ -25,7 +25,7 @@ from vfguide.sim.autopilot.estimate import Estimate, Origin
 from vfguide.sim.autopilot.loiter_circle import Circle, largest_bank, radius_in
 
 RADIUS_TIME = 60.0
-"""Time constant with which the radius follows the wind [s]; chosen long, since gusts would swing the
+"""Time constant with which the radius follows the wind [s]; chosen, since gusts would swing the
 circle."""
 HOLD_STEP_MAX = 0.1
 """Largest time step of integrals and radius [s]; chosen."""
