@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from check_records import ALIASES, ROOT, ROWS, violations
 
+pytestmark = pytest.mark.slow
 HEAD = """
 from array import array
 from typing import Annotated, Any, NamedTuple

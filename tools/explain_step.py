@@ -6,7 +6,9 @@
 Replays the log up to a time, from its first frame, and prints what the operator could read until
 then and what the step left: every branch of `LoopState` by its names, in SI units and radians. The
 command was replaced by an escape where `assurance.decision.reason` is not NOMINAL; `hazard` and
-`conflict` say what it would have come to, and after how many seconds.
+`conflict` say what it would have come to, and after how many seconds. Scenario times begin a
+moment after the first frame of the log: what `result.json` says of 12 s may be found at 12.3. The
+first run compiles for a minute or two.
 """
 
 import argparse
@@ -76,11 +78,12 @@ def explained(log: Any, sysid: int, plan: Plan, at: float) -> Iterator[str]:
 
 def decided(decision: Decision, plan: Plan) -> str:
     """A decision of the assurance in words."""
-    reason = Reason(int(decision.reason)).name
-    hazard = int(decision.hazard)
-    names = plan.hazard_names
+    reason = Reason(int(decision.reason))
+    if reason is Reason.NOMINAL:
+        return "NOMINAL, the command is flown"
+    hazard, names = int(decision.hazard), plan.hazard_names
     what = "nothing" if hazard < 0 else names[hazard] if hazard < len(names) else "traffic"
-    return f"{reason}, the command would come to {what} in {decision.conflict:.1f} s"
+    return f"{reason.name}, the command would come to {what} in {decision.conflict:.1f} s"
 
 
 def tree(name: str, value: Any, depth: int = 0) -> Iterator[str]:

@@ -59,9 +59,9 @@ def test_turns_tell_the_errors_of_sensor_and_compass_from_the_wind(wind, yaw_deg
 def test_straight_flight_without_a_sensor_leaves_the_wind_along_it_open():
     flight = Air((5.0, -3.0))
     flight.fly(3.0, sensor=False)
-    along, across = (sigma(flight.air.estimate, state) for state in (NORTH, EAST))
+    along, across = (sigma(flight.air.estimate.P[state, state]) for state in (NORTH, EAST))
     assert along > 1.3
-    assert sigma(flight.air.estimate, AIRSPEED) > 1.3
+    assert sigma(flight.air.estimate.P[AIRSPEED, AIRSPEED]) > 1.3
     flight.fly(60.0, BANK, sensor=False)
     assert report_air(flight.air).wind_sigma < along
     assert across > 0.5
@@ -84,7 +84,7 @@ def test_the_uncertainty_is_honest():
             for _, air in flight.fly(rng.uniform(1.0, 6.0), bank, sensor=sensor)[::25]:
                 north, east, airspeed = air.estimate.x[[NORTH, EAST, AIRSPEED]]
                 errors = (*((north, east) - flight.wind[:2]), airspeed - flight.airspeed)
-                sigmas = [sigma(air.estimate, state) for state in (NORTH, EAST, AIRSPEED)]
+                sigmas = [sigma(air.estimate.P[state, state]) for state in (NORTH, EAST, AIRSPEED)]
                 within += sum(abs(e) <= 3.0 * s for e, s in zip(errors, sigmas, strict=True))
                 all_of_them += 3
     assert within >= 0.99 * all_of_them
@@ -153,7 +153,7 @@ def cautious_gains(flight, state):
     nav = known_state(state, state.time - DT)._replace(
         trusts_sensor=air.sensor.trusted,
         airspeed=air.estimate.x[AIRSPEED],
-        airspeed_sigma=sigma(air.estimate, AIRSPEED),
+        airspeed_sigma=sigma(air.estimate.P[AIRSPEED, AIRSPEED]),
     )
     vehicle = cautious(nav, VEHICLE)
     assert vehicle._replace(gains=GAINS) == VEHICLE
@@ -166,7 +166,7 @@ def test_without_a_sensor_the_law_is_faster_and_banks_less():
     assert cautious_gains(flight, state) == GAINS
     state, _ = flight.fly(5.0, sensor=False)[-1]
     gains = cautious_gains(flight, state)
-    unsure = 2.0 * sigma(flight.air.estimate, AIRSPEED)
+    unsure = 2.0 * sigma(flight.air.estimate.P[AIRSPEED, AIRSPEED])
     assert gains.airspeed == max(25.0, 1.2 * 18.0 + unsure)
     load = ((report_air(flight.air).airspeed - unsure) / 18.0) ** 2
     assert gains.bank_max == pytest.approx(math.acos(1.0 / max(load, 1.05)))

@@ -51,7 +51,7 @@ def test_what_is_known_of_the_airspeed_is_what_is_believed_of_the_air():
         air = s.air
         assert nav.trusts_sensor == air.sensor.trusted == (not told)
         assert nav.airspeed == air.estimate.x[AIRSPEED]
-        assert nav.airspeed_sigma == sigma(air.estimate, AIRSPEED)
+        assert nav.airspeed_sigma == sigma(air.estimate.P[AIRSPEED, AIRSPEED])
         assert nav.state.airspeed == (nav.airspeed if told else 25.0)
 
 

@@ -12,6 +12,7 @@ from vfguide.geometry.rows import (
     flattener,
     getter,
     nester,
+    part_reader,
     place,
     python_reader,
     reader,
@@ -192,3 +193,14 @@ def test_records_of_records_cross_as_one_tuple():
     assert values == (0.3, True, convoy.cargo, 7.0)
     assert values[2] is convoy.cargo
     assert cargo_and_radius(values) == 2.3
+
+
+read_wheels, read_seats = part_reader(Cart, "wheels"), part_reader(Cart, "seats")
+
+
+def test_a_part_is_read_from_its_place():
+    row = row_of(a_cart(seats=7))
+    assert read_wheels(row) == a_cart().wheels
+    assert read_seats(row) == 7
+    with pytest.raises(KeyError):
+        part_reader(Cart, "doors")

@@ -7,9 +7,15 @@ from hypothesis import strategies as st
 from shape_samples import SHAPES, floats, levels_at, random_directions
 
 from vfguide.geometry.shapes import shape
-from vfguide.geometry.shapes.base import FAR, even_power
+from vfguide.geometry.shapes.base import FAR, Kind, Shape, even_power
 from vfguide.geometry.shapes.cone import TIP
-from vfguide.geometry.shapes.shape import shape_level
+from vfguide.geometry.shapes.shape import (
+    section_at,
+    shape_bound,
+    shape_level,
+    surface_rays,
+    widest_at,
+)
 
 coordinates = st.floats(-2.0, 2.0)
 points = st.tuples(coordinates, coordinates, coordinates)
@@ -22,6 +28,32 @@ def scaled(body, w):
 
 def level(body, x):
     return shape_level(body, x).U
+
+
+def questions(body, x):
+    """Everything that is chosen by the kind of a shape."""
+    angles = np.array([0.3])
+    return (
+        lambda: shape_level(body, x),
+        lambda: shape_bound(body, x),
+        lambda: section_at(body, 0.3),
+        lambda: widest_at(body),
+        lambda: surface_rays(body, angles, angles),
+    )
+
+
+@pytest.mark.parametrize("kind", Kind)
+def test_every_kind_has_a_branch_in_every_choice(kind):
+    body = Shape(kind.value, (3.0, 3.0, 4.0), (4.0, 4.0, 4.0))
+    for question in questions(body, (5.0, 1.0, 1.0)):
+        question()
+
+
+def test_a_kind_without_a_branch_is_an_error_and_no_other_shape():
+    body = Shape(max(Kind).value + 1, (3.0, 3.0, 4.0), (4.0, 4.0, 4.0))
+    for question in questions(body, (5.0, 1.0, 1.0)):
+        with pytest.raises(ValueError, match="no branch"):
+            question()
 
 
 def test_levels_worked_by_hand():

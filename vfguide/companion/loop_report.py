@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 from vfguide.estimation.air_state import AirReport, report_air
 from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, getter
-from vfguide.loop.state import LoopState, read_state
+from vfguide.geometry.rows import Row, getter, part_reader
+from vfguide.loop.state import LoopState
 
 goal_of_row = getter(LoopState, "mission.goal")
 """Index of the goal that is flown to."""
@@ -25,6 +25,14 @@ is_alarmed = getter(LoopState, "progress.alarmed")
 """Whether there is no progress on the leg."""
 trusts_sensor_of_row = getter(LoopState, "estimation.air.sensor.trusted")
 """Whether the airspeed sensor is flown on."""
+
+_air = part_reader(LoopState, "estimation.air")
+_decision = part_reader(LoopState, "assurance.decision")
+_resets = part_reader(LoopState, "estimation.resets.number")
+_holds = part_reader(LoopState, "mission.wind_hold.holds")
+_alarmed = part_reader(LoopState, "progress.alarmed")
+_trusts = part_reader(LoopState, "estimation.air.sensor.trusted")
+_air_time = part_reader(LoopState, "estimation.air.time")
 
 
 class Noted(NamedTuple):
@@ -47,14 +55,13 @@ class Noted(NamedTuple):
 @compiled
 def air_report(row: Row) -> AirReport:
     """The estimate of the air."""
-    return report_air(read_state(row).estimation.air)
+    return report_air(_air(row))
 
 
 @compiled
 def noted_numbers(row: Row) -> tuple[float, ...]:
     """The numbers of `Noted`: one call of compiled code, and no names, for each update."""
-    s = read_state(row)
-    air, decision = report_air(s.estimation.air), s.assurance.decision
+    air, decision = report_air(_air(row)), _decision(row)
     return (
         air.wind_north,
         air.wind_east,
@@ -71,11 +78,10 @@ def noted_numbers(row: Row) -> tuple[float, ...]:
 @compiled
 def has_news(before: Row, after: Row) -> bool:
     """Whether a step changed what the operator reads of air, jumps and progress."""
-    was, now = read_state(before), read_state(after)
     return (
-        was.estimation.air.time < 0.0
-        or now.estimation.resets.number != was.estimation.resets.number
-        or now.mission.wind_hold.holds != was.mission.wind_hold.holds
-        or now.progress.alarmed != was.progress.alarmed
-        or now.estimation.air.sensor.trusted != was.estimation.air.sensor.trusted
+        _air_time(before) < 0.0
+        or _resets(after) != _resets(before)
+        or _holds(after) != _holds(before)
+        or _alarmed(after) != _alarmed(before)
+        or _trusts(after) != _trusts(before)
     )

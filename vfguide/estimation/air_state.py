@@ -113,21 +113,21 @@ def fresh_air() -> AirState:
 
 
 @compiled
-def sigma(estimate: WindEstimate, state: int) -> float:
-    """Standard deviation of one entry of the state vector, in its unit."""
-    return math.sqrt(max(estimate.P[state, state], 0.0))
+def sigma(variance: float) -> float:
+    """Standard deviation of a variance, zero where rounding made that negative."""
+    return math.sqrt(max(variance, 0.0))
 
 
 @compiled
 def report_air(air: AirState) -> AirReport:
     """The estimate by names."""
-    estimate = air.estimate
+    x, P = air.estimate
     return AirReport(
-        estimate.x[NORTH],
-        estimate.x[EAST],
-        max(sigma(estimate, NORTH), sigma(estimate, EAST)),
-        estimate.x[AIRSPEED],
-        sigma(estimate, AIRSPEED),
+        x[NORTH],
+        x[EAST],
+        max(sigma(P[NORTH, NORTH]), sigma(P[EAST, EAST])),
+        x[AIRSPEED],
+        sigma(P[AIRSPEED, AIRSPEED]),
         air.sensor.trusted,
     )
 

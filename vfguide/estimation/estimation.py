@@ -124,7 +124,7 @@ def update(
         settled(resets),
         inputs.is_exact or air.sensor.trusted,
         air.estimate.x[AIRSPEED],
-        sigma(air.estimate, AIRSPEED),
+        sigma(air.estimate.P[AIRSPEED, AIRSPEED]),
     )
     return nav, EstimationState(state.time, True, state.p_n, state.v_n, resets, air)
 

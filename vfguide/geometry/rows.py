@@ -124,17 +124,37 @@ def place(kind: Any, name: str) -> slice:
     return slice(places[0].start, places[-1].stop)
 
 
+def part_of(kind: Any, name: str) -> Any:
+    """The type of one field of a record type, by its dotted name.
+
+    Raises:
+        KeyError: the record type has no such field.
+    """
+    for field in name.split("."):
+        kind = get_args(kind)[int(field)] if field.isdigit() else fields_of(kind)[field]
+    return kind
+
+
 def getter(kind: Any, name: str) -> Callable[[Row], Any]:
     """A Python function that takes one field out of a row, by its dotted name.
 
     Raises:
         KeyError: the record type has no such field.
     """
-    there, part = place(kind, name), kind
-    for field in name.split("."):
-        part = get_args(part)[int(field)] if field.isdigit() else fields_of(part)[field]
-    read = python_reader(part)
+    there, read = place(kind, name), python_reader(part_of(kind, name))
     return lambda row: read(row[there])
+
+
+def part_reader(kind: Any, name: str) -> Callable[[Row], Any]:
+    """The same compiled: it takes less to compile than a reader of the whole record.
+
+    Raises:
+        KeyError: the record type has no such field.
+    """
+    scope: dict[str, Any] = {}
+    source = _reading(part_of(kind, name), scope, [place(kind, name).start])
+    function = f"read_{symbol(name)}_of_{symbol(kind)}"
+    return njit(source_function(f"def {function}(a):\n    return {source}", function, scope))
 
 
 def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:

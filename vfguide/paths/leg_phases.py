@@ -12,7 +12,14 @@ from vfguide.paths.course_laws import Course, Planar, field_course
 from vfguide.paths.field_capture import off_field, rolls_out, stays_in_field, takes_up_field
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, before_end, in_phase
 from vfguide.paths.leg_start import Paths, begin_leg, start_here
-from vfguide.paths.path_progress import along, beside, leads_straight_on, path_course, path_left
+from vfguide.paths.path_progress import (
+    PathProgress,
+    along,
+    beside,
+    leads_straight_on,
+    path_course,
+    path_left,
+)
 
 OFF_PATH = 0.5
 """Distance beside its path above which a leg is planned anew [turn radii]; chosen."""
@@ -77,13 +84,16 @@ def go_on(leg: Leg, entry: Planar) -> Leg:
         return in_phase(leg, FIELD if leads_on else NEW, leg.progress)
     if leg.phase == ON_PATH:
         progress = along(leg.progress, entry)
-        if leads_straight_on(progress) and takes_up_field(leg, entry):
-            return in_phase(leg, FIELD, progress)
-        if rolls_out(leg, entry, path_left(progress)):
-            return in_phase(leg, FIELD, progress)
-        if path_left(progress) <= 0.0:
-            return in_phase(leg, NEW, progress)
-        return in_phase(
-            leg, ON_PATH if beside(progress, entry) < OFF_PATH * leg.radius else NEW, progress
-        )
+        return in_phase(leg, phase_after(leg, progress, entry), progress)
     return leg
+
+
+@compiled
+def phase_after(leg: Leg, progress: PathProgress, entry: Planar) -> int:
+    """The phase that follows on a path, with the progress along it."""
+    left = path_left(progress)
+    captures = leads_straight_on(progress) and takes_up_field(leg, entry)
+    if captures or rolls_out(leg, entry, left):
+        return FIELD
+    strays = beside(progress, entry) >= OFF_PATH * leg.radius
+    return NEW if left <= 0.0 or strays else ON_PATH

@@ -90,7 +90,9 @@ def present_turn(progress: PathProgress) -> Turn:
 @compiled
 def on_straight(progress: PathProgress, at: Planar) -> tuple[float, float]:
     """Position of the vehicle along the present straight, and to the right of it [m]."""
-    return point_from(segment_at(progress.edge, MIDDLE, progress.radius).begin, at.x, at.y)
+    return point_from(
+        segment_at(progress.edge, progress.segment, progress.radius).begin, at.x, at.y
+    )
 
 
 @compiled
@@ -123,12 +125,17 @@ def along(progress: PathProgress, at: Planar) -> PathProgress:
     middle = last if path.middle == 0.0 and path.reach < lead else path.middle
     progress = at_segment(progress, progress.segment, segment_left(progress, at))
     if progress.segment == FIRST_TURN and progress.left < lead * abs(middle - path.first):
-        progress = at_segment(progress, MIDDLE, path.reach)
-        progress = at_segment(progress, MIDDLE, segment_left(progress, at))
+        progress = into_next(progress, path.reach, at)
     if progress.segment == MIDDLE and progress.left < lead * abs(last - path.middle):
-        progress = at_segment(progress, LAST_TURN, path.end)
-        progress = at_segment(progress, LAST_TURN, segment_left(progress, at))
+        progress = into_next(progress, path.end, at)
     return progress
+
+
+@compiled
+def into_next(progress: PathProgress, whole: float, at: Planar) -> PathProgress:
+    """The progress in the next segment, the `whole` of which [rad, or turn radii] lies ahead."""
+    begun = at_segment(progress, progress.segment + 1, whole)
+    return at_segment(begun, begun.segment, segment_left(begun, at))
 
 
 @compiled
@@ -146,7 +153,7 @@ def path_left(progress: PathProgress) -> float:
 def path_course(progress: PathProgress, at: Planar) -> Course:
     """Course onto and along the present segment, and the length of the rest of the path."""
     if is_straight(progress):
-        begin = segment_at(progress.edge, MIDDLE, progress.radius).begin
+        begin = segment_at(progress.edge, progress.segment, progress.radius).begin
         onto = line_course(at, begin, progress.radius)
     else:
         turn = present_turn(progress)

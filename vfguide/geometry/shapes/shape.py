@@ -45,18 +45,27 @@ SHAPES: dict[str, Callable[..., Shape]] = {
 }
 """The constructors by the names that the shapes have in scenario files."""
 
+UNKNOWN = "no branch for this kind of shape"
+"""Message of a choice that a new kind of shape was left out of."""
+
 
 @compiled
 def shape_level(shape: Shape, x: Vec3) -> Level:
-    """U, its gradient and its Hessian at `x`."""
+    """U, its gradient and its Hessian at `x`.
+
+    Raises:
+        ValueError: the kind has no branch here, as in the functions below.
+    """
     a, b, c = shape.semi_axes
     w = (x[0] / a, x[1] / b, x[2] / c)
     if shape.kind == Kind.SUPERQUADRIC:
         level = superquadric_level(w, shape.exponents)
     elif shape.kind == Kind.CYLINDER:
         level = cylinder_level(w)
-    else:
+    elif shape.kind == Kind.CONE:
         level = cone_level(w)
+    else:
+        raise ValueError(UNKNOWN)
     return stretched(level, (1.0 / a, 1.0 / b, 1.0 / c))
 
 
@@ -68,7 +77,9 @@ def shape_bound(shape: Shape, x: Vec3) -> float:
         return cylinder_bound(x[0], x[1], x[2], a, c)
     if shape.kind == Kind.CONE:
         return cone_bound(x[0], x[1], x[2], a, c)
-    return superquadric_bound(x, shape.semi_axes, shape.exponents)
+    if shape.kind == Kind.SUPERQUADRIC:
+        return superquadric_bound(x, shape.semi_axes, shape.exponents)
+    raise ValueError(UNKNOWN)
 
 
 @compiled
@@ -78,13 +89,21 @@ def section_at(shape: Shape, w: float) -> Section:
         return cone_section(shape, w)
     if shape.kind == Kind.CYLINDER:
         return cylinder_section(shape, w)
-    return superquadric_section(shape, w)
+    if shape.kind == Kind.SUPERQUADRIC:
+        return superquadric_section(shape, w)
+    raise ValueError(UNKNOWN)
 
 
 @compiled
 def widest_at(shape: Shape) -> float:
     """Height of the widest section below the centre, in half heights."""
-    return WIDEST_CONE if shape.kind == Kind.CONE else 0.0
+    if shape.kind == Kind.CONE:
+        return WIDEST_CONE
+    if shape.kind == Kind.SUPERQUADRIC:
+        return 0.0
+    if shape.kind == Kind.CYLINDER:
+        return 0.0
+    raise ValueError(UNKNOWN)
 
 
 def surface_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
@@ -93,4 +112,6 @@ def surface_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
         return superquadric_rays(shape, latitude, longitude)
     if shape.kind == Kind.CYLINDER:
         return cylinder_rays(latitude, longitude)
-    return cone_rays(latitude, longitude)
+    if shape.kind == Kind.CONE:
+        return cone_rays(latitude, longitude)
+    raise ValueError(UNKNOWN)
