@@ -50,3 +50,10 @@ def test_how_a_factor_is_used():
     assert half_turn == pytest.approx(math.pi)
     assert latitude == pytest.approx(math.radians(47.397742), abs=1e-15)
     assert round(488.25 / units.MM) == 488250
+
+
+def test_the_suffix_of_a_key_tells_its_unit():
+    assert units.in_si("yaw_bias_deg", 180.0) == ("yaw_bias", math.pi)
+    assert units.in_si("velocity_mps", 0.1) == ("velocity", 0.1)
+    with pytest.raises(KeyError):
+        units.in_si("height_ft", 1.0)

@@ -56,7 +56,7 @@ MIN_FOLLOWED = 0.5
 chosen."""
 MAX_ALPHA_ZERO = 20.0
 """Largest angle of attack of zero lift that an aircraft file accepts, see
-`vfguide.scenario.aircraft_file` [deg]."""
+`vfguide.files.aircraft_file` [deg]."""
 MAX_ALPHA_LOAD = 1e5
 """Largest slope of the angle of attack over n / V^2 that an aircraft file accepts [deg m^2/s^2]."""
 MAX_PER_CLIMB = 20.0

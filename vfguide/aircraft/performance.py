@@ -16,7 +16,7 @@ class Performance(NamedTuple):
     airspeed_max: float
     """Fastest true airspeed [m/s]."""
     bank_max: float
-    """Largest bank the guidance asks for [rad]."""
+    """Largest bank of the aircraft file [rad]; guidance takes that of its `Gains`."""
     load_max: float
     """Largest load factor n = lift / weight the guidance asks for."""
     load_min: float

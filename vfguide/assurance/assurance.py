@@ -57,7 +57,7 @@ class AssuranceState(NamedTuple):
 @compiled
 def fresh_assurance() -> AssuranceState:
     """The state of the assurance before the first decision."""
-    return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.NOMINAL.value, 0.0, math.inf, -1))
+    return AssuranceState(no_backup(), Decision(0.0, 0.0, Reason.NOMINAL.value, 0.0, 0.0, 0))
 
 
 @compiled

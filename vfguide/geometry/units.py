@@ -67,3 +67,16 @@ HPA = 100.0
 
 PERCENT = 1e-2
 """One hundredth, as a share."""
+
+SUFFIXES = {"m": 1.0, "s": 1.0, "mps": 1.0, "deg": DEG, "dps": DEG}
+"""Scale factors to SI units and radians by the suffixes of keys."""
+
+
+def in_si(key: str, value: float) -> tuple[str, float]:
+    """The name of a key without the suffix that tells its unit, and the value in SI or radians.
+
+    Raises:
+        KeyError: the suffix is none of SUFFIXES.
+    """
+    name, suffix = key.rsplit("_", 1)
+    return name, SUFFIXES[suffix] * value

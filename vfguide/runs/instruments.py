@@ -3,7 +3,7 @@
 import math
 
 from vfguide.files.scenario_file import Autopilot, Sensors
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import in_si
 from vfguide.sim.autopilot.instruments import AirspeedFault, Errors, Instruments, Reset
 from vfguide.sim.autopilot.motor import Motor
 
@@ -31,19 +31,5 @@ def motor_from(autopilot: Autopilot) -> Motor:
 
 
 def errors_from(sensors: Sensors) -> Errors:
-    """The sizes of the errors in SI units and radians."""
-    return Errors(
-        position=sensors.position_m,
-        height=sensors.height_m,
-        drift_time=sensors.drift_s,
-        velocity=sensors.velocity_mps,
-        attitude=sensors.attitude_deg * DEG,
-        attitude_bias=sensors.attitude_bias_deg * DEG,
-        yaw=sensors.yaw_deg * DEG,
-        yaw_bias=sensors.yaw_bias_deg * DEG,
-        rate=sensors.rate_dps * DEG,
-        rate_bias=sensors.rate_bias_dps * DEG,
-        airspeed=sensors.airspeed_mps,
-        airspeed_bias=sensors.airspeed_bias_mps,
-        wind=sensors.wind_mps,
-    )
+    """The sizes of the errors in SI units and radians: each field by the key of its name."""
+    return Errors(**dict(in_si(key, value) for key, value in sensors.model_dump().items()))

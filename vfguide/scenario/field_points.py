@@ -124,7 +124,7 @@ def fields_at(
     """The field that leads `vehicle` to its first goal, at each of the points.
 
     Raises:
-        InputError: law flight among obstacles, which it does not avoid yet.
+        InputError: law flight among obstacles, whose routes are not shown.
     """
     if law == "paper":
         return paper_fields(loaded.scenario, vehicle, points)

@@ -45,7 +45,7 @@ SHAPES: dict[str, Callable[..., Shape]] = {
 }
 """The constructors by the names that the shapes have in scenario files."""
 
-UNKNOWN = "no branch for this kind of shape"
+NO_BRANCH = "no branch for this kind of shape"
 """Message of a choice that a new kind of shape was left out of."""
 
 
@@ -65,7 +65,7 @@ def shape_level(shape: Shape, x: Vec3) -> Level:
     elif shape.kind == Kind.CONE:
         level = cone_level(w)
     else:
-        raise ValueError(UNKNOWN)
+        raise ValueError(NO_BRANCH)
     return stretched(level, (1.0 / a, 1.0 / b, 1.0 / c))
 
 
@@ -79,7 +79,7 @@ def shape_bound(shape: Shape, x: Vec3) -> float:
         return cone_bound(x[0], x[1], x[2], a, c)
     if shape.kind == Kind.SUPERQUADRIC:
         return superquadric_bound(x, shape.semi_axes, shape.exponents)
-    raise ValueError(UNKNOWN)
+    raise ValueError(NO_BRANCH)
 
 
 @compiled
@@ -91,7 +91,7 @@ def section_at(shape: Shape, w: float) -> Section:
         return cylinder_section(shape, w)
     if shape.kind == Kind.SUPERQUADRIC:
         return superquadric_section(shape, w)
-    raise ValueError(UNKNOWN)
+    raise ValueError(NO_BRANCH)
 
 
 @compiled
@@ -103,7 +103,7 @@ def widest_at(shape: Shape) -> float:
         return 0.0
     if shape.kind == Kind.CYLINDER:
         return 0.0
-    raise ValueError(UNKNOWN)
+    raise ValueError(NO_BRANCH)
 
 
 def surface_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
@@ -114,4 +114,4 @@ def surface_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
         return cylinder_rays(latitude, longitude)
     if shape.kind == Kind.CONE:
         return cone_rays(latitude, longitude)
-    raise ValueError(UNKNOWN)
+    raise ValueError(NO_BRANCH)

@@ -14,7 +14,7 @@ class Errors(NamedTuple):
     """Drift of the horizontal position on each axis [m]."""
     height: float
     """Drift of the height [m]."""
-    drift_time: float
+    drift: float
     """Time constant of both drifts [s]."""
     velocity: float
     """On each axis [m/s]."""

@@ -83,7 +83,7 @@ class StateNoise:
         e = errors
         sigmas = Bias(e.attitude_bias, e.attitude_bias, e.yaw_bias, e.airspeed_bias)
         self._bias = Bias(*(sigma * next(self._source) for sigma in sigmas))
-        drift = e.drift_time
+        drift = e.drift
         kinds = (
             *((e.position, drift), (e.position, drift), (e.height, drift)),
             *((e.velocity, VELOCITY_TIME),) * 3,
