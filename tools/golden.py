@@ -13,8 +13,8 @@ the reference lacks are named, one that the tree lacks is a difference.
 The reference flies in a work tree of its own. Its flights are kept below `~/.cache/vfguide-golden`
 (or XDG_CACHE_HOME), by commit and by kind of machine, so that the next time only the tree flies.
 
-A recording is a `vehicle-ID.tlog` beside the `scenario.toml` that was flown, of a real link or not:
-`vfguide replay` in the tree has to find every setpoint identical.
+A recording is a `vehicle-ID.tlog` beside the `scenario.toml` that was flown, of a real link or not.
+Both sides replay it, and have to receive and send the same.
 
 The exit status is 0 if all is identical, 1 if not, 2 for bad input, 130 when interrupted.
 """
@@ -35,10 +35,11 @@ from pathlib import Path, PurePath
 from typing import NamedTuple, TypeVar
 
 import llvmlite.binding
-from flight_difference import flight_difference, frames_in
+from flight_difference import flight_difference, frames_in, log_difference
 
 ROOT = Path(__file__).resolve().parent.parent
-REFERENCE = "69e415f"
+REFERENCE = "1dcd7e3"
+"""The latest commit that changed flights on purpose."""
 SAME, DIFFERENT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 RUN = "from vfguide.cli.main import main; main()"
 PACKAGES = ("jsbsim", "llvmlite", "numba", "numpy", "scipy")
@@ -58,7 +59,7 @@ class NoFlightError(Exception):
     """A scenario was not flown to its end; the message says what the program said last."""
 
 
-class ParameterEstimate(NamedTuple):
+class Finding(NamedTuple):
     """What a comparison found."""
 
     name: str
@@ -90,25 +91,38 @@ class Side(NamedTuple):
     def fly(self, name: str, folder: Path) -> None:
         """Fly a shipped scenario; a flight that is judged bad is one too.
 
-        The folder is there only once the flight is over. Where another process was faster, its
-        flight stays.
-
         Raises:
             NoFlightError: there is no result.
+        """
+        self._leave(folder, "result.json", "run", name, "--no-report")
+
+    def replay(self, log: Path, folder: Path) -> None:
+        """Replay a recording.
+
+        Raises:
+            NoFlightError: it does not come to its end.
+        """
+        self._leave(folder, log.name, "replay", log)
+
+    def _leave(self, folder: Path, last: str, *words: str | Path) -> None:
+        """Run a command that leaves a folder, in which the file `last` is written.
+
+        The folder is there only once the command is over. Where another process was faster, its
+        folder stays.
         """
         folder.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
             out = Path(scratch) / "flight"
-            done = self.vfguide("run", name, "--out", out, "--no-report")
-            if not is_flown(done, out):
+            done = self.vfguide(*words, "--out", out)
+            if not is_over(done, out / last):
                 raise NoFlightError(last_line(done))
             if not folder.exists():
                 out.rename(folder)
 
 
-def is_flown(done: subprocess.CompletedProcess[str], out: Path) -> bool:
-    """Whether a run came to its end: a fault of Python's has the exit status of a bad flight."""
-    judged = done.returncode in (0, 1) and (out / "result.json").exists()
+def is_over(done: subprocess.CompletedProcess[str], last: Path) -> bool:
+    """Whether a command came to its end: a fault of Python has the exit status of a bad flight."""
+    judged = done.returncode in (0, 1) and last.exists()
     return judged and "Traceback" not in done.stderr
 
 
@@ -241,18 +255,18 @@ def fly_reference(side: Side, kept: Path, name: str) -> None:
         raise BadInputError(f"the reference does not fly {name}: {error}") from error
 
 
-def compare(side: Side, kept: Path, flown: Path, name: str) -> ParameterEstimate:
+def compare(side: Side, kept: Path, flown: Path, name: str) -> Finding:
     """Fly one scenario as the tree does, and compare it with the kept flight."""
     try:
         side.fly(name, flown / name)
     except NoFlightError as error:
-        return ParameterEstimate(name, same=False, told=f"does not fly: {error}")
+        return Finding(name, same=False, told=f"does not fly: {error}")
     found = flight_difference(kept / name, flown / name)
     told = found or f"identical, {frames_in(flown / name):,} frames"
-    return ParameterEstimate(name, same=found is None, told=told)
+    return Finding(name, same=found is None, told=told)
 
 
-def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[ParameterEstimate]:
+def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
     """All scenarios that were asked for."""
     commit = commit_of(args.reference)
     before, here = names_at(commit), names_here()
@@ -264,7 +278,7 @@ def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Paramet
     for name in wanted:
         if name not in both:
             lacking = "reference" if name in here else "tree"
-            yield ParameterEstimate(name, same=name in here, told=f"the {lacking} lacks it")
+            yield Finding(name, same=name in here, told=f"the {lacking} lacks it")
     flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
     yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
 
@@ -275,19 +289,60 @@ def recordings_in(folder: Path) -> list[Path]:
     return [log for log in logs if (log.parent / "scenario.toml").exists()]
 
 
-def compare_recordings(folder: Path | None, workers: int) -> Iterator[ParameterEstimate]:
-    """All recordings below a folder, replayed by the tree."""
+def name_of(log: Path) -> str:
+    """The name of a recording."""
+    return f"{log.parent.name}/{log.name}"
+
+
+def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
+    """All recordings below a folder, replayed by both sides.
+
+    Raises:
+        BadInputError: the reference does not replay one of them.
+    """
+    folder = args.recordings
     logs = recordings_in(folder.absolute()) if folder else []
     if not logs:
         say(f"recordings: none in {folder}" if folder else "recordings: no folder given")
-    yield from in_turn(replay, logs, workers)
+        return
+    commit = commit_of(args.reference)
+    kept = {log: kept_replay(commit, log) for log in logs}
+    if missing := [log for log in logs if not kept[log].exists()]:
+        with checkout(commit, scratch, keep=args.keep is not None) as side:
+            for log in missing:
+                replay_reference(side, log, kept[log])
+    new = Path(tempfile.mkdtemp(prefix="replay-", dir=scratch))
+    yield from in_turn(lambda log: compare_replay(log, kept[log], new), logs, args.workers)
 
 
-def replay(log: Path) -> ParameterEstimate:
-    """One recording."""
-    done = Side(ROOT, {}).vfguide("replay", log)
-    name = f"recording {log.parent.name}/{log.name}"
-    return ParameterEstimate(name, same=done.returncode == 0, told=", ".join(lines_of(done)))
+def kept_replay(commit: str, log: Path) -> Path:
+    """The folder for what a commit makes of a recording, by what is in it and was flown."""
+    content = log.read_bytes() + (log.parent / "scenario.toml").read_bytes()
+    return kept_flights(commit) / "recordings" / hashlib.sha256(content).hexdigest()[:16]
+
+
+def replay_reference(side: Side, log: Path, kept: Path) -> None:
+    """Replay one recording as the reference does.
+
+    Raises:
+        BadInputError: it does not.
+    """
+    try:
+        side.replay(log, kept)
+    except NoFlightError as error:
+        raise BadInputError(f"the reference does not replay {name_of(log)}: {error}") from error
+
+
+def compare_replay(log: Path, kept: Path, new: Path) -> Finding:
+    """Replay one recording as the tree does, and compare it with the kept replay."""
+    name, folder = f"recording {name_of(log)}", new / log.parent.name / log.stem
+    try:
+        Side(ROOT, {}).replay(log, folder)
+    except NoFlightError as error:
+        return Finding(name, same=False, told=f"is not replayed: {error}")
+    found = log_difference(kept / log.name, folder / log.name)
+    told = found or f"identical, {frames_in(folder):,} frames"
+    return Finding(name, same=found is None, told=told)
 
 
 def say(line: str) -> None:
@@ -309,7 +364,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     )
     parser.add_argument("reference", nargs="?", default=REFERENCE, help=f"commit, {REFERENCE}")
     parser.add_argument("--scenario", dest="scenarios", action="append", default=[], metavar="NAME")
-    parser.add_argument("--recordings", type=Path, metavar="DIR", help="replayed by the tree")
+    parser.add_argument("--recordings", type=Path, metavar="DIR", help="replayed by both")
     parser.add_argument(
         "--keep", type=Path, metavar="DIR", help="for checkout and flights of the tree, to look at"
     )
@@ -317,20 +372,21 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
-def estimates(args: argparse.Namespace) -> Iterator[ParameterEstimate]:
+def findings(args: argparse.Namespace) -> Iterator[Finding]:
     """Everything that is compared."""
     if args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
-        yield from compare_flights((args.keep or Path(temporary)).absolute(), args)
-    yield from compare_recordings(args.recordings, args.workers)
+        scratch = (args.keep or Path(temporary)).absolute()
+        yield from compare_flights(scratch, args)
+        yield from compare_recordings(scratch, args)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Compare; returns the exit status."""
     status = SAME
     try:
-        for finding in estimates(parse(arguments)):
+        for finding in findings(parse(arguments)):
             say(f"{finding.name}: {finding.told}")
             status = status if finding.same else DIFFERENT
     except (BadInputError, OSError) as error:

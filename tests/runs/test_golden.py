@@ -298,28 +298,49 @@ def test_a_flight_that_ends_too_soon_leaves_nothing(tmp_path, monkeypatch, statu
 
 
 def test_recordings(two_sides, capsys, monkeypatch, tmp_path):
-    replies = {
-        "good": (0, "vehicle 7: 9 setpoints recorded, 9 now\nidentical\n", ""),
-        "other": (1, "vehicle 7: 9 setpoints recorded, 8 now\ndifferent, first at\n", ""),
-    }
-    for name in replies:
+    for name in ("good", "other", "lost"):
         write_flight(tmp_path / "recorded" / name)
-        (tmp_path / "recorded" / name / "scenario.toml").write_text("")
+        (tmp_path / "recorded" / name / "scenario.toml").write_text(name)
     write_flight(tmp_path / "recorded" / "without-its-scenario")
+    replayed = []
 
-    def reply(_, command, log):
-        assert command == "replay"
-        return golden.subprocess.CompletedProcess([], *replies[log.parent.name])
+    def replay(side, log, folder):
+        is_tree, name = side.tree == golden.ROOT, log.parent.name
+        replayed.append((is_tree, name))
+        if is_tree and name == "lost":
+            raise golden.NoFlightError("vfguide: no such key")
+        write_flight(folder)
+        if is_tree and name == "other":
+            changed_log(folder, list.pop)
 
-    monkeypatch.setattr(golden.Side, "vfguide", reply)
-    assert golden.main(["--recordings", str(tmp_path / "recorded")]) == 1
-    assert capsys.readouterr().out.splitlines()[3:] == [
-        "recording good/vehicle-7.tlog: vehicle 7: 9 setpoints recorded, 9 now, identical",
-        "recording other/vehicle-7.tlog: vehicle 7: 9 setpoints recorded, 8 now, "
-        "different, first at",
+    monkeypatch.setattr(golden.Side, "replay", replay)
+    expected = [
+        "recording good/vehicle-7.tlog: identical, 80 frames",
+        "recording lost/vehicle-7.tlog: is not replayed: vfguide: no such key",
+        "recording other/vehicle-7.tlog: the reference has more frames, the first is ",
     ]
+    for replays in (6, 3):  # the reference replays once
+        replayed.clear()
+        assert golden.main(["--recordings", str(tmp_path / "recorded")]) == 1
+        said = capsys.readouterr().out.splitlines()[3:]
+        assert said[:2] == expected[:2]
+        assert said[2].startswith(expected[2])
+        assert len(replayed) == replays
     assert golden.main(["--recordings", str(tmp_path / "nowhere")]) == 0
     assert capsys.readouterr().out.splitlines()[3:] == [f"recordings: none in {tmp_path}/nowhere"]
+
+
+def test_a_recording_that_the_reference_does_not_replay(two_sides, capsys, monkeypatch, tmp_path):
+    write_flight(tmp_path / "recorded" / "bad")
+    (tmp_path / "recorded" / "bad" / "scenario.toml").write_text("")
+
+    def refuse(*_):
+        raise golden.NoFlightError("vfguide: no such key")
+
+    monkeypatch.setattr(golden.Side, "replay", refuse)
+    assert golden.main(["--recordings", str(tmp_path / "recorded")]) == 2
+    expected = "golden.py: the reference does not replay bad/vehicle-7.tlog: vfguide: no such key\n"
+    assert capsys.readouterr().err == expected
 
 
 def test_a_commit_that_is_none(capsys):
