@@ -59,7 +59,7 @@ class NoFlightError(Exception):
     """A scenario was not flown to its end; the message says what the program said last."""
 
 
-class Finding(NamedTuple):
+class Verdict(NamedTuple):
     """What a comparison found."""
 
     name: str
@@ -255,18 +255,18 @@ def fly_reference(side: Side, kept: Path, name: str) -> None:
         raise BadInputError(f"the reference does not fly {name}: {error}") from error
 
 
-def compare(side: Side, kept: Path, flown: Path, name: str) -> Finding:
+def compare(side: Side, kept: Path, flown: Path, name: str) -> Verdict:
     """Fly one scenario as the tree does, and compare it with the kept flight."""
     try:
         side.fly(name, flown / name)
     except NoFlightError as error:
-        return Finding(name, same=False, told=f"does not fly: {error}")
+        return Verdict(name, same=False, told=f"does not fly: {error}")
     found = flight_difference(kept / name, flown / name)
     told = found or f"identical, {frames_in(flown / name):,} frames"
-    return Finding(name, same=found is None, told=told)
+    return Verdict(name, same=found is None, told=told)
 
 
-def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
+def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
     """All scenarios that were asked for."""
     commit = commit_of(args.reference)
     before, here = names_at(commit), names_here()
@@ -278,7 +278,7 @@ def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Finding
     for name in wanted:
         if name not in both:
             lacking = "reference" if name in here else "tree"
-            yield Finding(name, same=name in here, told=f"the {lacking} lacks it")
+            yield Verdict(name, same=name in here, told=f"the {lacking} lacks it")
     flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
     yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
 
@@ -294,7 +294,7 @@ def name_of(log: Path) -> str:
     return f"{log.parent.name}/{log.name}"
 
 
-def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Finding]:
+def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
     """All recordings below a folder, replayed by both sides.
 
     Raises:
@@ -333,16 +333,16 @@ def replay_reference(side: Side, log: Path, kept: Path) -> None:
         raise BadInputError(f"the reference does not replay {name_of(log)}: {error}") from error
 
 
-def compare_replay(log: Path, kept: Path, new: Path) -> Finding:
+def compare_replay(log: Path, kept: Path, new: Path) -> Verdict:
     """Replay one recording as the tree does, and compare it with the kept replay."""
     name, folder = f"recording {name_of(log)}", new / log.parent.name / log.stem
     try:
         Side(ROOT, {}).replay(log, folder)
     except NoFlightError as error:
-        return Finding(name, same=False, told=f"is not replayed: {error}")
+        return Verdict(name, same=False, told=f"is not replayed: {error}")
     found = log_difference(kept / log.name, folder / log.name)
     told = found or f"identical, {frames_in(folder):,} frames"
-    return Finding(name, same=found is None, told=told)
+    return Verdict(name, same=found is None, told=told)
 
 
 def say(line: str) -> None:
@@ -372,7 +372,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
-def findings(args: argparse.Namespace) -> Iterator[Finding]:
+def verdicts(args: argparse.Namespace) -> Iterator[Verdict]:
     """Everything that is compared."""
     if args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
@@ -386,9 +386,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Compare; returns the exit status."""
     status = SAME
     try:
-        for finding in findings(parse(arguments)):
-            say(f"{finding.name}: {finding.told}")
-            status = status if finding.same else DIFFERENT
+        for verdict in verdicts(parse(arguments)):
+            say(f"{verdict.name}: {verdict.told}")
+            status = status if verdict.same else DIFFERENT
     except (BadInputError, OSError) as error:
         print(f"golden.py: {error}", file=sys.stderr)
         return BAD_INPUT

@@ -129,7 +129,7 @@ def assure(
     hazards: Hazards,
     t: float,
     dt: float,
-    aircraft: Assurance,
+    parameters: Assurance,
     backup: BackupManoeuvre,
 ) -> tuple[Decision, BackupManoeuvre]:
     """Decide what to fly until the next decision.
@@ -142,10 +142,10 @@ def assure(
         hazards: the known hazards.
         t: present time on the clock of the obstacles [s].
         dt: time since the last decision [s].
-        aircraft: parameters of `assurance`.
+        parameters: parameters of `assurance`.
         backup: the escape that the last decision stored.
     """
-    limits, command = aircraft.limits, flyable(command, aircraft.limits)
+    limits, command = parameters.limits, flyable(command, parameters.limits)
     if not is_finite(point_mass):
         return Decision(command[0], command[1], Reason.BEST_EFFORT.value, 0.0, 0.0, -1), backup
     wind_n = (finite(wind_n[0]), finite(wind_n[1]), finite(wind_n[2]))
@@ -153,11 +153,11 @@ def assure(
         GUST_UNCERTAINTY * max(finite(gust), 0.0),
         np.empty((TRAJECTORY_POINTS, 3)),
     )
-    world = World(hazards, wind_n, uncertainty_rate, limits, aircraft.scale, trajectory)
+    world = World(hazards, wind_n, uncertainty_rate, limits, parameters.scale, trajectory)
     plan = Manoeuvre(backup.side, backup.turning, backup.climb)
     if backup.acting > 0.0:
         plan = remainder(plan, dt)
-    margin = aircraft.margin
+    margin = parameters.margin
 
     acting = backup.acting > 0.0
     seen = Clearance(0.0, 0.0, 0)
@@ -165,7 +165,7 @@ def assure(
         kept = margin * (1.0 - LEEWAY)
         seen = follow(world, point_mass, plan, t, (kept, kept), 0)
     if not acting or seen.hazard < 0:
-        hold = max(dt, HOLD * aircraft.scale)
+        hold = max(dt, HOLD * parameters.scale)
         after = advance(point_mass, command[0], command[1], wind_n, limits, hold)
         need = margin + RETURN_MARGIN * backup.acting
         out = find_escape(world, after, t + hold, command, plan, need, acting)

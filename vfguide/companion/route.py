@@ -79,7 +79,7 @@ class Route:
         self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
-        self._lookout = HazardAnnunciator(plan)
+        self._annunciator = HazardAnnunciator(plan)
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._stepped: int | None = None
         self._began = 0
@@ -144,7 +144,7 @@ class Route:
             if has_news(before, after):
                 self.notes += air_notes(before, after, plan)
                 self._jumped |= number_of_resets(after) != number_of_resets(before)
-            self.notes += self._lookout.notes(after, t)
+            self.notes += self._annunciator.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._identification is not None:
             self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
@@ -203,7 +203,7 @@ class Route:
     def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
         """Fly to the goals, with what the test flight has shown if it has."""
         before, after = self.plan.aircraft, identification.plan_after(self.identified)
-        self._identification, self.plan, self._lookout = None, after, HazardAnnunciator(after)
+        self._identification, self.plan, self._annunciator = None, after, HazardAnnunciator(after)
         s = forget_learned(state_of_row(self._state), before, after.aircraft)
         self._state = row_of_state(begin_leg(s, 0, no_attempts()))
         self.notes += (*notes, route_note(0, after))

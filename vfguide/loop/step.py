@@ -59,16 +59,16 @@ def step(
     nav, estimation_state = estimation.update(inputs, s.thrust, s.estimation, vehicle)
     vehicle = cautious(nav, vehicle)
     phase, slope = s.planning.leg.phase, s.guidance.slope
-    goal, mission_state, passage = mission.update(nav, s.mission, phase, legs, vehicle)
+    objective, mission_state, passage = mission.update(nav, s.mission, phase, legs, vehicle)
     known, detection_state = detection.update(nav, airspace, s.detection)
-    route = planning.update(nav, goal, known, law.plans, s.planning, slope, vehicle)
-    wanted, guidance_state = laws.update(law, nav, goal, route, known, s.guidance, vehicle)
+    route = planning.update(nav, objective, known, law.plans, s.planning, slope, vehicle)
+    wanted, guidance_state = laws.update(law, nav, objective, route, known, s.guidance, vehicle)
     command, assurance_state = assurance.update(
         nav, wanted, known, law.is_assured, route.following.clearance, s.assurance, vehicle
     )
     asked, control_state = control.update(nav, command, s.control, vehicle)
     setpoint = limits.apply(asked, vehicle)
-    left = progress.update(nav, goal, route.leg, command.remaining, s.progress)
+    progress_state = progress.update(nav, objective, route.leg, command.remaining, s.progress)
     after = LoopState(
         estimation_state,
         mission_state,
@@ -77,7 +77,7 @@ def step(
         assurance_state,
         control_state,
         setpoint.thrust,
-        left,
+        progress_state,
         detection_state,
     )
     return setpoint, after, Outcome(command, passage)
