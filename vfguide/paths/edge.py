@@ -56,19 +56,37 @@ class Segment(NamedTuple):
 
 
 @compiled
+def first_segment(edge: Edge, radius: float) -> Segment:
+    """The first segment of an edge with turns of `radius` [m]."""
+    return Segment(edge.begin, edge.path.first, radius * edge.path.arc)
+
+
+@compiled
+def segment_after(segment: Segment, side: float, length: float, radius: float) -> Segment:
+    """A segment to a `side`, of a `length` [m], from the end of another."""
+    return Segment(segment_end(segment, radius), side, length)
+
+
+@compiled
 def segments_of(edge: Edge, radius: float) -> tuple[Segment, Segment, Segment]:
     """The three segments of an edge with turns of `radius` [m]."""
-    path = edge.path
-    first = Segment(edge.begin, path.first, radius * path.arc)
-    middle = Segment(segment_end(first, radius), path.middle, radius * path.reach)
-    return first, middle, Segment(segment_end(middle, radius), path.last, radius * path.end)
+    path, first = edge.path, first_segment(edge, radius)
+    middle = segment_after(first, path.middle, radius * path.reach, radius)
+    return first, middle, segment_after(middle, path.last, radius * path.end, radius)
 
 
 @compiled
 def segment_at(edge: Edge, k: int, radius: float) -> Segment:
-    """Segment `k` of an edge with turns of `radius` [m]: FIRST_TURN, MIDDLE or LAST_TURN."""
-    first, middle, last = segments_of(edge, radius)
-    return first if k == FIRST_TURN else (middle if k == MIDDLE else last)
+    """Segment `k` of an edge with turns of `radius` [m]: FIRST_TURN, MIDDLE or LAST_TURN.
+
+    Only the segments before it are worked out.
+    """
+    path, segment = edge.path, first_segment(edge, radius)
+    if k >= MIDDLE:
+        segment = segment_after(segment, path.middle, radius * path.reach, radius)
+    if k == LAST_TURN:
+        segment = segment_after(segment, path.last, radius * path.end, radius)
+    return segment
 
 
 @compiled
