@@ -17,7 +17,7 @@ from vfguide.estimation.estimation import NavState, known_state
 from vfguide.geometry.compiled import compiled
 from vfguide.guidance import flight_law, laws, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
-from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw
+from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw, crossing, law_of
 from vfguide.planning import planning
 from vfguide.planning.objective import GuidanceTarget, Objective, objective_at
 from vfguide.planning.route import Route, fresh_route
@@ -87,3 +87,21 @@ def test_settings_of_a_law_choose_no_other():
         FLIGHT, *arguments(FLIGHT, HERE, GOAL, None)
     )
     assert set(LAWS) == {FlightLaw, PaperLaw}
+
+
+@compiled
+def crossed(law: Law | None) -> Law:
+    return law_of(law)
+
+
+@pytest.mark.parametrize("law", [FLIGHT, PAPER])
+@pytest.mark.parametrize("cross", [law_of, crossed])
+def test_a_law_crosses_as_itself(law, cross):
+    assert type(cross(crossing(law))) is type(law)
+    assert cross(crossing(law)) == law
+
+
+def test_law_flight_with_other_settings_crosses_as_a_record():
+    other = FLIGHT._replace(is_assured=False)
+    assert crossing(other) == other
+    assert crossing(FLIGHT) is None

@@ -30,7 +30,7 @@ from vfguide.geometry.rows import row_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
-from vfguide.guidance.laws import FLIGHT, PAPER
+from vfguide.guidance.laws import FLIGHT, PAPER, crossing
 from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
@@ -101,7 +101,7 @@ def test_the_step_for_a_link_is_the_step(law, airspace):
     measured = tuple(MEASURED)
     values = None if airspace is None else unnested_airspace(airspace)
     omega_b, thrust, q_nb, row_after, miss = step_measured(
-        measured, ORIGIN, row_of_state(s), LEGS, values, law, row_of(VEHICLE)
+        measured, ORIGIN, row_of_state(s), LEGS, values, crossing(law), row_of(VEHICLE)
     )
     assert (omega_b, thrust, q_nb) == setpoint
     assert (row_after == row_of_state(after)).all()

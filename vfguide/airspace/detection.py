@@ -3,6 +3,8 @@
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
+from numba import types
+from numba.extending import overload
 from numpy.typing import NDArray
 
 from vfguide.airspace.distance_bound import distance_bound
@@ -37,12 +39,24 @@ unnested_airspace = unnester(Airspace)
 _nested_airspace = nester(Airspace)
 
 
-@compiled
 def airspace_of(values: AirspaceTuple | None) -> Airspace | None:
     """The airspace of a tuple of its values; None compiles to None."""
     if values is None:
         return None
     return _nested_airspace(values)
+
+
+@overload(airspace_of)
+def _compiled_airspace_of(values: Any) -> Any:
+    """The same in compiled code: None stays a None that the compiler sees."""
+
+    def nothing(values: Any) -> Any:
+        return None
+
+    def nested(values: Any) -> Any:
+        return _nested_airspace(values)
+
+    return nothing if isinstance(values, types.NoneType) else nested
 
 
 class DetectionState(NamedTuple):

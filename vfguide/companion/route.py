@@ -36,6 +36,7 @@ from vfguide.estimation.air_state import AirReport
 from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3
+from vfguide.guidance.laws import crossing
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.loop.attempts import no_attempts
@@ -134,7 +135,7 @@ class Route:
             None
             if hazards is None
             else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
-            plan.law,
+            crossing(plan.law),
             plan.vehicle_row
             if self._identification is None
             else self._identification.vehicle_row(goal_of_row(before)),

@@ -7,6 +7,7 @@ To add one: write both, and name them here.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from numba import types
 from numba.extending import overload
 
 from vfguide.aircraft.command import GuidanceCommand
@@ -50,6 +51,32 @@ LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
     PaperLaw: paper_law.update,
 }
 """The `update` of each law, by the type of its record."""
+
+
+def crossing(law: Law) -> Law | None:
+    """A law as it crosses into compiled code: None for law `flight`, a third of a microsecond less.
+
+    `law_of` is the inverse.
+    """
+    return None if law == FLIGHT and isinstance(law, FlightLaw) else law
+
+
+def law_of(crossed: Law | None) -> Law:
+    """The law of what has crossed into compiled code."""
+    return FLIGHT if crossed is None else crossed
+
+
+@overload(law_of)
+def _compiled_law_of(crossed: Any) -> Any:
+    """The same in compiled code, where a function has one type of result."""
+
+    def flight(crossed: Any) -> Any:
+        return FlightLaw(True, True)
+
+    def itself(crossed: Any) -> Any:
+        return crossed
+
+    return flight if isinstance(crossed, types.NoneType) else itself
 
 
 def update(

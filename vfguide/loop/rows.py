@@ -16,7 +16,7 @@ from vfguide.estimation.local_frame import (
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
-from vfguide.guidance.laws import Law
+from vfguide.guidance.laws import Law, law_of
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step
@@ -29,7 +29,7 @@ def step_measured(
     before: Row,
     legs: Legs,
     airspace: AirspaceTuple | None,
-    law: Law,
+    law: Law | None,
     vehicle: Row,
 ) -> tuple[Vec3, float, Quaternion, Row, float]:
     """A step on a measurement of an autopilot.
@@ -40,7 +40,7 @@ def step_measured(
         before: a `LoopState`.
         legs: legs of the mission.
         airspace: the hazards, from `unnested_airspace`, or None.
-        law: the record of the law.
+        law: the law that guides, as of `crossing`.
         vehicle: a `Vehicle`.
 
     Returns:
@@ -50,8 +50,8 @@ def step_measured(
     told = Measurement(*measured)
     inputs = Inputs(place_state(told, origin), place_measured(told, origin), False)
     state, aircraft = read_state(before), read_vehicle(vehicle)
-    known = airspace_of(airspace)
-    setpoint, left, outcome = step(inputs, state, legs, known, law, aircraft)
+    known, guides = airspace_of(airspace), law_of(law)
+    setpoint, left, outcome = step(inputs, state, legs, known, guides, aircraft)
     after = np.empty(len(before))
     write_state(left, after)
     return setpoint.omega_b, setpoint.thrust, setpoint.q_nb, after, outcome.passage.miss

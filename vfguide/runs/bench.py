@@ -13,6 +13,7 @@ from vfguide.companion.plan import Plan
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.projection import Projection
 from vfguide.geometry.so3 import quaternion_from_euler
+from vfguide.guidance.laws import crossing
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
@@ -133,7 +134,7 @@ def guide_often(plan: Plan) -> None:
     for k in range(GUIDANCE_STEPS):
         measured: Any = (0.02 * k, *rest)
         *_, state, _ = step_measured(
-            measured, plan.origin, state, plan.legs, None, plan.law, plan.vehicle_row
+            measured, plan.origin, state, plan.legs, None, crossing(plan.law), plan.vehicle_row
         )
 
 
