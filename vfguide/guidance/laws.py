@@ -54,7 +54,7 @@ LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
 
 
 def crossing(law: Law) -> Law | None:
-    """A law as it crosses into compiled code: None for law `flight`, a third of a microsecond less.
+    """A law as it crosses into compiled code: None for law `flight`, half a microsecond less.
 
     `law_of` is the inverse.
     """
