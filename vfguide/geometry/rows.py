@@ -15,9 +15,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_origin, get_type_hints
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from vfguide.geometry.compiled import compiled_source
 
 Row = NDArray[np.float64]
 """The numbers of one record, (width,)."""
@@ -25,9 +26,6 @@ Table = NDArray[np.float64]
 """The numbers of N records of one type, (N, width)."""
 
 T = TypeVar("T")
-
-njit: Any = numba.njit
-"""The compiler, without the types that numba gives it."""
 
 
 class Shape(tuple[int, ...]):
@@ -154,7 +152,8 @@ def part_reader(kind: Any, name: str) -> Callable[[Row], Any]:
     scope: dict[str, Any] = {}
     source = _reading(part_of(kind, name), scope, [place(kind, name).start])
     function = f"read_{symbol(name)}_of_{symbol(kind)}"
-    return njit(source_function(f"def {function}(a):\n    return {source}", function, scope))
+    text = f"def {function}(a):\n    return {source}"
+    return compiled_source(source_function(text, function, scope))
 
 
 def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
@@ -224,7 +223,7 @@ def array_shape(kind: Any) -> tuple[int, ...]:
 
 def reader(kind: type[T]) -> Callable[[Row], T]:
     """A compiled function that makes the record of a row; its arrays are views of the row."""
-    return njit(python_reader(kind))
+    return compiled_source(python_reader(kind))
 
 
 def python_reader(kind: type[T]) -> Callable[[Sequence[float] | Row], T]:
@@ -258,7 +257,7 @@ def writer(kind: type[T]) -> Callable[[T, Row], None]:
     for leaf in leaves(kind):
         lines += written_lines(leaf, at)
         at += leaf.size
-    return njit(source_function("\n".join(lines), name, {}))
+    return compiled_source(source_function("\n".join(lines), name, {}))
 
 
 def written_lines(leaf: Leaf, begin: int) -> list[str]:
@@ -296,7 +295,7 @@ def replacing(kind: type[T], *names: str) -> Callable[..., T]:
     name = f"replace_{'_'.join(names)}_of_{symbol(kind)}"
     call = f"{kind.__name__}({', '.join(values)})"
     source = f"def {name}(r, {', '.join(names)}):\n    return {call}"
-    return njit(source_function(source, name, {kind.__name__: kind}))
+    return compiled_source(source_function(source, name, {kind.__name__: kind}))
 
 
 def unnester(kind: type[T]) -> Callable[[T], tuple[Any, ...]]:
@@ -314,7 +313,7 @@ def nester(kind: type[T]) -> Callable[[tuple[Any, ...]], T]:
     places = iter(range(len(_parts(kind, "r"))))
     name = f"nest_{symbol(kind)}"
     source = f"def {name}(a):\n    return {_nesting(kind, scope, places)}"
-    return njit(source_function(source, name, scope))
+    return compiled_source(source_function(source, name, scope))
 
 
 def _parts(kind: Any, expression: str) -> list[str]:
