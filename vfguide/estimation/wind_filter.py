@@ -75,7 +75,7 @@ def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
     Args:
         v_n: velocity over ground, NED [m/s].
         airspeed: a guess of the true airspeed [m/s].
-        d_n: direction of flight through the air, NED.
+        d_n: direction of flight through the air, NED, a unit vector.
     """
     x: StateVector = np.zeros(STATES)
     P: Covariance = np.zeros((STATES, STATES))
@@ -130,8 +130,8 @@ def measurement_update(
     Args:
         estimate: estimate of this step.
         h: the measurement's derivative with respect to the state vector.
-        innovation: what was measured less what was expected.
-        variance: variance of the measurement's error.
+        innovation: what was measured less what was expected, in the measurement's unit.
+        variance: variance of the measurement's error, in that unit squared.
     """
     x, P, Ph = estimate.x, estimate.P, product(estimate.P, h)
     total = variance
