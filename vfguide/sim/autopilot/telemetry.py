@@ -61,18 +61,23 @@ class Report(NamedTuple):
     """Everything that the streams tell."""
 
     now: int
-    """[us since 1970]."""
+    """Date [us since 1970]."""
     time_boot_ms: int
     """Time since the start [ms]."""
     estimate: Estimate
+    """What the autopilot believes of its aircraft."""
     origin: Origin
+    """Origin of its local frame."""
     home: Origin
+    """Where it started."""
     mode: Mode
+    """What it is flying."""
     armed: bool
+    """Whether it is armed."""
     setpoint: SetAttitudeTarget | None
-    """The one that is flown."""
+    """The setpoint that is flown; None: it flies by itself."""
     throttle: float
-    """0 to 1."""
+    """Throttle that the motor gets, 0 to 1."""
 
 
 def heartbeat(report: Report) -> Heartbeat:
@@ -88,23 +93,23 @@ def heartbeat(report: Report) -> Heartbeat:
 
 
 def attitude(report: Report) -> Attitude:
-    """ATTITUDE."""
+    """ATTITUDE: Euler angles [rad] and body rates [rad/s]."""
     return Attitude(report.time_boot_ms, *report.estimate.euler, *report.estimate.omega_b)
 
 
 def attitude_quaternion(report: Report) -> AttitudeQuaternion:
-    """ATTITUDE_QUATERNION."""
+    """ATTITUDE_QUATERNION: body FRD to NED, and body rates [rad/s]."""
     w, x, y, z = quaternion_from_euler(*report.estimate.euler)
     return AttitudeQuaternion(report.time_boot_ms, w, x, y, z, *report.estimate.omega_b)
 
 
 def local_position(report: Report) -> LocalPositionNed:
-    """LOCAL_POSITION_NED about the vehicle's start."""
+    """LOCAL_POSITION_NED about the origin of the local frame [m], with the velocity [m/s]."""
     return LocalPositionNed(report.time_boot_ms, *report.estimate.p_l, *report.estimate.v_n)
 
 
 def global_position(report: Report) -> GlobalPositionInt:
-    """GLOBAL_POSITION_INT."""
+    """GLOBAL_POSITION_INT; its relative altitude is that above home."""
     estimate = report.estimate
     north, east, down = estimate.v_n
     return GlobalPositionInt(
@@ -121,7 +126,7 @@ def global_position(report: Report) -> GlobalPositionInt:
 
 
 def compass(angle: float) -> int:
-    """An angle as 0 to 35999 hundredths of a degree."""
+    """An angle [rad] as 0 to 35999 hundredths of a degree."""
     return round(angle / CDEG) % 36000
 
 
@@ -139,7 +144,7 @@ def vfr_hud(report: Report) -> VfrHud:
 
 
 def wind_cov(report: Report) -> WindCov:
-    """WIND_COV; the wind blows toward this vector. As on PX4 no vertical wind is estimated."""
+    """WIND_COV: the direction it blows toward [m/s]. As on PX4 no vertical wind is estimated."""
     north, east, _ = report.estimate.wind_n
     altitude = report.estimate.altitude
     return WindCov(report.now, north, east, 0.0, 0.25, 0.25, altitude, 0.5, 0.5)
@@ -177,7 +182,7 @@ def global_origin(report: Report) -> GpsGlobalOrigin:
 
 
 def origin_on_the_wire(origin: Origin) -> tuple[int, int, int]:
-    """Latitude, longitude [1e-7 deg] and altitude [mm]."""
+    """Latitude, longitude [1e-7 deg] and altitude [mm] of an origin, as messages have them."""
     return (
         round(origin.latitude / DEG_E7),
         round(origin.longitude / DEG_E7),
@@ -204,7 +209,7 @@ def system_time(report: Report) -> SystemTime:
 
 
 def current_mode(report: Report) -> CurrentMode:
-    """CURRENT_MODE."""
+    """CURRENT_MODE: the mode that is flown, told as the intended one too."""
     mode = REPORTED[report.mode]
     return CurrentMode(0, mode, mode)
 
