@@ -45,7 +45,9 @@ class Manoeuvre(NamedTuple):
     """One leg of the test flight."""
 
     name: str
+    """What is flown, for the operator."""
     goal: Goal
+    """Pose at its end."""
     airspeed: float
     """True airspeed to fly [m/s]."""
     longest: float
@@ -91,10 +93,15 @@ def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...
 def places_along(
     p_n: Vec3, course: float, radius: float, turned: float, length: float, height: float
 ) -> tuple[Vec3, ...]:
-    """Positions on an arc that turns by `turned` [rad], right positive, and the straight after it.
+    """Positions on an arc and the straight after it, at most ROOM_SPACING apart, NED [m].
 
-    They are no farther than ROOM_SPACING apart. The straight is `length` long, and gains `height`
-    [m]. All positions are NED [m].
+    Args:
+        p_n: where the arc begins, NED [m].
+        course: course there [rad].
+        radius: radius of the arc [m].
+        turned: angle by which it turns, right positive [rad].
+        length: length of the straight over ground [m].
+        height: height that it gains [m].
     """
     places: list[Vec3] = []
     steps = math.ceil(radius * abs(turned) / ROOM_SPACING)
@@ -112,12 +119,15 @@ def places_along(
 
 
 def least_room(legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
-    """Least distance of the legs from a hazard [m] at the time `t` [s]."""
+    """Least distance of the legs from a hazard [m] at the time `t` [s]; infinite without any."""
     return min(room(place, hazards, t) for leg in legs for place in leg.places)
 
 
 def room(p_n: Vec3, hazards: Hazards | None, t: float) -> float:
-    """Distance of a position from the nearest hazard [m] at the time `t` [s]."""
+    """Distance of a position, NED [m], from the nearest hazard [m] at the time `t` [s].
+
+    It is infinite where there is none.
+    """
     if hazards is None:
         return math.inf
     return min(hazard_distance(hazards, i, p_n, t) for i in range(hazard_count(hazards)))

@@ -96,7 +96,7 @@ class HazardAnnunciator:
 
 
 def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
-    """The hazard of a conflict, and the time until it."""
+    """The hazard of a conflict by its name, and the time until it, `conflict` [s]."""
     if hazard < 0 or not math.isfinite(conflict):
         return "else no way out would be left"
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"

@@ -70,7 +70,7 @@ class IdentificationFlight:
         return self._legs[0].name
 
     def vehicle_row(self, leg: int) -> Row:
-        """Aircraft and gains of a leg."""
+        """The row of `Vehicle` of a leg, by its index from 0."""
         rows = self._vehicles
         return rows[min(leg, len(rows) - 1)] if rows else self.plan.vehicle_row
 

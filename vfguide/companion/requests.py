@@ -18,13 +18,13 @@ MODE_TIMEOUT = 3_000_000
 
 
 def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
-    """A COMMAND_LONG to the autopilot of system `target`."""
+    """A COMMAND_LONG to the autopilot of system `target`; parameters left out are 0."""
     p = (*parameters, *(0.0,) * (7 - len(parameters)))
     return CommandLong(target, 1, number, 0, p[0], p[1], p[2], p[3], p[4], p[5], p[6])
 
 
 def set_mode(target: int, autopilot: Autopilot, mode: int) -> CommandLong:
-    """The command that changes the flight mode."""
+    """The command that changes the flight mode to the custom mode `mode`."""
     return command(target, MavCmd.DO_SET_MODE, *autopilot.mode_parameters(mode))
 
 

@@ -70,6 +70,7 @@ class Route:
     """One vehicle's flight along its plan."""
 
     def __init__(self, plan: Plan, step: Step = step_measured) -> None:
+        """A flight that has not begun, of `plan` with the `step` of the control loop."""
         self.plan = plan
         """What is flown now."""
         self.identified: Identified | None = None
@@ -105,7 +106,8 @@ class Route:
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
 
-        It acts `delay` [s] after that attitude, and is held until the next one does.
+        It acts `delay` [s] after that attitude, and is held until the next one does. Its body
+        rates are FRD [rad/s].
 
         Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
         the present goal begins anew.
