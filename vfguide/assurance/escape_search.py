@@ -32,7 +32,12 @@ NO_CONTACT = 1e6
 SETTLED_POINT = 15
 """Index of the trajectory point from which on escapes without contact are compared, 3 s ahead;
 chosen so that, where all are too near now, the one that moves away is taken."""
-
+TURN_TIME_WEIGHT = 0.01
+"""Distance from the command that each second of an escape's turn counts [1/s]; chosen small, so
+that it decides only between equal manoeuvres."""
+COUNTED_TURN_TIME = 10.0
+"""Time beyond which a longer turn of an escape counts no more [s]; chosen, since the endless turn
+has no time."""
 
 Command = tuple[float, float]
 """Bank, right wing down positive, and path angle over ground, up positive [rad]."""
@@ -162,7 +167,7 @@ def distances_from_command(world: World, command: Command) -> Series:
         plan = manoeuvre(kind, 1.0)
         bank = abs(bank_of(plan, limits) - command[0]) / limits.bank_max
         climb = abs(climb_of(plan, limits) - command[1]) / climbs
-        far[kind] = bank + climb + 0.01 * min(plan.turning, 10.0)
+        far[kind] = bank + climb + TURN_TIME_WEIGHT * min(plan.turning, COUNTED_TURN_TIME)
     return far
 
 
