@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.aircraft.envelope import flyable_radius, usable_bank
+from vfguide.aircraft.envelope import FASTEST_SHARE, flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.companion.plan import Plan
@@ -20,8 +20,14 @@ from vfguide.loop.legs import Goal
 TEST_CLIMB = 4.0 * DEG
 """Mean path angle of the climb and the descent [rad]; chosen, they are steeper between their level
 ends."""
+TEST_CLIMB_SHARE = 0.4
+"""Largest share of the aircraft's steepest path angle that the mean of a climb or descent has;
+chosen, as they are steeper between their level ends."""
 AIRSPEED_CHANGE = 0.15
 """Share by which the airspeed is raised and lowered; chosen, so that its effect is seen."""
+SLOW_LEG_RATIO = 1.1
+"""Least ratio of the airspeed of the slow leg to the slowest airspeed; chosen, gusts take the
+rest."""
 STRAIGHT_TIME = 8.0
 """Duration of a straight leg [s]; chosen."""
 FIRST_LEG_TIME = 3.0
@@ -63,13 +69,13 @@ def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...
     """
     gains, aircraft = plan.tuned, plan.aircraft
     speed = gains.airspeed
-    fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, 0.95 * aircraft.airspeed_max))
-    slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, 1.1 * aircraft.airspeed_min))
+    fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, FASTEST_SHARE * aircraft.airspeed_max))
+    slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, SLOW_LEG_RATIO * aircraft.airspeed_min))
     still = state._replace(wind_n=tuple(0.0 if math.isnan(w) else w for w in state.wind_n))
     radius = flyable_radius(still, usable_bank(aircraft, gains, speed), gains)
     course = math.atan2(state.v_n[1], state.v_n[0])
-    up = min(TEST_CLIMB, 0.4 * aircraft.climb_max)
-    down = min(up, 0.4 * aircraft.descent_max)
+    up = min(TEST_CLIMB, TEST_CLIMB_SHARE * aircraft.climb_max)
+    down = min(up, TEST_CLIMB_SHARE * aircraft.descent_max)
     long, turn, end = STRAIGHT_TIME * speed, side * math.pi, TURN_END * radius
     legs = (  # name, airspeed, turn, length after it and height on it [m]
         ("level flight", speed, 0.0, FIRST_LEG_TIME * speed, 0.0),

@@ -4,6 +4,7 @@ from collections import deque
 from enum import IntEnum
 
 from vfguide.autopilots.autopilot import Autopilot
+from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavCmd, MavResult
 from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin
 
@@ -42,7 +43,7 @@ def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[Co
     `rate` is that of guidance [Hz]; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
     """
     intervals = (
-        (stream.msgid, round(1e6 / min(rate, stream.fastest))) for stream in autopilot.streams
+        (stream.msgid, round(SECOND / min(rate, stream.fastest))) for stream in autopilot.streams
     )
     return [command(target, MavCmd.SET_MESSAGE_INTERVAL, *each) for each in intervals]
 

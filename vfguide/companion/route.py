@@ -58,6 +58,9 @@ from vfguide.surveillance.surveillance import Surveillance
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
 a setpoint is held for it, half because the reference's rate is that of the period before."""
+DUE_SHARE = 0.9
+"""Share of the guidance period after which the next step is due; chosen below 1, since an attitude
+may come a little early."""
 
 Step = Callable[..., tuple[Vec3, float, Quaternion, Row, float]]
 """The type of `step_measured`."""
@@ -217,7 +220,7 @@ class Route:
             self._began = time_boot_ms
         else:
             since = elapsed(self._stepped, time_boot_ms)
-            if -STALE < since < 0.9 / self.plan.rate:
+            if -STALE < since < DUE_SHARE / self.plan.rate:
                 return False
         self._stepped = time_boot_ms
         return True

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from vfguide.geometry.units import MINUTE
+
 
 class Motor(NamedTuple):
     """Shares of the thrust in the map; the defaults give all of it for ever."""
@@ -15,7 +17,7 @@ class Motor(NamedTuple):
 
     def share(self, time: float) -> float:
         """The share of the thrust at a time [s] after the start, dimensionless."""
-        return max(self.scale - self.sag * time / 60.0, min(self.floor, self.scale))
+        return max(self.scale - self.sag * time / MINUTE, min(self.floor, self.scale))
 
 
 SOUND = Motor()

@@ -55,6 +55,22 @@ ALL_HEALTHY = (
 """Flags of all sensors of SYS_STATUS as present, enabled and healthy."""
 BATTERY_VOLTAGE = 44_400
 """Voltage of the simulated battery [mV]; chosen, 12 cells."""
+BATTERY_LEFT = 100
+"""Charge that is left in the simulated battery [%]; chosen, it is not used up."""
+LOOP_LOAD = 200
+"""Load of the simulated autopilot's main loop [0.1 %]; chosen."""
+HDOP = 80
+"""Horizontal dilution of precision of the simulated receiver times 100, a number; chosen, that of a
+good fix."""
+VDOP = 120
+"""Vertical dilution of precision of the simulated receiver times 100, a number; chosen, that of a
+good fix."""
+SATELLITES = 12
+"""Number of satellites of the simulated receiver; chosen, enough for a good fix."""
+WIND_CHANGE = 0.25
+"""Standard deviation in time of the wind in WIND_COV [m/s]; chosen."""
+WIND_ACCURACY = 0.5
+"""Standard deviation of the estimate of the wind in WIND_COV [m/s]; chosen."""
 
 
 class Report(NamedTuple):
@@ -147,7 +163,8 @@ def wind_cov(report: Report) -> WindCov:
     """WIND_COV: the direction it blows toward [m/s]. As on PX4 no vertical wind is estimated."""
     north, east, _ = report.estimate.wind_n
     altitude = report.estimate.altitude
-    return WindCov(report.now, north, east, 0.0, 0.25, 0.25, altitude, 0.5, 0.5)
+    change, accuracy = WIND_CHANGE, WIND_ACCURACY
+    return WindCov(report.now, north, east, 0.0, change, change, altitude, accuracy, accuracy)
 
 
 def gps_raw(report: Report) -> GpsRawInt:
@@ -160,11 +177,11 @@ def gps_raw(report: Report) -> GpsRawInt:
         round(estimate.latitude / DEG_E7),
         round(estimate.longitude / DEG_E7),
         round(estimate.altitude / MM),
-        80,
-        120,
+        HDOP,
+        VDOP,
         round(math.hypot(north, east) / CM_S),
         compass(math.atan2(east, north)),
-        12,
+        SATELLITES,
         round(estimate.altitude / MM),
     )
 
@@ -192,9 +209,8 @@ def origin_on_the_wire(origin: Origin) -> tuple[int, int, int]:
 
 def sys_status(_: Report) -> SysStatus:
     """SYS_STATUS: all well."""
-    return SysStatus(
-        ALL_HEALTHY, ALL_HEALTHY, ALL_HEALTHY, 200, BATTERY_VOLTAGE, -1, 100, 0, 0, 0, 0, 0, 0
-    )
+    sensors, battery = (ALL_HEALTHY, ALL_HEALTHY, ALL_HEALTHY), (BATTERY_VOLTAGE, -1, BATTERY_LEFT)
+    return SysStatus(*sensors, LOOP_LOAD, *battery, 0, 0, 0, 0, 0, 0)
 
 
 def extended_sys_state(report: Report) -> ExtendedSysState:
