@@ -15,6 +15,7 @@ SCIPY = {
     "LBF": constants.lbf,
     "SLUG": constants.slug,
     "G0": constants.g,
+    "MINUTE": constants.minute,
     "HOUR": constants.hour,
     "PSF": constants.psi / 144.0,
     "SLUG_FT2": constants.slug * constants.foot**2,

@@ -16,6 +16,12 @@ SLOWEST_TURN = 2.5
 LEAST_RADIUS = 1e-3
 """Radius of a turn at no airspeed, or at one that is not a number [m]; chosen so that divisions
 stay finite."""
+LEAST_LOAD = 1.05
+"""Load factor that is flown however slow the aircraft is, a number: 18 degrees of bank; chosen, so
+that it can still turn."""
+FASTEST_SHARE = 0.95
+"""Share of the fastest airspeed up to which the airspeed to fly is raised, without a sensor and in
+the identification flight; chosen, gusts take the rest."""
 
 
 @compiled
@@ -24,7 +30,7 @@ def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
 
     The wing carries n = (V / V_min)^2.
     """
-    load = min(aircraft.load_max, max(1.05, (airspeed / aircraft.airspeed_min) ** 2))
+    load = min(aircraft.load_max, max(LEAST_LOAD, (airspeed / aircraft.airspeed_min) ** 2))
     return min(gains.bank_max, math.acos(1.0 / load))
 
 

@@ -80,7 +80,14 @@ def update(
 
 @compiled
 def in_sight(hazards: Hazards, known: Known, p_n: Vec3, t: float) -> Hazards:
-    """The hazards with undetected obstacles moved out of sight; updates `known`, which stays 1."""
+    """The hazards with undetected obstacles moved out of sight.
+
+    Args:
+        hazards: all hazards.
+        known: which obstacles are known; what is detected becomes 1 in place, and stays 1.
+        p_n: position of the vehicle, NED [m].
+        t: time on the clock of the obstacles [s].
+    """
     obstacles = hazards.obstacles
     if len(obstacles) == 0:
         return hazards

@@ -100,7 +100,7 @@ def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
 
 @compiled
 def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
-    """Distance of `p_n` (NED) from the volume of intruder `i` at time `t` [m]."""
+    """Distance of `p_n` (NED) [m] from the volume of intruder `i` at time `t` [s], in [m]."""
     intruder = read_intruder(traffic[i])
     there_n, v_n, age = intruder.p_n, intruder.v_n, t - intruder.time
     x = p_n[0] - there_n[0] - age * v_n[0]
@@ -131,7 +131,14 @@ def traffic_zones(traffic: Rows, band: Band, margin: float, t: float) -> KeepOut
 
 @compiled
 def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> KeepOutZone:
-    """The keep-out zone of one intruder; it ends before it begins if the band is never reached."""
+    """The keep-out zone of one intruder; it ends before it begins if the band is never reached.
+
+    Args:
+        intruder: its last report.
+        band: heights of the route, as z of NED [m].
+        margin: height by which the band is widened on both sides [m].
+        t: present time on the clock of the obstacles [s].
+    """
     (north, east, down), (vx, vy, sinking), time = intruder.p_n, intruder.v_n, intruder.time
     grown = max(t - time, 0.0) + TRAFFIC_LOOKAHEAD
     reach = intruder.half_height + grown * intruder.uncertainty_rate_up + margin

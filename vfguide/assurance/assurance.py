@@ -108,7 +108,10 @@ def update(
 
 @compiled
 def in_room(aircraft: Assurance, room: float) -> Assurance:
-    """The assurance with a smaller margin on a narrow route, which it would forbid otherwise."""
+    """The assurance with a smaller margin on a narrow route, which it would forbid otherwise.
+
+    `room` is the clearance with which the route was found [m], 0 or less where none was.
+    """
     part = min(1.0, room / (NARROW_ROUTE * aircraft.margin)) if room > 0.0 else 1.0
     margin = min(aircraft.margin, max(LEAST_ROOM, part * aircraft.margin))
     return with_margin(aircraft, margin)

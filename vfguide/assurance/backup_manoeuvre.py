@@ -41,7 +41,10 @@ class Manoeuvre(NamedTuple):
 
 @compiled
 def time_scale(limits: Dynamics, airspeed: float) -> float:
-    """Ratio of the time of the aircraft's full turn to TURN_TIME."""
+    """Ratio of the time of a full turn at `airspeed` [m/s] to TURN_TIME, dimensionless.
+
+    The turn takes 2 pi V / (g tan bank_max).
+    """
     return 2.0 * math.pi * airspeed / (G0 * math.tan(limits.bank_max)) / TURN_TIME
 
 

@@ -35,6 +35,9 @@ from vfguide.geometry.vector import Vec3
 MARGIN = 12.0
 """Clearance that a safe trajectory keeps at 25 m/s and 50 degrees of bank [m]; chosen with
 `tools/measure_assurance.py`."""
+MARGIN_AIRSPEED = 25.0
+"""Airspeed at which MARGIN is kept [m/s]; chosen, the one to which TURN_TIME belongs. A slower
+aircraft keeps less, in proportion."""
 LEAST_MARGIN = 6.0
 """Least clearance that a safe trajectory keeps, for smaller aircraft [m]; chosen."""
 RETURN_MARGIN = 3.0
@@ -110,7 +113,7 @@ def assurance(aircraft: Performance, gains: Gains) -> Assurance:
     """Parameters of the assurance for an aircraft and its gains."""
     limits = dynamics(aircraft, gains)
     scale = time_scale(limits, gains.airspeed)
-    margin = max(LEAST_MARGIN, MARGIN * min(scale, gains.airspeed / 25.0))
+    margin = max(LEAST_MARGIN, MARGIN * min(scale, gains.airspeed / MARGIN_AIRSPEED))
     return Assurance(limits, scale, margin)
 
 

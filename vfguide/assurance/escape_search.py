@@ -32,10 +32,15 @@ NO_CONTACT = 1e6
 SETTLED_POINT = 15
 """Index of the trajectory point from which on escapes without contact are compared, 3 s ahead;
 chosen so that, where all are too near now, the one that moves away is taken."""
-
+TURN_TIME_WEIGHT = 0.01
+"""Distance from the command that each second of an escape's turn counts [1/s]; chosen small, so
+that it decides only between equal manoeuvres."""
+COUNTED_TURN_TIME = 10.0
+"""Time beyond which a longer turn of an escape counts no more [s]; chosen, since the endless turn
+has no time."""
 
 Command = tuple[float, float]
-"""Bank and path angle [rad]."""
+"""Bank, right wing down positive, and path angle over ground, up positive [rad]."""
 Limits = tuple[float, float]
 """A clearance that is enough, and one that is too little [m]."""
 
@@ -52,7 +57,7 @@ class World(NamedTuple):
     limits: Dynamics
     """Limits and lags of the aircraft's motion."""
     scale: float
-    """Factor of all times of manoeuvres."""
+    """Factor of all times of manoeuvres, from `time_scale`, dimensionless."""
     trajectory: Vectors
     """Memory for one trajectory (TRAJECTORY_POINTS, 3), NED [m]."""
 
@@ -61,7 +66,9 @@ class Found(NamedTuple):
     """A manoeuvre and the clearance along it."""
 
     plan: Manoeuvre
+    """The manoeuvre."""
     seen: Clearance
+    """Clearance along it."""
 
 
 @compiled
@@ -92,7 +99,16 @@ def follow(
 def clear(
     world: World, point_mass: PointMass, t: float, first: int, least: Limits, suspect: int
 ) -> Clearance:
-    """Clearance along the trajectory in `world.trajectory`, from point `first` on."""
+    """Clearance along the trajectory in `world.trajectory`; its `lost` counts from point `first`.
+
+    Args:
+        world: hazards, wind and trajectory.
+        point_mass: the aircraft; its airspeed and the wind bound the speed over ground.
+        t: time of point 0 on the clock of the obstacles [s].
+        first: index of the point from which on is looked.
+        least: clearance that is enough, and one that is too little [m].
+        suspect: number of the hazard to look at first.
+    """
     dt, speed = TRAJECTORY_STEP * world.scale, point_mass.airspeed + norm(world.wind_n)
     trajectory, t = world.trajectory[first:], t + first * dt
     return clearance_along(
@@ -112,8 +128,16 @@ def find_escape(
 ) -> Found:
     """A manoeuvre that stays clear from `point_mass` on: the backup, or the nearest to the command.
 
-    Where one is found, `seen.hazard` is -1; else the backup is returned. With `level_only`, climbs
-    and descents are not tried.
+    Where one is found, `seen.hazard` is -1; else the backup is returned.
+
+    Args:
+        world: hazards, wind and limits.
+        point_mass: the aircraft at time `t`.
+        t: time on the clock of the obstacles [s].
+        command: bank and path angle of guidance [rad].
+        backup: the stored escape, from `t` on.
+        margin: clearance to keep [m].
+        level_only: whether climbs and descents are not tried.
     """
     seen = follow(world, point_mass, backup, t, (margin, margin), 0)
     if seen.hazard < 0 or seen.lost == 0.0:
@@ -143,7 +167,7 @@ def distances_from_command(world: World, command: Command) -> Series:
         plan = manoeuvre(kind, 1.0)
         bank = abs(bank_of(plan, limits) - command[0]) / limits.bank_max
         climb = abs(climb_of(plan, limits) - command[1]) / climbs
-        far[kind] = bank + climb + 0.01 * min(plan.turning, 10.0)
+        far[kind] = bank + climb + TURN_TIME_WEIGHT * min(plan.turning, COUNTED_TURN_TIME)
     return far
 
 
@@ -160,6 +184,14 @@ def best_from(
 
     That is the one with the shallowest conflict, or, of several without contact, the one that moves
     away. The backup is kept unless another is better by BACKUP_ADVANTAGE.
+
+    Args:
+        world: hazards, wind and limits.
+        point_mass: the aircraft at time `t`.
+        t: time on the clock of the obstacles [s].
+        command: bank and path angle of guidance [rad].
+        backup: the stored escape, from `t` on.
+        margin: clearance to keep [m].
     """
     seen, merit = judged(world, point_mass, t, backup, margin, -math.inf, 0)
     best, merit = Found(backup, seen), merit + BACKUP_ADVANTAGE
@@ -185,7 +217,14 @@ def judged(
 ) -> tuple[Clearance, float]:
     """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact.
 
-    The merit is minus infinity as soon as it cannot exceed `beat`.
+    Args:
+        world: hazards, wind and limits.
+        point_mass: the aircraft at time `t`.
+        t: time on the clock of the obstacles [s].
+        plan: the manoeuvre.
+        margin: clearance to keep [m].
+        beat: merit to exceed [m]; as soon as that is impossible, the merit is minus infinity.
+        suspect: number of the hazard to look at first.
     """
     if beat == math.inf:
         seen = follow(world, point_mass, plan, t, (margin, margin), suspect)
@@ -206,7 +245,7 @@ def judged(
 
 @compiled
 def time_to_conflict(world: World, point_mass: PointMass, t: float, command: Command) -> Clearance:
-    """Clearance if the command were held: the time of contact, and the hazard."""
+    """Clearance if `command` [rad] were held from time `t` [s] on: time of contact, and hazard."""
     dt = TRAJECTORY_STEP * world.scale
     for k in range(TRAJECTORY_POINTS):
         world.trajectory[k, 0], world.trajectory[k, 1], world.trajectory[k, 2] = point_mass.p_n

@@ -37,7 +37,7 @@ class FlightDisplay:
         self._next = 0.0
 
     def __call__(self, sim_s: float, members: Sequence[Flown]) -> None:
-        """Take the news of one update."""
+        """Take the news of one update at the simulated time `sim_s` [s]."""
         if sim_s < self._next:
             return
         self._next = sim_s + REFRESH

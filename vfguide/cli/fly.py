@@ -93,7 +93,7 @@ def open_transport(text: str, sysid: int) -> "Transport":
 
 
 def log_path(wish: Path | None, name: str, sysid: int) -> Path:
-    """Where the log goes."""
+    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder."""
     if wish is not None and wish.suffix == ".tlog":
         return wish
     folder = wish or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"

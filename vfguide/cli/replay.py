@@ -69,7 +69,7 @@ def ignore(_: int, __: bytes) -> None:
 
 
 def open_log(path: Path) -> "TlogReader":
-    """The log.
+    """The log at `path`, open.
 
     Raises:
         InputError: it cannot be read.
@@ -86,7 +86,7 @@ def open_log(path: Path) -> "TlogReader":
 
 
 def only_vehicle(path: Path, reader: "TlogReader") -> int:
-    """The vehicle whose companion speaks in the log.
+    """The system id of the vehicle whose companion speaks in the log.
 
     Raises:
         InputError: it is not one.

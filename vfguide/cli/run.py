@@ -55,7 +55,7 @@ def run(
 
 
 def default_folder(name: str) -> Path:
-    """The default folder of results."""
+    """The default folder of results, runs/NAME-UTC with the date and time of now."""
     return Path("runs") / f"{name}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
 
 

@@ -13,6 +13,7 @@ class Signals:
 
     def __init__(self) -> None:
         self.count = 0
+        """Number of requests so far."""
         self._before: dict[signal.Signals, Any] = {}
 
     def wanted(self) -> bool:

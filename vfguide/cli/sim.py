@@ -113,7 +113,7 @@ def station_of(
 
 
 def describe(station: "Station") -> str:
-    """Where a vehicle listens."""
+    """Where a vehicle listens, and where it sends to, in words."""
     offboard, ground = (channel.numbers for channel in station.channels)
     return (
         f"vehicle {station.vehicle.sysid}: companion {offboard.own} -> {offboard.peer}, "
@@ -122,7 +122,7 @@ def describe(station: "Station") -> str:
 
 
 def lateness(pace: "RealTimePacing") -> str:
-    """How well the machine kept up."""
+    """How well the machine kept up, in words: the largest delay, and the time given up."""
     lost = f", {pace.lost:.1f} s given up" if pace.lost else ""
     return f"at most {pace.worst * 1e3:.0f} ms late{lost}"
 

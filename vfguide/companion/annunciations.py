@@ -65,13 +65,13 @@ def note_on(before: Phase, after: Phase, engage: bool) -> str:
 
 
 def route_note(goal: int, plan: Plan) -> str:
-    """Note of what is flown to."""
+    """Note of what is flown to; `goal` counts from 0."""
     goals = len(plan.goals)
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
 def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
-    """Note of a goal that was passed with a `miss` [m], from the states of the loop around it."""
+    """Note of a goal that was passed with a `miss` [m], from the rows of `LoopState` around it."""
     was, now = state_of_row(before).mission, state_of_row(after).mission
     goal = was.goal + 1
     if now.attempts.given_up > was.attempts.given_up:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.aircraft.envelope import flyable_radius, usable_bank
+from vfguide.aircraft.envelope import FASTEST_SHARE, flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.companion.plan import Plan
@@ -20,8 +20,14 @@ from vfguide.loop.legs import Goal
 TEST_CLIMB = 4.0 * DEG
 """Mean path angle of the climb and the descent [rad]; chosen, they are steeper between their level
 ends."""
+TEST_CLIMB_SHARE = 0.4
+"""Largest share of the aircraft's steepest path angle that the mean of a climb or descent has;
+chosen, as they are steeper between their level ends."""
 AIRSPEED_CHANGE = 0.15
 """Share by which the airspeed is raised and lowered; chosen, so that its effect is seen."""
+SLOW_LEG_RATIO = 1.1
+"""Least ratio of the airspeed of the slow leg to the slowest airspeed; chosen, gusts take the
+rest."""
 STRAIGHT_TIME = 8.0
 """Duration of a straight leg [s]; chosen."""
 FIRST_LEG_TIME = 3.0
@@ -45,7 +51,9 @@ class Manoeuvre(NamedTuple):
     """One leg of the test flight."""
 
     name: str
+    """What is flown, for the operator."""
     goal: Goal
+    """Pose at its end."""
     airspeed: float
     """True airspeed to fly [m/s]."""
     longest: float
@@ -61,13 +69,13 @@ def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...
     """
     gains, aircraft = plan.tuned, plan.aircraft
     speed = gains.airspeed
-    fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, 0.95 * aircraft.airspeed_max))
-    slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, 1.1 * aircraft.airspeed_min))
+    fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, FASTEST_SHARE * aircraft.airspeed_max))
+    slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, SLOW_LEG_RATIO * aircraft.airspeed_min))
     still = state._replace(wind_n=tuple(0.0 if math.isnan(w) else w for w in state.wind_n))
     radius = flyable_radius(still, usable_bank(aircraft, gains, speed), gains)
     course = math.atan2(state.v_n[1], state.v_n[0])
-    up = min(TEST_CLIMB, 0.4 * aircraft.climb_max)
-    down = min(up, 0.4 * aircraft.descent_max)
+    up = min(TEST_CLIMB, TEST_CLIMB_SHARE * aircraft.climb_max)
+    down = min(up, TEST_CLIMB_SHARE * aircraft.descent_max)
     long, turn, end = STRAIGHT_TIME * speed, side * math.pi, TURN_END * radius
     legs = (  # name, airspeed, turn, length after it and height on it [m]
         ("level flight", speed, 0.0, FIRST_LEG_TIME * speed, 0.0),
@@ -91,10 +99,15 @@ def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...
 def places_along(
     p_n: Vec3, course: float, radius: float, turned: float, length: float, height: float
 ) -> tuple[Vec3, ...]:
-    """Positions on an arc that turns by `turned` [rad], right positive, and the straight after it.
+    """Positions on an arc and the straight after it, at most ROOM_SPACING apart, NED [m].
 
-    They are no farther than ROOM_SPACING apart. The straight is `length` long, and gains `height`
-    [m]. All positions are NED [m].
+    Args:
+        p_n: where the arc begins, NED [m].
+        course: course there [rad].
+        radius: radius of the arc [m].
+        turned: angle by which it turns, right positive [rad].
+        length: length of the straight over ground [m].
+        height: height that it gains [m].
     """
     places: list[Vec3] = []
     steps = math.ceil(radius * abs(turned) / ROOM_SPACING)
@@ -112,12 +125,15 @@ def places_along(
 
 
 def least_room(legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
-    """Least distance of the legs from a hazard [m] at the time `t` [s]."""
+    """Least distance of the legs from a hazard [m] at the time `t` [s]; infinite without any."""
     return min(room(place, hazards, t) for leg in legs for place in leg.places)
 
 
 def room(p_n: Vec3, hazards: Hazards | None, t: float) -> float:
-    """Distance of a position from the nearest hazard [m] at the time `t` [s]."""
+    """Distance of a position, NED [m], from the nearest hazard [m] at the time `t` [s].
+
+    It is infinite where there is none.
+    """
     if hazards is None:
         return math.inf
     return min(hazard_distance(hazards, i, p_n, t) for i in range(hazard_count(hazards)))

@@ -74,6 +74,7 @@ class Companion:
         self.setpoints = 0
         """Number of setpoints sent."""
         self.route = Route(plan, step)
+        """The flight along the plan."""
         self._control = Control(sysid, engage=engage)
         self._known = Knowledge()
         self._requests = Requests()
@@ -87,11 +88,11 @@ class Companion:
 
     @property
     def phase(self) -> Phase:
-        """What it is doing."""
+        """Whether it flies, and what it does else."""
         return self._control.phase
 
     def receive(self, now: int, message: Message) -> list[Message]:
-        """Takes one message of the autopilot at the time `now` [us]; returns what to send."""
+        """Takes one message of the autopilot at `now` [us since 1970]; returns what to send."""
         self._watch_link(now)
         before, self._known = self._known, observe(self._known, message)
         out: list[Message] = []
@@ -120,12 +121,12 @@ class Companion:
         return out + self._housekeeping(now)
 
     def poll(self, now: int) -> list[Message]:
-        """What is due at the time `now` [us] without anything received."""
+        """What is due at `now` [us since 1970] without anything received."""
         self._watch_link(now)
         return self._housekeeping(now)
 
     def stop(self, now: int) -> list[Message]:
-        """The operator ends the companion at `now` [us]: it hands over first if it flies."""
+        """The operator ends it at `now` [us since 1970]; returns what hands over, if it flies."""
         self._control.happen(Event.STOP_ASKED)
         return self._housekeeping(now)
 

@@ -47,7 +47,7 @@ class Control:
         self.hear_mode(heartbeat.custom_mode)
 
     def hear_mode(self, custom_mode: int) -> None:
-        """Follow the autopilot's mode."""
+        """Follow the autopilot's mode, `custom_mode` in its own encoding."""
         before, self._mode = self._mode, custom_mode
         self.follows = custom_mode == self.autopilot.follow_mode
         if before not in (None, custom_mode) and not self.follows:

@@ -30,6 +30,8 @@ ROUTE_AGAIN = "the way to goal {goal} is clear again"
 """Note where the route to a goal is clear again."""
 NOTHING_CLEAR = "NOTHING IS CLEAR: {what}, the least bad is flown, take over if you can"
 """Note where no escape stays clear."""
+TOLD_LENGTH = 0.0175
+"""Length of a segment above which a note counts it [turn radii]; chosen, a turn by one degree."""
 
 
 class HazardAnnunciator:
@@ -96,7 +98,7 @@ class HazardAnnunciator:
 
 
 def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
-    """The hazard of a conflict, and the time until it."""
+    """The hazard of a conflict by its name, and the time until it, `conflict` [s]."""
     if hazard < 0 or not math.isfinite(conflict):
         return "else no way out would be left"
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
@@ -115,6 +117,6 @@ def route_summary(route: RouteFollowing) -> str:
 
 
 def sides_of(path: DubinsPath) -> list[float]:
-    """Sides of the segments of a Dubins path longer than a degree, 0 for a straight."""
+    """Sides of the segments of a Dubins path longer than TOLD_LENGTH, 0 for a straight."""
     parts = ((path.first, path.arc), (path.middle, path.reach), (path.last, path.end))
-    return [side for side, length in parts if length > 0.0175]
+    return [side for side, length in parts if length > TOLD_LENGTH]

@@ -30,6 +30,11 @@ CAREFUL_ROLL = 0.3
 side."""
 NEEDED_ROOM = 50.0
 """Least distance of the circuit from hazards with which a test is flown [m]; chosen."""
+IDLE_SAMPLES = 120
+"""Number of samples of a flight in which nothing changes; chosen, half a minute is
+enough for an identification to run."""
+IDLE_INTERVAL = 0.25
+"""Time between two of those samples [s]; chosen."""
 
 
 class IdentificationFlight:
@@ -70,7 +75,7 @@ class IdentificationFlight:
         return self._legs[0].name
 
     def vehicle_row(self, leg: int) -> Row:
-        """Aircraft and gains of a leg."""
+        """The row of `Vehicle` of a leg, by its index from 0."""
         rows = self._vehicles
         return rows[min(leg, len(rows) - 1)] if rows else self.plan.vehicle_row
 
@@ -124,9 +129,12 @@ def with_wide_turns(plan: Plan) -> Plan:
 
 
 def nothing_flown() -> Samples:
-    """Half a minute in which nothing changes."""
+    """The samples of half a minute in which nothing changes."""
     level, ahead = from_euler(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
-    return samples_of(Sample(0.25 * k, level, ahead, 1.0, 0.0, 0.0, 0.0, 0.0) for k in range(120))
+    return samples_of(
+        Sample(IDLE_INTERVAL * k, level, ahead, 1.0, 0.0, 0.0, 0.0, 0.0)
+        for k in range(IDLE_SAMPLES)
+    )
 
 
 def at_airspeed(vehicle: Vehicle, airspeed: float) -> Row:

@@ -34,15 +34,21 @@ class Knowledge(NamedTuple):
     """The newest message of each kind; None where there was none."""
 
     origin: GpsGlobalOrigin | None = None
+    """Origin of the autopilot's local frame."""
     attitude: AttitudeQuaternion | None = None
+    """Attitude and body rates."""
     position: LocalPositionNed | None = None
+    """Position and velocity in the local frame."""
     hud: VfrHud | None = None
+    """Calibrated airspeed and altitude."""
     hud_time: int = 0
-    """time_boot_ms of the attitude that was newest when the airspeed arrived."""
+    """time_boot_ms of the attitude that was newest when the airspeed arrived [ms]."""
     wind: WindCov | None = None
+    """Wind as the autopilot estimates it."""
     wind_time: int = 0
-    """time_boot_ms of the attitude that was newest when the wind arrived."""
+    """time_boot_ms of the attitude that was newest when the wind arrived [ms]."""
     date: SystemTime | None = None
+    """The date, and when it was so."""
     projection: int = int(ASSUMED.projection)
     """The `Projection` of the autopilot's local frame."""
 

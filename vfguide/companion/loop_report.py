@@ -8,15 +8,15 @@ from vfguide.geometry.rows import Row, getter, part_reader
 from vfguide.loop.state import LoopState
 
 goal_of_row = getter(LoopState, "mission.goal")
-"""Index of the goal that is flown to."""
+"""Index of the goal that is flown to, from 0."""
 decision_of_row = getter(LoopState, "assurance.decision")
 """What the assurance decided last."""
 reason_of_row = getter(LoopState, "assurance.decision.reason")
-"""The `Reason` of that alone."""
+"""The `Reason` of the last decision alone."""
 route_of_row = getter(LoopState, "planning.following")
 """The route around hazards."""
 sought_of_row = getter(LoopState, "planning.following.sought")
-"""When one was searched for last [s]."""
+"""Time of the last search for a route [s]."""
 looked_of_row = getter(LoopState, "planning.following.looked")
 """Time of the last check of the route [s]."""
 number_of_resets = getter(LoopState, "estimation.resets.number")
@@ -39,28 +39,34 @@ class Noted(NamedTuple):
     """What records keep of one step."""
 
     wind_north: float
+    """Wind toward north [m/s]."""
     wind_east: float
+    """Wind toward east [m/s]."""
     wind_sigma: float
-    """Wind, the direction it blows toward, and its standard deviation [m/s]."""
+    """Standard deviation of the wind [m/s]."""
     airspeed: float
+    """True airspeed [m/s]."""
     airspeed_sigma: float
-    """True airspeed and its standard deviation [m/s]."""
+    """Standard deviation of the airspeed [m/s]."""
     reason: float
+    """The `Reason` of the assurance's decision."""
     margin: float
+    """Least clearance along its escape [m]."""
     conflict: float
+    """Time until the held command would hit a hazard [s]; infinite if never."""
     hazard: float
-    """Of the assurance's `Decision`."""
+    """Number of that hazard; -1 for none."""
 
 
 @compiled
 def air_report(row: Row) -> AirReport:
-    """The estimate of the air."""
+    """The estimate of the air, from the row of a `LoopState`."""
     return report_air(_air(row))
 
 
 @compiled
 def noted_numbers(row: Row) -> tuple[float, ...]:
-    """The numbers of `Noted`: one call of compiled code, and no names, for each update."""
+    """The numbers of `Noted`, (9,): one call of compiled code, and no names, for each update."""
     air, decision = report_air(_air(row)), _decision(row)
     return (
         air.wind_north,

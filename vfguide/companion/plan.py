@@ -24,6 +24,7 @@ class Plan:
     """Latitude, longitude [rad] and height above the ellipsoid [m] where the tangent plane of the
     goals' coordinates, north-east-down, touches."""
     goals: tuple[Goal, ...]
+    """The goals in the order in which they are flown to."""
     loiter_side: float
     """Side of the circle after the last goal: +1 right-hand, -1 left-hand."""
     loiter_radius: float
@@ -31,6 +32,7 @@ class Plan:
     rate: float
     """Rate of guidance steps [Hz]."""
     aircraft: Performance
+    """What is known of the aircraft."""
     gains: Gains
     """Gains for a roll response within FAST_ROLL."""
     roll_time: float = FAST_ROLL

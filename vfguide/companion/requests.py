@@ -4,6 +4,7 @@ from collections import deque
 from enum import IntEnum
 
 from vfguide.autopilots.autopilot import Autopilot
+from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavCmd, MavResult
 from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin
 
@@ -18,13 +19,13 @@ MODE_TIMEOUT = 3_000_000
 
 
 def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
-    """A COMMAND_LONG to the autopilot of system `target`."""
+    """A COMMAND_LONG to the autopilot of system `target`; parameters left out are 0."""
     p = (*parameters, *(0.0,) * (7 - len(parameters)))
     return CommandLong(target, 1, number, 0, p[0], p[1], p[2], p[3], p[4], p[5], p[6])
 
 
 def set_mode(target: int, autopilot: Autopilot, mode: int) -> CommandLong:
-    """The command that changes the flight mode."""
+    """The command that changes the flight mode to the custom mode `mode`."""
     return command(target, MavCmd.DO_SET_MODE, *autopilot.mode_parameters(mode))
 
 
@@ -42,7 +43,7 @@ def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[Co
     `rate` is that of guidance [Hz]; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
     """
     intervals = (
-        (stream.msgid, round(1e6 / min(rate, stream.fastest))) for stream in autopilot.streams
+        (stream.msgid, round(SECOND / min(rate, stream.fastest))) for stream in autopilot.streams
     )
     return [command(target, MavCmd.SET_MESSAGE_INTERVAL, *each) for each in intervals]
 

@@ -58,6 +58,9 @@ from vfguide.surveillance.surveillance import Surveillance
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
 a setpoint is held for it, half because the reference's rate is that of the period before."""
+DUE_SHARE = 0.9
+"""Share of the guidance period after which the next step is due; chosen below 1, since an attitude
+may come a little early."""
 
 Step = Callable[..., tuple[Vec3, float, Quaternion, Row, float]]
 """The type of `step_measured`."""
@@ -70,6 +73,7 @@ class Route:
     """One vehicle's flight along its plan."""
 
     def __init__(self, plan: Plan, step: Step = step_measured) -> None:
+        """A flight that has not begun, of `plan` with the `step` of the control loop."""
         self.plan = plan
         """What is flown now."""
         self.identified: Identified | None = None
@@ -105,7 +109,8 @@ class Route:
     def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
         """The setpoint for the newest attitude; None: not due, or something is not known.
 
-        It acts `delay` [s] after that attitude, and is held until the next one does.
+        It acts `delay` [s] after that attitude, and is held until the next one does. Its body
+        rates are FRD [rad/s].
 
         Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
         the present goal begins anew.
@@ -215,7 +220,7 @@ class Route:
             self._began = time_boot_ms
         else:
             since = elapsed(self._stepped, time_boot_ms)
-            if -STALE < since < 0.9 / self.plan.rate:
+            if -STALE < since < DUE_SHARE / self.plan.rate:
                 return False
         self._stepped = time_boot_ms
         return True

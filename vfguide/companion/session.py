@@ -20,6 +20,7 @@ class Session:
     """One companion on one link to its autopilot."""
 
     def __init__(self, companion: Companion, record: Record) -> None:
+        """A session that has received nothing yet; `record` takes each frame in and out."""
         self.companion = companion
         self.parser = Parser()
         self._record = record
@@ -43,7 +44,7 @@ class Session:
         return self._send(now, self.companion.poll(now))
 
     def stop(self, now: int) -> list[bytes]:
-        """The operator ends the companion; returns the frames to send."""
+        """The operator ends the companion at `now` [us since 1970]; returns the frames to send."""
         return self._send(now, self.companion.stop(now))
 
     def _send(self, now: int, messages: Iterable[Message]) -> list[bytes]:

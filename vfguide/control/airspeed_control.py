@@ -8,6 +8,10 @@ import math
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.compiled import compiled
 
+FEEDBACK_THRUST_MAX = 0.3
+"""Largest thrust setpoint that the integral of the airspeed error adds or takes, a share of full
+thrust; chosen, so that an error of the trim is made up for and a long error winds up no further."""
+
 
 @compiled
 def thrust_for(
@@ -38,4 +42,7 @@ def integrate_error(
     """The integral `dt` [s] later, as thrust setpoint; held while the thrust is at a limit."""
     if thrust <= 0.0 or thrust >= 1.0:
         return integral
-    return max(-0.3, min(0.3, integral + aircraft.thrust_integral * error * dt))
+    return max(
+        -FEEDBACK_THRUST_MAX,
+        min(FEEDBACK_THRUST_MAX, integral + aircraft.thrust_integral * error * dt),
+    )

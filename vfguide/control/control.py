@@ -23,6 +23,8 @@ from vfguide.geometry.velocity import azimuth_of, path_of
 MAX_REFERENCE_RATE = 1.5
 """Largest angular velocity of the reference attitude that is fed forward [rad/s]; chosen, so that a
 jump of the reference is not."""
+ALPHA_BIAS_MAX = 0.05
+"""Largest learned correction of the angle of attack [rad]; chosen, 2.9 degrees."""
 
 
 class ControlState(NamedTuple):
@@ -100,8 +102,11 @@ def point_nose(
 
 @compiled
 def learn_alpha(bias: float, error: float, gains: Gains, dt: float) -> float:
-    """Next correction of the angle of attack from the error of the path angle [rad]."""
-    return max(-0.05, min(0.05, bias + gains.k_alpha * error * dt))
+    """Next correction of the angle of attack [rad] from the error of the path angle [rad].
+
+    `bias` is the present one [rad], `dt` the time step [s].
+    """
+    return max(-ALPHA_BIAS_MAX, min(ALPHA_BIAS_MAX, bias + gains.k_alpha * error * dt))
 
 
 @compiled

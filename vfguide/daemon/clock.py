@@ -2,6 +2,8 @@
 
 import time
 
+from vfguide.geometry.units import NS_PER_US
+
 
 class Clock:
     """Microseconds since 1970, read once from the system and carried on by a monotonic clock."""
@@ -11,4 +13,4 @@ class Clock:
 
     def now(self) -> int:
         """The date [us since 1970]; it never goes back."""
-        return (time.monotonic_ns() + self._offset) // 1000
+        return (time.monotonic_ns() + self._offset) // NS_PER_US

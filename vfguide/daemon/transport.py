@@ -16,11 +16,11 @@ class Transport(Protocol):
     """What the operator should read; the caller takes it away."""
 
     def fileno(self) -> int:
-        """What to wait for, as `select` takes it."""
+        """The number of what to wait for, as `select` takes it."""
         ...
 
     def receive(self, now: int) -> list[Frame]:
-        """The frames that have arrived since the last call, in their order; `now` [us]."""
+        """The frames that have arrived since the last call, in their order, by `now` [us]."""
         ...
 
     def send(self, raw: bytes) -> None:

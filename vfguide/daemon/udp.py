@@ -21,6 +21,7 @@ MAX_STRANGERS = 5
 """Largest number of other senders of which the operator is warned; chosen."""
 
 Address = tuple[Any, ...]
+"""Host and port of a socket, and what its family adds to them."""
 
 
 class UdpLink:
@@ -37,6 +38,7 @@ class UdpLink:
         """
         self.socket = opened
         self.warnings: list[str] = []
+        """What the operator should read; the caller takes it away."""
         self._sysid = sysid
         self._peer = peer
         self._learns = peer is None
@@ -142,7 +144,7 @@ def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
 
 
 def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
-    """What waits in a socket, with its senders."""
+    """What waits in a socket, with its senders, at most MOST_AT_ONCE datagrams."""
     for _ in range(MOST_AT_ONCE):
         try:
             yield opened.recvfrom(MAX_DATAGRAM)
@@ -153,5 +155,5 @@ def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
 
 
 def name_of(address: Address | None) -> str:
-    """Host and port."""
+    """Host and port of an address, in words."""
     return f"{address[0]}:{address[1]}" if address else "nowhere"

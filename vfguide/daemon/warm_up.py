@@ -26,7 +26,7 @@ NEARBY_TRAFFIC = AdsbFlags.VALID_COORDS | AdsbFlags.VALID_ALTITUDE
 
 
 def warm_up(plan: Plan) -> None:
-    """Fly a scratch companion past the first goal."""
+    """Fly a scratch companion past the first goal of `plan`; nothing is sent."""
     companion = Companion(1, plan, engage=False)
     goal = plan.goals[0]
     latitude, longitude, altitude = ned_to_geodetic(tangent_plane(*plan.origin), goal.p_n)

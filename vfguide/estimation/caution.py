@@ -2,6 +2,7 @@
 
 import math
 
+from vfguide.aircraft.envelope import FASTEST_SHARE, LEAST_LOAD
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
@@ -28,7 +29,9 @@ def cautious(nav: NavState, vehicle: Vehicle) -> Vehicle:
     aircraft, gains, _ = vehicle
     unsure = 2.0 * nav.airspeed_sigma
     least = max(nav.airspeed - unsure, aircraft.airspeed_min)
-    load = max(1.05, (least / aircraft.airspeed_min) ** 2)
-    fast = min(AIRSPEED_MARGIN * aircraft.airspeed_min + unsure, 0.95 * aircraft.airspeed_max)
+    load = max(LEAST_LOAD, (least / aircraft.airspeed_min) ** 2)
+    fast = min(
+        AIRSPEED_MARGIN * aircraft.airspeed_min + unsure, FASTEST_SHARE * aircraft.airspeed_max
+    )
     airspeed, bank_max = max(gains.airspeed, fast), min(gains.bank_max, math.acos(1.0 / load))
     return with_gains(vehicle, with_airspeed_and_bank(gains, airspeed, bank_max))

@@ -53,7 +53,9 @@ class EstimationState(NamedTuple):
     v_n: Vec3
     """Velocity over ground at the step before, NED [m/s]."""
     resets: PositionResets
+    """The position resets that are being let in."""
     air: AirState
+    """The estimate of wind, airspeed and vertical wind."""
 
 
 class NavState(NamedTuple):
@@ -90,7 +92,7 @@ def fresh_estimation() -> EstimationState:
 
 @compiled
 def known_state(state: FlightState, before: float) -> NavState:
-    """A state that is known exactly; `before` is the time of the step before, negative for none."""
+    """A state that is known exactly; `before`: time of the step before [s], negative for none."""
     zero, elapsed = (0.0, 0.0, 0.0), state.time - before
     airspeed = state.airspeed
     return NavState(state, elapsed, before < 0.0, False, zero, zero, True, True, airspeed, 0.0)
@@ -100,13 +102,13 @@ def known_state(state: FlightState, before: float) -> NavState:
 def update(
     inputs: Inputs, thrust: float, s: EstimationState, vehicle: Vehicle
 ) -> tuple[NavState, EstimationState]:
-    """The state for the other stages, and the next state of estimation.
+    """The state for the other stages, in the frame of the plan, and the next state of estimation.
 
     Args:
         inputs: predicted and measured state.
         thrust: thrust setpoint of the step before, 0 to 1.
         s: state of estimation at the step before.
-        vehicle: its aircraft, and the airspeed to fly.
+        vehicle: its aircraft, and the true airspeed to fly.
     """
     told, air = inputs.predicted, s.air
     if not inputs.is_exact:
@@ -133,7 +135,10 @@ def update(
 def sense(
     inputs: Inputs, thrust: float, air: AirState, vehicle: Vehicle
 ) -> tuple[FlightState, AirState]:
-    """The state with airspeed and wind, and the estimate of the air."""
+    """The predicted state with airspeed [m/s] and wind (NED) [m/s], and the estimate of the air.
+
+    `thrust` is the setpoint of the step before, 0 to 1.
+    """
     aircraft, gains, _ = vehicle
     air = feel_rise(inputs.measured, air, aircraft)
     return sense_air(inputs.predicted, air, thrust, aircraft, gains.airspeed)

@@ -53,10 +53,17 @@ ACROSS_NOISE = 1.3
 """Error of the wind triangle across the direction of flight that counts as white over a second
 [m/s]; chosen larger, for sideslip."""
 SENSOR_NOISE = 0.5
-"""Error of the airspeed sensor that counts as white over 0.1 s, the interval of its messages [m/s];
-chosen."""
+"""Error of the airspeed sensor that counts as white over SENSOR_NOISE_TIME [m/s]; chosen."""
+SENSOR_NOISE_TIME = 0.1
+"""Time over which the error of the airspeed sensor counts as white [s]: the interval of its
+messages."""
 WIND_NOISE = 1.0
-"""Error of the autopilot's wind that counts as white over 5 s [m/s]; chosen."""
+"""Error of the autopilot's wind that counts as white over WIND_NOISE_TIME [m/s]; chosen."""
+WIND_NOISE_TIME = 5.0
+"""Time over which the error of the autopilot's wind counts as white [s]; chosen."""
+LEAST_LEVEL = 0.1
+"""Least horizontal part of the direction of flight, a unit vector, with which the wind triangle is
+solved, as a ratio; chosen, no flight is planned so steep."""
 MODEL_MEMORY = 5.0
 """Time constant with which the airspeed of the model follows the estimate [s]; chosen, so that
 errors of the model do not accumulate."""
@@ -75,7 +82,7 @@ def first_estimate(v_n: Vec3, airspeed: float, d_n: Vec3) -> WindEstimate:
     Args:
         v_n: velocity over ground, NED [m/s].
         airspeed: a guess of the true airspeed [m/s].
-        d_n: direction of flight through the air, NED.
+        d_n: direction of flight through the air, NED, a unit vector.
     """
     x: StateVector = np.zeros(STATES)
     P: Covariance = np.zeros((STATES, STATES))
@@ -130,8 +137,8 @@ def measurement_update(
     Args:
         estimate: estimate of this step.
         h: the measurement's derivative with respect to the state vector.
-        innovation: what was measured less what was expected.
-        variance: variance of the measurement's error.
+        innovation: what was measured less what was expected, in the measurement's unit.
+        variance: variance of the measurement's error, in that unit squared.
     """
     x, P, Ph = estimate.x, estimate.P, product(estimate.P, h)
     total = variance
@@ -176,7 +183,7 @@ def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float
         dt: time since the last ground velocity [s].
     """
     x = estimate.x
-    level = max(math.hypot(d_n[0], d_n[1]), 0.1)
+    level = max(math.hypot(d_n[0], d_n[1]), LEAST_LEVEL)
     azimuth = math.atan2(d_n[1], d_n[0]) + x[YAW]
     c, s = math.cos(azimuth), math.sin(azimuth)
     north, east = v_n[0] - x[NORTH], v_n[1] - x[EAST]
@@ -195,7 +202,9 @@ def fuse_airspeed(estimate: WindEstimate, measured: float, dt: float) -> None:
     """
     h = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0)
     innovation = measured - estimate.x[AIRSPEED] - estimate.x[SENSOR_BIAS]
-    measurement_update(estimate, h, innovation, SENSOR_NOISE * SENSOR_NOISE * 0.1 / dt)
+    measurement_update(
+        estimate, h, innovation, SENSOR_NOISE * SENSOR_NOISE * SENSOR_NOISE_TIME / dt
+    )
 
 
 @compiled
@@ -204,7 +213,7 @@ def fuse_wind(estimate: WindEstimate, wind_n: Vec3, dt: float) -> None:
 
     The estimate is changed in place.
     """
-    variance = WIND_NOISE * WIND_NOISE * 5.0 / dt
+    variance = WIND_NOISE * WIND_NOISE * WIND_NOISE_TIME / dt
     north, east = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
     measurement_update(estimate, north, wind_n[0] - estimate.x[NORTH], variance)
     measurement_update(estimate, east, wind_n[1] - estimate.x[EAST], variance)

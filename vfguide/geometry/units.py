@@ -29,6 +29,8 @@ SECOND = 1_000_000
 """One second in the unit of times on MAVLink [us]."""
 NS_PER_US = 1000
 """Number of nanoseconds, the unit of TIMESYNC, in a microsecond."""
+MINUTE = 60.0
+"""One minute [s]."""
 HOUR = 3600.0
 """One hour [s]."""
 MS = 1e-3
@@ -40,7 +42,7 @@ KT = NM / HOUR
 """One knot [m/s]."""
 CM_S = 1e-2
 """One centimetre per second, the unit of velocities in MAVLink [m/s]."""
-FPM = FT / 60.0
+FPM = FT / MINUTE
 """One foot per minute [m/s]."""
 
 G0 = 9.80665

@@ -25,6 +25,9 @@ WAIT_DISTANCE = 8.0
 """Length of path before the last half of LINE_UP on which GENTLE_SLOPE has to reduce a height above
 the profile to zero [turn lengths]; height is kept until then, because sinking air may take it.
 Tuned with `tools/measure_avoidance.py`."""
+LEAST_GROUNDSPEED_SHARE = 0.2
+"""Share of the airspeed below which the groundspeed counts as that share; chosen, so that slopes
+stay finite where the wind stops the vehicle."""
 
 
 @compiled
@@ -77,7 +80,7 @@ def steepest_path(
 @compiled
 def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
     """Ratio of airspeed to groundspeed [m/s each], bounded where the wind stops the vehicle."""
-    return airspeed / max(groundspeed, 0.2 * airspeed, 1e-3)
+    return airspeed / max(groundspeed, LEAST_GROUNDSPEED_SHARE * airspeed, 1e-3)
 
 
 @compiled

@@ -8,6 +8,10 @@ from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
 
+CRAB_SINE_MAX = 0.95
+"""Largest sine of the crab angle, that of 72 degrees; chosen below 1, where the rate of the azimuth
+has no bound."""
+
 
 class Heading(NamedTuple):
     """A wanted direction of the horizontal air velocity."""
@@ -27,7 +31,7 @@ def heading_for_course(
     """Azimuth of the air velocity that makes good the course `chi` [rad] at `airspeed` [m/s].
 
     V sin(psi - chi) = -(wind to the right of the course); the rate follows from the derivative.
-    The crab angle is limited where the cross wind exceeds 95 % of the airspeed.
+    The crab angle is limited where the cross wind exceeds CRAB_SINE_MAX of the airspeed.
 
     Args:
         chi: course over ground [rad].
@@ -38,7 +42,7 @@ def heading_for_course(
     c, s = math.cos(chi), math.sin(chi)
     along = wind[0] * c + wind[1] * s
     across = -wind[0] * s + wind[1] * c
-    sine = max(-0.95, min(0.95, -across / airspeed))
+    sine = max(-CRAB_SINE_MAX, min(CRAB_SINE_MAX, -across / airspeed))
     forward = airspeed * math.sqrt(1.0 - sine * sine)
     groundspeed = forward + along
     return Heading(chi + math.asin(sine), chi_rate * groundspeed / forward, groundspeed)

@@ -10,6 +10,7 @@ class WireField(NamedTuple):
     """One field as it lies on the wire."""
 
     name: str
+    """Name of the field in the dialect."""
     code: str
     """Its `struct` format: "B" a byte, "4f" an array, "16s" a text."""
 

@@ -39,15 +39,19 @@ class Frame(NamedTuple):
     """One frame whose checksum is right."""
 
     sysid: int
+    """System of the sender."""
     compid: int
+    """Component of the sender."""
     seq: int
+    """Number of the frame among those of its sender, 0 to 255."""
     msgid: int
+    """Id of the message."""
     payload: bytes
-    """As on the wire: MAVLink 2 cuts zeros off its end."""
+    """Fields as on the wire: MAVLink 2 cuts zeros off their end."""
     raw: bytes
     """The whole frame, a signature included."""
     version: int
-    """1 or 2."""
+    """Version of MAVLink, 1 or 2."""
 
     @property
     def signed(self) -> bool:
@@ -116,14 +120,15 @@ class LinkCounters:
     """What has come in so far, good and bad."""
 
     frames: int = 0
+    """Number of good frames."""
     bad_crc: int = 0
-    """Places that look like a frame but for the checksum."""
+    """Number of places that look like a frame but for the checksum."""
     unknown: int = 0
-    """Frames of messages that the dialect does not have."""
+    """Number of frames of messages that the dialect does not have."""
     junk_bytes: int = 0
-    """Bytes of no frame."""
+    """Number of bytes that belong to no frame."""
     lost: dict[tuple[int, int], int] = field(default_factory=dict[tuple[int, int], int])
-    """Frames missing by their sequence numbers, by (sysid, compid)."""
+    """Number of frames that are missing by their sequence numbers, by (sysid, compid)."""
 
 
 class Parser:

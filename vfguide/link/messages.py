@@ -2,7 +2,8 @@
 
 Every record carries its `MSGID` and `NAME`. Fields that came to a message later (the extensions)
 have their default, zero. Times `time_boot_ms` count from the start of the sender and wrap after
-49.7 days; `time_usec` counts from 1970 or, at senders without a date, from their start.
+49.7 days; `time_usec` counts from 1970 or, at senders without a date, from their start. The fields
+`target_system` and `target_component` are whom a message is for; 0 is everybody.
 
 Two records of different messages are equal as tuples if their values are: tell messages apart by
 class, as `match` does, never by `==`.
@@ -13,6 +14,7 @@ from typing import NamedTuple, get_args
 Quaternion = tuple[float, float, float, float]
 """w, x, y, z; turns body FRD to NED unless a record says otherwise."""
 Bytes8 = tuple[int, int, int, int, int, int, int, int]
+"""Eight bytes, 0 to 255 each."""
 
 _NO_OFFSET: Quaternion = (0.0, 0.0, 0.0, 0.0)
 
@@ -24,16 +26,17 @@ class Heartbeat(NamedTuple):
     NAME = "HEARTBEAT"
 
     type: int
-    """MavType."""
+    """Kind of vehicle or station, a MavType."""
     autopilot: int
-    """MavAutopilot."""
+    """Make, a MavAutopilot."""
     base_mode: int
-    """ModeFlag."""
+    """Flags of ModeFlag."""
     custom_mode: int
     """The mode in the autopilot's own encoding."""
     system_status: int
-    """MavState."""
+    """State, a MavState."""
     mavlink_version: int = 3
+    """Version of the protocol that the sender says, a number."""
 
 
 class SysStatus(NamedTuple):
@@ -43,27 +46,37 @@ class SysStatus(NamedTuple):
     NAME = "SYS_STATUS"
 
     onboard_control_sensors_present: int
+    """Sensors that are there, flags of SysStatusSensor."""
     onboard_control_sensors_enabled: int
+    """Sensors that are enabled, flags of SysStatusSensor."""
     onboard_control_sensors_health: int
-    """SysStatusSensor, all three."""
+    """Sensors that are healthy, flags of SysStatusSensor."""
     load: int
-    """Of the main loop [0.1 %]."""
+    """Load of the main loop [0.1 %]."""
     voltage_battery: int
-    """[mV], 65535: unknown."""
+    """Voltage of the battery [mV], 65535: unknown."""
     current_battery: int
-    """[0.01 A], -1: unknown."""
+    """Current of the battery [0.01 A], -1: unknown."""
     battery_remaining: int
-    """[%], -1: unknown."""
+    """Charge that is left [%], -1: unknown."""
     drop_rate_comm: int
     """Packets dropped [0.01 %]."""
     errors_comm: int
+    """Number of packets that were received broken."""
     errors_count1: int
+    """Number of errors, of a kind that the autopilot chooses."""
     errors_count2: int
+    """Number of errors, of a kind that the autopilot chooses."""
     errors_count3: int
+    """Number of errors, of a kind that the autopilot chooses."""
     errors_count4: int
+    """Number of errors, of a kind that the autopilot chooses."""
     onboard_control_sensors_present_extended: int = 0
+    """Further sensors that are there, flags."""
     onboard_control_sensors_enabled_extended: int = 0
+    """Further sensors that are enabled, flags."""
     onboard_control_sensors_health_extended: int = 0
+    """Further sensors that are healthy, flags."""
 
 
 class SystemTime(NamedTuple):
@@ -73,9 +86,9 @@ class SystemTime(NamedTuple):
     NAME = "SYSTEM_TIME"
 
     time_unix_usec: int
-    """Since 1970 [us], 0: unknown."""
+    """Time since 1970 [us], 0: unknown."""
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
 
 
 class Ping(NamedTuple):
@@ -85,8 +98,9 @@ class Ping(NamedTuple):
     NAME = "PING"
 
     time_usec: int
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
     seq: int
+    """Number of the question, which its echo repeats."""
     target_system: int
     target_component: int
 
@@ -98,34 +112,37 @@ class GpsRawInt(NamedTuple):
     NAME = "GPS_RAW_INT"
 
     time_usec: int
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
     fix_type: int
-    """GpsFixType."""
+    """Kind of fix, a GpsFixType."""
     lat: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     lon: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     alt: int
-    """Above mean sea level [mm]."""
+    """Altitude above mean sea level [mm]."""
     eph: int
+    """Horizontal dilution of precision times 100, 65535: unknown."""
     epv: int
-    """Horizontal, vertical dilution of precision times 100, 65535: unknown."""
+    """Vertical dilution of precision times 100, 65535: unknown."""
     vel: int
-    """Over ground [cm/s], 65535: unknown."""
+    """Speed over ground [cm/s], 65535: unknown."""
     cog: int
     """Course over ground, not heading [0.01 deg], 65535: unknown."""
     satellites_visible: int
-    """255: unknown."""
+    """Number of satellites, 255: unknown."""
     alt_ellipsoid: int = 0
-    """Above the WGS-84 ellipsoid [mm]."""
+    """Altitude above the WGS-84 ellipsoid [mm]."""
     h_acc: int = 0
+    """Uncertainty of the position [mm]."""
     v_acc: int = 0
-    """Uncertainty of position and altitude [mm]."""
+    """Uncertainty of the altitude [mm]."""
     vel_acc: int = 0
     """Uncertainty of speed [mm/s]."""
     hdg_acc: int = 0
     """Uncertainty of heading [1e-5 deg]."""
     yaw: int = 0
-    """From north [0.01 deg], 0: not provided, 36000: north."""
+    """Yaw from north [0.01 deg], 0: not provided, 36000: north."""
 
 
 class Attitude(NamedTuple):
@@ -135,15 +152,19 @@ class Attitude(NamedTuple):
     NAME = "ATTITUDE"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     roll: float
+    """Roll [rad]."""
     pitch: float
+    """Pitch [rad]."""
     yaw: float
-    """[rad]."""
+    """Yaw from north [rad]."""
     rollspeed: float
+    """Body rate about x, FRD [rad/s]."""
     pitchspeed: float
+    """Body rate about y, FRD [rad/s]."""
     yawspeed: float
-    """Body rates [rad/s]."""
+    """Body rate about z, FRD [rad/s]."""
 
 
 class AttitudeQuaternion(NamedTuple):
@@ -153,16 +174,21 @@ class AttitudeQuaternion(NamedTuple):
     NAME = "ATTITUDE_QUATERNION"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     q1: float
+    """Quaternion of the attitude, w."""
     q2: float
+    """Quaternion of the attitude, x."""
     q3: float
+    """Quaternion of the attitude, y."""
     q4: float
-    """w, x, y, z."""
+    """Quaternion of the attitude, z."""
     rollspeed: float
+    """Body rate about x, FRD [rad/s]."""
     pitchspeed: float
+    """Body rate about y, FRD [rad/s]."""
     yawspeed: float
-    """Body rates [rad/s]."""
+    """Body rate about z, FRD [rad/s]."""
     repr_offset_q: Quaternion = _NO_OFFSET
     """How to show the attitude of a tail sitter; zeros: as it is."""
 
@@ -174,15 +200,19 @@ class LocalPositionNed(NamedTuple):
     NAME = "LOCAL_POSITION_NED"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     x: float
+    """North of the local origin [m]."""
     y: float
+    """East of the local origin [m]."""
     z: float
-    """North, east, down of the local origin [m]."""
+    """Down from the local origin [m]."""
     vx: float
+    """Velocity over ground to the north [m/s]."""
     vy: float
+    """Velocity over ground to the east [m/s]."""
     vz: float
-    """North, east, down [m/s]."""
+    """Velocity over ground downwards [m/s]."""
 
 
 class GlobalPositionInt(NamedTuple):
@@ -192,20 +222,23 @@ class GlobalPositionInt(NamedTuple):
     NAME = "GLOBAL_POSITION_INT"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     lat: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     lon: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     alt: int
-    """Above mean sea level [mm]."""
+    """Altitude above mean sea level [mm]."""
     relative_alt: int
-    """Above home [mm]."""
+    """Altitude above home [mm]."""
     vx: int
+    """Velocity over ground to the north [cm/s]."""
     vy: int
+    """Velocity over ground to the east [cm/s]."""
     vz: int
-    """North, east, down [cm/s]."""
+    """Velocity over ground downwards [cm/s]."""
     hdg: int
-    """Yaw [0.01 deg], 65535: unknown."""
+    """Yaw from north [0.01 deg], 65535: unknown."""
 
 
 class VfrHud(NamedTuple):
@@ -215,17 +248,17 @@ class VfrHud(NamedTuple):
     NAME = "VFR_HUD"
 
     airspeed: float
-    """Calibrated or indicated, never true [m/s]."""
+    """Calibrated or indicated airspeed, never the true one [m/s]."""
     groundspeed: float
-    """[m/s]."""
+    """Speed over ground [m/s]."""
     heading: int
-    """Yaw [deg]."""
+    """Yaw from north [deg]."""
     throttle: int
-    """[%]."""
+    """Throttle [%]."""
     alt: float
-    """Above mean sea level [m]."""
+    """Altitude above mean sea level [m]."""
     climb: float
-    """[m/s]."""
+    """Vertical speed, up positive [m/s]."""
 
 
 class Wind(NamedTuple):
@@ -235,11 +268,11 @@ class Wind(NamedTuple):
     NAME = "WIND"
 
     direction: float
-    """Where it comes from [deg]."""
+    """Direction that the wind comes from [deg]."""
     speed: float
-    """In the horizontal plane [m/s]."""
+    """Speed in the horizontal plane [m/s]."""
     speed_z: float
-    """[m/s]."""
+    """Vertical speed [m/s]."""
 
 
 class WindCov(NamedTuple):
@@ -249,19 +282,23 @@ class WindCov(NamedTuple):
     NAME = "WIND_COV"
 
     time_usec: int
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
     wind_x: float
+    """Wind to the north [m/s]."""
     wind_y: float
+    """Wind to the east [m/s]."""
     wind_z: float
-    """North, east, down [m/s]."""
+    """Wind downwards [m/s]."""
     var_horiz: float
+    """Standard deviation of the horizontal wind in time [m/s]."""
     var_vert: float
-    """Standard deviation in time [m/s]."""
+    """Standard deviation of the vertical wind in time [m/s]."""
     wind_alt: float
-    """Above mean sea level, of this measurement [m]."""
+    """Altitude of this measurement above mean sea level [m]."""
     horiz_accuracy: float
+    """Standard deviation of the estimate of the horizontal wind [m/s], 0: unknown."""
     vert_accuracy: float
-    """Standard deviation of the estimate [m/s], 0: unknown."""
+    """Standard deviation of the estimate of the vertical wind [m/s], 0: unknown."""
 
 
 class SetAttitudeTarget(NamedTuple):
@@ -271,18 +308,21 @@ class SetAttitudeTarget(NamedTuple):
     NAME = "SET_ATTITUDE_TARGET"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     target_system: int
     target_component: int
     type_mask: int
-    """AttitudeTypeMask: what to ignore."""
+    """What to ignore, flags of AttitudeTypeMask."""
     q: Quaternion
+    """Attitude."""
     body_roll_rate: float
+    """Body rate about x, FRD [rad/s]."""
     body_pitch_rate: float
+    """Body rate about y, FRD [rad/s]."""
     body_yaw_rate: float
-    """[rad/s], FRD."""
+    """Body rate about z, FRD [rad/s]."""
     thrust: float
-    """0 to 1."""
+    """Thrust, 0 to 1."""
 
 
 class AttitudeTarget(NamedTuple):
@@ -292,16 +332,19 @@ class AttitudeTarget(NamedTuple):
     NAME = "ATTITUDE_TARGET"
 
     time_boot_ms: int
-    """[ms]."""
+    """Time since the start of the sender [ms]."""
     type_mask: int
-    """AttitudeTypeMask."""
+    """What it ignores, flags of AttitudeTypeMask."""
     q: Quaternion
+    """Attitude."""
     body_roll_rate: float
+    """Body rate about x, FRD [rad/s]."""
     body_pitch_rate: float
+    """Body rate about y, FRD [rad/s]."""
     body_yaw_rate: float
-    """[rad/s], FRD."""
+    """Body rate about z, FRD [rad/s]."""
     thrust: float
-    """0 to 1."""
+    """Thrust, 0 to 1."""
 
 
 class CommandLong(NamedTuple):
@@ -313,7 +356,7 @@ class CommandLong(NamedTuple):
     target_system: int
     target_component: int
     command: int
-    """MavCmd."""
+    """The command, a MavCmd."""
     confirmation: int
     """0 at first, then the number of the repetition."""
     param1: float
@@ -334,20 +377,23 @@ class CommandInt(NamedTuple):
     target_system: int
     target_component: int
     frame: int
-    """MavFrame."""
+    """Frame of the place, a MavFrame."""
     command: int
-    """MavCmd."""
+    """The command, a MavCmd."""
     current: int
+    """Not used."""
     autocontinue: int
+    """Not used."""
     param1: float
     param2: float
     param3: float
     param4: float
     x: int
+    """Latitude [1e-7 deg], or local x [1e-4 m]."""
     y: int
-    """Latitude, longitude [1e-7 deg], or local [1e-4 m]."""
+    """Longitude [1e-7 deg], or local y [1e-4 m]."""
     z: float
-    """[m]."""
+    """Altitude or local z, as `frame` has it [m]."""
 
 
 class CommandAck(NamedTuple):
@@ -357,12 +403,13 @@ class CommandAck(NamedTuple):
     NAME = "COMMAND_ACK"
 
     command: int
-    """MavCmd."""
+    """The command that is answered, a MavCmd."""
     result: int
-    """MavResult."""
+    """What became of it, a MavResult."""
     progress: int = 0
-    """[%], 255: unknown."""
+    """Progress of a command that takes long [%], 255: unknown."""
     result_param2: int = 0
+    """A number that depends on the command."""
     target_system: int = 0
     target_component: int = 0
 
@@ -374,14 +421,15 @@ class ParamValue(NamedTuple):
     NAME = "PARAM_VALUE"
 
     param_id: str
-    """At most 16 characters."""
+    """Name, at most 16 characters."""
     param_value: float
     """PX4 puts the bytes of an integer here (PARAM_ENCODE_BYTEWISE), ArduPilot its value."""
     param_type: int
-    """MavParamType."""
+    """Type of the value, a MavParamType."""
     param_count: int
+    """Number of all parameters."""
     param_index: int
-    """65535: sent out of turn."""
+    """Index of this one from 0, 65535: sent out of turn."""
 
 
 class ParamSet(NamedTuple):
@@ -393,11 +441,11 @@ class ParamSet(NamedTuple):
     target_system: int
     target_component: int
     param_id: str
-    """At most 16 characters."""
+    """Name, at most 16 characters."""
     param_value: float
-    """As in ParamValue."""
+    """New value, as in ParamValue."""
     param_type: int
-    """MavParamType."""
+    """Type of the value, a MavParamType."""
 
 
 class ParamRequestList(NamedTuple):
@@ -419,9 +467,9 @@ class ParamRequestRead(NamedTuple):
     target_system: int
     target_component: int
     param_id: str
-    """At most 16 characters."""
+    """Name, at most 16 characters."""
     param_index: int
-    """-1: by name."""
+    """Index from 0, -1: by name."""
 
 
 class MissionRequestList(NamedTuple):
@@ -433,7 +481,7 @@ class MissionRequestList(NamedTuple):
     target_system: int
     target_component: int
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionCount(NamedTuple):
@@ -445,8 +493,9 @@ class MissionCount(NamedTuple):
     target_system: int
     target_component: int
     count: int  # pyright: ignore[reportIncompatibleMethodOverride, reportAssignmentType]
+    """Number of items."""
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionRequest(NamedTuple):
@@ -458,8 +507,9 @@ class MissionRequest(NamedTuple):
     target_system: int
     target_component: int
     seq: int
+    """Number of the item from 0."""
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionRequestInt(NamedTuple):
@@ -471,8 +521,9 @@ class MissionRequestInt(NamedTuple):
     target_system: int
     target_component: int
     seq: int
+    """Number of the item from 0."""
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionItemInt(NamedTuple):
@@ -484,23 +535,27 @@ class MissionItemInt(NamedTuple):
     target_system: int
     target_component: int
     seq: int
+    """Number of the item from 0."""
     frame: int
-    """MavFrame."""
+    """Frame of the place, a MavFrame."""
     command: int
-    """MavCmd."""
+    """What to do there, a MavCmd."""
     current: int
+    """1: the item that is flown, 0: another."""
     autocontinue: int
+    """1: the next item follows by itself, 0: it does not."""
     param1: float
     param2: float
     param3: float
     param4: float
     x: int
+    """Latitude [1e-7 deg], or local x [1e-4 m]."""
     y: int
-    """Latitude, longitude [1e-7 deg], or local [1e-4 m]."""
+    """Longitude [1e-7 deg], or local y [1e-4 m]."""
     z: float
-    """[m]."""
+    """Altitude or local z, as `frame` has it [m]."""
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionAck(NamedTuple):
@@ -512,9 +567,9 @@ class MissionAck(NamedTuple):
     target_system: int
     target_component: int
     type: int
-    """MavMissionResult."""
+    """How it ended, a MavMissionResult."""
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class MissionCurrent(NamedTuple):
@@ -524,12 +579,13 @@ class MissionCurrent(NamedTuple):
     NAME = "MISSION_CURRENT"
 
     seq: int
+    """Number of the item from 0."""
     total: int = 0
-    """65535: no mission, 0: unknown."""
+    """Number of items; 65535: no mission, 0: unknown."""
     mission_state: int = 0
-    """MissionState."""
+    """State of the mission, a MissionState."""
     mission_mode: int = 0
-    """0: unknown, 1: in a mode that flies the mission, 2: not."""
+    """Whether it is in a mode that flies the mission; 0: unknown, 1: it is, 2: it is not."""
 
 
 class MissionClearAll(NamedTuple):
@@ -541,7 +597,7 @@ class MissionClearAll(NamedTuple):
     target_system: int
     target_component: int
     mission_type: int = 0
-    """MavMissionType."""
+    """What the items are, a MavMissionType."""
 
 
 class HomePosition(NamedTuple):
@@ -551,22 +607,27 @@ class HomePosition(NamedTuple):
     NAME = "HOME_POSITION"
 
     latitude: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     longitude: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     altitude: int
-    """Above mean sea level [mm]."""
+    """Altitude above mean sea level [mm]."""
     x: float
+    """North of the local origin [m]."""
     y: float
+    """East of the local origin [m]."""
     z: float
-    """In the local frame, NED [m]."""
+    """Down from the local origin [m]."""
     q: Quaternion
-    """Of the surface; NaN: unknown."""
+    """Attitude of the surface; NaN: unknown."""
     approach_x: float
+    """Where to approach from, to the north [m]; NaN: unknown."""
     approach_y: float
+    """Where to approach from, to the east [m]; NaN: unknown."""
     approach_z: float
-    """Where to approach from, NED [m]; NaN: unknown."""
+    """Where to approach from, downwards [m]; NaN: unknown."""
     time_usec: int = 0
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
 
 
 class GpsGlobalOrigin(NamedTuple):
@@ -576,12 +637,13 @@ class GpsGlobalOrigin(NamedTuple):
     NAME = "GPS_GLOBAL_ORIGIN"
 
     latitude: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     longitude: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     altitude: int
-    """Above mean sea level [mm]."""
+    """Altitude above mean sea level [mm]."""
     time_usec: int = 0
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
 
 
 class AutopilotVersion(NamedTuple):
@@ -591,20 +653,29 @@ class AutopilotVersion(NamedTuple):
     NAME = "AUTOPILOT_VERSION"
 
     capabilities: int
-    """ProtocolCapability."""
+    """What it can do, flags of ProtocolCapability."""
     flight_sw_version: int
+    """Version of the autopilot, bytes from the highest: major, minor, patch, type of release."""
     middleware_sw_version: int
+    """Version of what it runs on, likewise."""
     os_sw_version: int
-    """Major, minor, patch, type of release: a byte each, major the highest."""
+    """Version of its operating system, likewise."""
     board_version: int
+    """Version of the board, as its maker counts."""
     flight_custom_version: Bytes8
+    """First bytes of the hash of the autopilot's sources."""
     middleware_custom_version: Bytes8
+    """First bytes of the hash of the sources of what it runs on."""
     os_custom_version: Bytes8
-    """First bytes of the hash of the sources."""
+    """First bytes of the hash of the operating system's sources."""
     vendor_id: int
+    """Number of the maker of the board."""
     product_id: int
+    """Number of the board."""
     uid: int
+    """Unique number of the board."""
     uid2: tuple[int, ...] = (0,) * 18
+    """Longer unique number of the board; it counts where it is not 0."""
 
 
 class ExtendedSysState(NamedTuple):
@@ -614,9 +685,9 @@ class ExtendedSysState(NamedTuple):
     NAME = "EXTENDED_SYS_STATE"
 
     vtol_state: int
-    """VtolState."""
+    """State of a VTOL aircraft, a VtolState."""
     landed_state: int
-    """LandedState."""
+    """In the air or on the ground, a LandedState."""
 
 
 class Statustext(NamedTuple):
@@ -626,13 +697,13 @@ class Statustext(NamedTuple):
     NAME = "STATUSTEXT"
 
     severity: int
-    """MavSeverity."""
+    """How grave it is, a MavSeverity."""
     text: str
-    """At most 50 bytes of UTF-8."""
+    """The text, at most 50 bytes of UTF-8."""
     id: int = 0
-    """The same in all pieces of a longer text, 0: this is all of it."""
+    """Number of a longer text, the same in all its pieces, 0: this is all of it."""
     chunk_seq: int = 0
-    """Number of the piece."""
+    """Number of the piece from 0."""
 
 
 class Timesync(NamedTuple):
@@ -642,9 +713,9 @@ class Timesync(NamedTuple):
     NAME = "TIMESYNC"
 
     tc1: int
-    """The clock of who answers [ns]."""
+    """Time on the clock of who answers [ns], 0 in a question."""
     ts1: int
-    """The clock of who asked [ns]."""
+    """Time on the clock of who asked [ns]."""
 
 
 class CurrentMode(NamedTuple):
@@ -654,7 +725,7 @@ class CurrentMode(NamedTuple):
     NAME = "CURRENT_MODE"
 
     standard_mode: int
-    """StandardMode."""
+    """The mode in a common encoding, a StandardMode."""
     custom_mode: int
     """The mode in the autopilot's own encoding."""
     intended_custom_mode: int
@@ -668,16 +739,17 @@ class AvailableModes(NamedTuple):
     NAME = "AVAILABLE_MODES"
 
     number_modes: int
+    """Number of modes."""
     mode_index: int
-    """From 1."""
+    """Index of this one from 1."""
     standard_mode: int
-    """StandardMode."""
+    """The mode in a common encoding, a StandardMode."""
     custom_mode: int
     """The mode in the autopilot's own encoding."""
     properties: int
-    """ModeProperty."""
+    """Properties, flags of ModeProperty."""
     mode_name: str
-    """At most 35 bytes of UTF-8."""
+    """Name, at most 35 bytes of UTF-8."""
 
 
 class HilStateQuaternion(NamedTuple):
@@ -687,28 +759,37 @@ class HilStateQuaternion(NamedTuple):
     NAME = "HIL_STATE_QUATERNION"
 
     time_usec: int
-    """[us]."""
+    """Date, or time since the start of a sender without one [us]."""
     attitude_quaternion: Quaternion
+    """Attitude."""
     rollspeed: float
+    """Body rate about x, FRD [rad/s]."""
     pitchspeed: float
+    """Body rate about y, FRD [rad/s]."""
     yawspeed: float
-    """Body rates [rad/s]."""
+    """Body rate about z, FRD [rad/s]."""
     lat: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     lon: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     alt: int
-    """[mm]."""
+    """Altitude [mm]."""
     vx: int
+    """Velocity over ground to the north [cm/s]."""
     vy: int
+    """Velocity over ground to the east [cm/s]."""
     vz: int
-    """North, east, down [cm/s]."""
+    """Velocity over ground downwards [cm/s]."""
     ind_airspeed: int
+    """Indicated airspeed [cm/s]."""
     true_airspeed: int
-    """[cm/s]."""
+    """True airspeed [cm/s]."""
     xacc: int
+    """Acceleration along x, FRD [0.001 g]."""
     yacc: int
+    """Acceleration along y, FRD [0.001 g]."""
     zacc: int
-    """Body FRD [0.001 g]."""
+    """Acceleration along z, FRD [0.001 g]."""
 
 
 class MessageInterval(NamedTuple):
@@ -718,8 +799,9 @@ class MessageInterval(NamedTuple):
     NAME = "MESSAGE_INTERVAL"
 
     message_id: int
+    """Id of the message."""
     interval_us: int
-    """[us], -1: never, 0: not available."""
+    """Time between two of them [us], -1: never, 0: not available."""
 
 
 class BatteryStatus(NamedTuple):
@@ -729,27 +811,33 @@ class BatteryStatus(NamedTuple):
     NAME = "BATTERY_STATUS"
 
     id: int
+    """Number of the battery."""
     battery_function: int
+    """What it feeds, a number of MAV_BATTERY_FUNCTION."""
     type: int
+    """Its chemistry, a number of MAV_BATTERY_TYPE."""
     temperature: int
-    """[0.01 degC], 32767: unknown."""
+    """Temperature [0.01 degC], 32767: unknown."""
     voltages: tuple[int, ...]
-    """Of cells 1 to 10 [mV], 65535: no such cell."""
+    """Voltages of cells 1 to 10 [mV], 65535: no such cell."""
     current_battery: int
-    """[0.01 A], -1: unknown."""
+    """Current [0.01 A], -1: unknown."""
     current_consumed: int
-    """[mAh], -1: unknown."""
+    """Charge consumed [mAh], -1: unknown."""
     energy_consumed: int
-    """[100 J], -1: unknown."""
+    """Energy consumed [100 J], -1: unknown."""
     battery_remaining: int
-    """[%], -1: unknown."""
+    """Charge that is left [%], -1: unknown."""
     time_remaining: int = 0
-    """[s], 0: unknown."""
+    """Time until it is empty [s], 0: unknown."""
     charge_state: int = 0
+    """State of charge, a number of MAV_BATTERY_CHARGE_STATE."""
     voltages_ext: tuple[int, int, int, int] = (0, 0, 0, 0)
-    """Of cells 11 to 14 [mV], 0: no such cell."""
+    """Voltages of cells 11 to 14 [mV], 0: no such cell."""
     mode: int = 0
+    """Mode, a number of MAV_BATTERY_MODE."""
     fault_bitmask: int = 0
+    """Faults, flags of MAV_BATTERY_FAULT."""
 
 
 class AdsbVehicle(NamedTuple):
@@ -759,27 +847,31 @@ class AdsbVehicle(NamedTuple):
     NAME = "ADSB_VEHICLE"
 
     ICAO_address: int
+    """ICAO address of the transponder, 24 bits."""
     lat: int
+    """Latitude, WGS-84 [1e-7 deg]."""
     lon: int
-    """WGS-84 [1e-7 deg]."""
+    """Longitude, WGS-84 [1e-7 deg]."""
     altitude_type: int
-    """AdsbAltitudeType."""
+    """What the altitude is measured from, an AdsbAltitudeType."""
     altitude: int
-    """Above mean sea level [mm]."""
+    """Altitude above mean sea level [mm]."""
     heading: int
     """Course over ground [0.01 deg]."""
     hor_velocity: int
-    """[cm/s]."""
+    """Speed over ground [cm/s]."""
     ver_velocity: int
-    """Positive up [cm/s]."""
+    """Vertical speed, up positive [cm/s]."""
     callsign: str
-    """At most 8 characters, 9 bytes on the wire."""
+    """Callsign, at most 8 characters, 9 bytes on the wire."""
     emitter_type: int
+    """Kind of aircraft, a number of ADSB_EMITTER_TYPE."""
     tslc: int
-    """Since the last word of it [s]."""
+    """Time since its last word [s]."""
     flags: int
-    """AdsbFlags: which fields hold."""
+    """Which fields hold, flags of AdsbFlags."""
     squawk: int
+    """Squawk code, a number."""
 
 
 class Collision(NamedTuple):
@@ -789,18 +881,19 @@ class Collision(NamedTuple):
     NAME = "COLLISION"
 
     src: int
-    """0: ADS-B, 1: GLOBAL_POSITION_INT of another vehicle."""
+    """Where it is known from; 0: ADS-B, 1: GLOBAL_POSITION_INT of another vehicle."""
     id: int
-    """Of the other: its ICAO address or its system id."""
+    """Number of the other, its ICAO address or its system id."""
     action: int
     """What the autopilot does: 0 nothing, 1 only reports, 2.. avoids."""
     threat_level: int
-    """0 none, 1 low, 2 high."""
+    """Threat; 0: none, 1: low, 2: high."""
     time_to_minimum_delta: float
-    """[s]."""
+    """Time until the other is nearest [s]."""
     altitude_minimum_delta: float
+    """Vertical distance then [m]."""
     horizontal_minimum_delta: float
-    """[m]."""
+    """Horizontal distance then [m]."""
 
 
 Message = (

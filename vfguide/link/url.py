@@ -29,9 +29,11 @@ class NetworkUrl:
     """`udpin:HOST:PORT`, `udpout:HOST:PORT` or `tcp:HOST:PORT`."""
 
     transport: Transport
+    """Kind of the link."""
     host: str
     """A name or an address, that of IPv6 without its brackets."""
     port: int
+    """Number of the port, 1 to 65535."""
 
     def __str__(self) -> str:
         host = f"[{self.host}]" if ":" in self.host else self.host
@@ -43,8 +45,9 @@ class SerialUrl:
     """`serial:DEVICE:BAUD`."""
 
     device: str
+    """Path of the device."""
     baud: int
-    """[bit/s]."""
+    """Rate of the line [bit/s]."""
 
     def __str__(self) -> str:
         return f"serial:{self.device}:{self.baud}"

@@ -23,6 +23,9 @@ tuned with `tools/measure_poses.py`, so that turns onto the final approach begin
 STRAY_ANGLE = 2.0
 """Angle between the course and the field above which the field is left, away from the goal [rad];
 chosen."""
+GOAL_COURSE_ANGLE = 1.2
+"""Angle between the course and the goal's below which the field is kept near the goal, whatever its
+direction [rad]; chosen."""
 START_ANGLE = 0.5
 """Largest angle between the course and the field at which a leg starts in the field [rad];
 chosen."""
@@ -80,7 +83,7 @@ def stays_in_field(leg: Leg, at: Planar) -> bool:
     """Whether the field still leads to the goal without a turn that is too tight."""
     near = at.x > 0.0 or math.hypot(at.x, at.y) < leg.radius
     inside = depth(leg, at) / leg.radius
-    if near and abs(math.atan2(at.vy, at.vx)) < 1.2:
+    if near and abs(math.atan2(at.vy, at.vx)) < GOAL_COURSE_ANGLE:
         return inside <= CAPTURE_DEPTH or at.x > 0.0
     return inside <= CAPTURE_DEPTH and at.x < -abs(at.y) and off_field(at) < STRAY_ANGLE
 

@@ -17,6 +17,12 @@ ON_PATH = 2
 """Number of the phase along a Dubins path."""
 OUTBOUND = 3
 """Number of the phase away from the goal, which makes the leg longer."""
+NEW_RADIUS_CHANGE = 1.2
+"""Ratio between two turn radii above which a leg that has not started takes the other one;
+chosen."""
+FLOWN_RADIUS_CHANGE = 1.4
+"""Ratio between two turn radii above which a leg that has started takes the other one; chosen
+larger, since a gust lasts less time than a leg."""
 
 
 class Leg(NamedTuple):
@@ -47,10 +53,9 @@ def new_leg() -> Leg:
 def keep_radius(leg: Leg, radius: float) -> Leg:
     """The leg with turns of `radius` [m], which is changed only for a large difference.
 
-    A leg on a path is planned anew then. Once it has started, the difference must be larger, since
-    a gust lasts less time than a leg.
+    A leg on a path is planned anew then.
     """
-    change = 1.2 if leg.phase == NEW else 1.4
+    change = NEW_RADIUS_CHANGE if leg.phase == NEW else FLOWN_RADIUS_CHANGE
     if leg.radius < change * radius and radius <= change * leg.radius:
         return leg
     phase = NEW if leg.phase == ON_PATH else leg.phase

@@ -21,6 +21,17 @@ VIEW_MARGIN = 0.5
 goals."""
 ARROW_LENGTH = 0.15
 """Length of the arrow of a goal, as a share of that extent."""
+LEAST_EXTENT = 20.0
+"""Longest extent that is assumed where paths and goals have less [m]; chosen: a short flight
+is not magnified."""
+LEAST_WIDTH_SHARE = 0.35
+"""Least extent along a horizontal axis, as a share of the longest one; chosen, so that no figure is
+a strip."""
+LEAST_HEIGHT_SHARE = 0.25
+"""Least extent along any other axis, as a share of the longest one; chosen, so that no figure is a
+strip."""
+FRAME_SHARE = 0.07
+"""Margin round everything that is shown, as a share of the longest extent; chosen."""
 WIDE_LEGEND = 5
 """Largest number of entries of a legend in one row."""
 NARROW_LEGEND = 4
@@ -58,14 +69,15 @@ def view_of(flights: Flights, axes_n: Vectors) -> View:
     places = np.array([goal.position_m for goal in goals])
     points = np.vstack([*(record.p_n for record in flights.records), places])
     points = points[np.isfinite(points).all(axis=1)] @ axes_n.T
-    longest = max(float(np.ptp(points, axis=0).max()), 20.0)
+    longest = max(float(np.ptp(points, axis=0).max()), LEAST_EXTENT)
     ahead = np.array([goal_axis(goal.heading_deg, goal.climb_deg) for goal in goals])
     points = np.vstack((points, (places + ARROW_LENGTH * longest * ahead) @ axes_n.T))
     points = np.vstack((points, *_bodies_near(flights, points, VIEW_MARGIN * longest, axes_n)))
     low, high = points.min(axis=0), points.max(axis=0)
-    longest_shown = max(float((high - low).max()), 20.0)
-    least = np.where(axes_n[:, 2] == 0.0, 0.35, 0.25) * longest_shown
-    centre, half = (low + high) / 2.0, np.maximum(high - low, least) / 2.0 + 0.07 * longest_shown
+    longest_shown = max(float((high - low).max()), LEAST_EXTENT)
+    least = np.where(axes_n[:, 2] == 0.0, LEAST_WIDTH_SHARE, LEAST_HEIGHT_SHARE) * longest_shown
+    centre = (low + high) / 2.0
+    half = np.maximum(high - low, least) / 2.0 + FRAME_SHARE * longest_shown
     return View(np.column_stack((centre - half, centre + half)), ARROW_LENGTH * longest)
 
 

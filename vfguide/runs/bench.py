@@ -33,6 +33,8 @@ REPEATS = 7
 machine affects all figures; chosen."""
 GUIDANCE_STEPS = 500
 """Number of guidance steps in one repeat; chosen."""
+GUIDANCE_PERIOD = 0.02
+"""Time between two guidance steps [s]; chosen, as at 50 Hz."""
 MESSAGES = 1000
 """Number of setpoints in one repeat; chosen."""
 SAMPLE_MEASUREMENT = Measurement(
@@ -132,7 +134,7 @@ def guide_often(plan: Plan) -> None:
     state = row_of_state(fresh_state())
     _, *rest = SAMPLE_MEASUREMENT._replace(origin=plan.origin)
     for k in range(GUIDANCE_STEPS):
-        measured: Any = (0.02 * k, *rest)
+        measured: Any = (GUIDANCE_PERIOD * k, *rest)
         *_, state, _ = step_measured(
             measured, plan.origin, state, plan.legs, None, crossing(plan.law), plan.vehicle_row
         )

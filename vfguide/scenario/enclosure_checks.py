@@ -16,6 +16,9 @@ CELL = 4.0
 """Size of a cell of the grid [m]; chosen, since no aeroplane flies through a gap that it misses."""
 MAX_CELLS = 500
 """Largest number of cells along a side of the grid; chosen, larger areas are not checked."""
+BORDER_CELLS = 3.0
+"""Number of cells by which the grid reaches beyond all hazards and places on each side; chosen, so
+that a path round them all is in it."""
 Place = tuple[float, float]
 """North and east [m]."""
 
@@ -28,8 +31,8 @@ def is_enclosed(
     zones = columns(KeepOutZone, hazards.table)
     places = np.vstack((np.column_stack((zones.x, zones.y)), start, goal))
     reach = np.append(zones.bounding_radius, (CELL, CELL))[:, None]
-    low = (places - reach).min(axis=0) - 3.0 * CELL
-    cells = np.ceil(((places + reach).max(axis=0) + 3.0 * CELL - low) / CELL).astype(int)
+    low = (places - reach).min(axis=0) - BORDER_CELLS * CELL
+    cells = np.ceil(((places + reach).max(axis=0) + BORDER_CELLS * CELL - low) / CELL).astype(int)
     if cells.max() > MAX_CELLS:
         return False
     north, east = (low[axis] + CELL * np.arange(cells[axis]) for axis in (0, 1))

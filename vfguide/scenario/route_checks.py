@@ -17,6 +17,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.airspace.footprint import Band
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.assurance.decision import Reason, assurance, assure, no_backup
+from vfguide.estimation.estimation import FIRST_STEP
 from vfguide.field.obstacle import Rows
 from vfguide.files.fence import Fence
 from vfguide.files.source import Location, Source, dotted
@@ -94,7 +95,7 @@ def _check_start(
         vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps
     )
     wind_n = _wind(scenario)
-    decision, _ = assure(motion, (0.0, 0.0), wind_n, 0.0, hazards, 0.0, 0.02, of, no_backup())
+    decision, _ = assure(motion, (0.0, 0.0), wind_n, 0.0, hazards, 0.0, FIRST_STEP, of, no_backup())
     if decision.reason == Reason.NOMINAL:
         return []
     names, place = hazard_names(scenario), (*at, "position_m")

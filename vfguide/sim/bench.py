@@ -8,6 +8,9 @@ from vfguide.sim.plant import Accelerations, Plant
 _CLEAR_OF_GROUND = 1000.0
 """Height of the bench above the ground [m], where the ground has no effect."""
 _FIRST_AIRSPEED = 50.0
+"""Airspeed with which the model is loaded [m/s]; every condition replaces it."""
+_LATITUDE = 45.0 * DEG
+"""Latitude of the bench [rad], where gravity is near the standard one."""
 
 
 class Bench:
@@ -49,4 +52,4 @@ class Bench:
         return self._plant.thrust()
 
     def _start(self, condition: FlightCondition) -> Start:
-        return Start(45.0 * DEG, 0.0, self._altitude, 0.0, condition)
+        return Start(_LATITUDE, 0.0, self._altitude, 0.0, condition)

@@ -28,6 +28,8 @@ ATTITUDE_MASK = (
 """Type mask of a setpoint of an attitude."""
 LEVEL_QUATERNION = (1.0, 0.0, 0.0, 0.0)
 """Level attitude towards north as a quaternion w, x, y, z, dimensionless."""
+WARM_UP_THRUST = 0.3
+"""Thrust of the setpoints of the warm-up, a share of full thrust; chosen."""
 
 Say = Callable[[str], None]
 
@@ -37,7 +39,7 @@ def warm_up(scratch: Vehicle) -> None:
     port = scratch.connect(ONBOARD)
     for mask in (RATE_MASK, ATTITUDE_MASK):
         setpoint = SetAttitudeTarget(
-            0, scratch.sysid, 1, mask, LEVEL_QUATERNION, 0.0, 0.0, 0.0, 0.3
+            0, scratch.sysid, 1, mask, LEVEL_QUATERNION, 0.0, 0.0, 0.0, WARM_UP_THRUST
         )
         scratch.autopilot.take_setpoint(setpoint)
         scratch.autopilot.happen(Event.OFFBOARD_ASKED)

@@ -81,7 +81,13 @@ def _level(z: float, v_z: float, half_height: float) -> tuple[float, float]:
 
 
 def look(alert: Alert, report: Report, ownship: Ownship) -> tuple[Alert, str]:
-    """The alert after another look, and a note to the operator, empty if there is none."""
+    """The alert after another look, and a note to the operator, empty if there is none.
+
+    Args:
+        alert: the alert after the look before.
+        report: the newest report of the aircraft.
+        ownship: the ownship now.
+    """
     each = report.intruder
     age = max(0.0, elapsed(report.time_ms, ownship.time_ms))
     radius, half_height = (

@@ -28,6 +28,7 @@ class Heard(NamedTuple):
     """The reports that are kept of one aircraft."""
 
     report: Report
+    """The newest one that is used."""
     odd: Report | None = None
     """A later one that did not fit; None: none since."""
 
@@ -69,7 +70,7 @@ class Picture:
         return not self._heard
 
     def hear(self, said: AdsbVehicle, now_ms: int) -> None:
-        """Take a report that arrives at the autopilot's time `now_ms`."""
+        """Take a report that arrives at the autopilot's time `now_ms`, its time_boot_ms [ms]."""
         if said.ICAO_address == self._own_icao != 0:
             return
         report = report_of(said, now_ms, self._origin, self._volume)
@@ -89,7 +90,10 @@ class Picture:
             self._heard[report.icao] = Heard(known.report, report)
 
     def forget(self, now_ms: int) -> None:
-        """Drop aircraft silent for LONGEST_SILENCE, or all after a restart of the autopilot."""
+        """Drop aircraft silent for LONGEST_SILENCE, or all after a restart of the autopilot.
+
+        `now_ms` is its time_boot_ms [ms].
+        """
         self._heard = {
             icao: each
             for icao, each in self._heard.items()

@@ -54,7 +54,9 @@ class Report(NamedTuple):
     """The newest report of one aircraft."""
 
     icao: int
+    """ICAO address of its transponder, 24 bits."""
     name: str
+    """Callsign, or the address in hexadecimal digits where none is reported."""
     time_ms: int
     """Time at which it had this position, as time_boot_ms [ms]."""
     intruder: Intruder
@@ -73,7 +75,14 @@ class Ownship(NamedTuple):
 
 
 def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> Report | None:
-    """The report in the tangent plane at `origin`; None if it is implausible or has no position."""
+    """The report in the tangent plane at `origin`; None if it is implausible or has no position.
+
+    Args:
+        said: the message.
+        now_ms: time_boot_ms of the autopilot when it arrives [ms].
+        origin: latitude, longitude [rad] and altitude [m] of the plan's frame.
+        volume: volume to keep out of around an aircraft that reports everything.
+    """
     flags = said.flags
     if not is_plausible(said) or not flags & AdsbFlags.VALID_COORDS:
         return None
@@ -112,6 +121,6 @@ def volume_of(said: AdsbVehicle, volume: Volume) -> Volume:
 
 
 def placed_at(report: Report, time_ms: int) -> Vec3:
-    """Position of a reported aircraft at a time if it flies straight on, NED [m]."""
+    """Position of a reported aircraft at a time_boot_ms [ms] if it flies straight on, NED [m]."""
     each = report.intruder
     return add(each.p_n, scale(elapsed(report.time_ms, time_ms), each.v_n))

@@ -31,11 +31,11 @@ class Surveillance:
         self._looked: int | None = None
 
     def hear(self, said: AdsbVehicle, now_ms: int) -> None:
-        """Take a report that arrives at the autopilot's time `now_ms`."""
+        """Take a report that arrives at the autopilot's time `now_ms`, its time_boot_ms [ms]."""
         self._picture.hear(said, now_ms)
 
     def is_due(self, now_ms: int) -> bool:
-        """Whether there is traffic, and LOOK_INTERVAL has passed since the last look."""
+        """Whether there is traffic, and LOOK_INTERVAL has passed by `now_ms` [ms] since a look."""
         if self._picture.is_empty:
             return False
         return self._looked is None or not 0.0 <= elapsed(self._looked, now_ms) < LOOK_INTERVAL
@@ -54,17 +54,23 @@ class Surveillance:
         return notes
 
     def among(self, hazards: Hazards, now_ms: int, t: float) -> Hazards:
-        """The hazards with the aircraft in reach as their traffic; unchanged if there are none."""
+        """The hazards with the aircraft in reach as their traffic; unchanged if there are none.
+
+        The time is `now_ms` [ms] on the clock of the autopilot, `t` [s] on that of the obstacles.
+        """
         return hazards._replace(traffic=self.rows(now_ms, t)) if self._near else hazards
 
     def rows(self, now_ms: int, t: float) -> Rows:
-        """The others in reach for the step at the autopilot's time `now_ms`, `t` [s]."""
+        """The rows of `Intruder` of the aircraft in reach, at the times of `among`."""
         reports = (self._picture.newest(icao) for icao in self._near)
         return rows_of([each for each in reports if each is not None], now_ms, t)
 
 
 def rows_of(reports: Sequence[Report], now_ms: int, t: float) -> Rows:
-    """The rows of reports on the clock of the obstacles, which is at `t` [s] at `now_ms`."""
+    """The rows of `Intruder` of reports, whose times are on the clock of the obstacles.
+
+    It is at `t` [s] when the autopilot's is at `now_ms` [ms].
+    """
     return traffic_rows(
         [each.intruder._replace(time=t - elapsed(each.time_ms, now_ms)) for each in reports]
     )

@@ -28,11 +28,11 @@ chosen, since a change of the angle of attack overshoots."""
 
 @compiled
 def rates_for_attitude(roll: float, pitch: float, euler: Vec3, airspeed: float) -> Vec3:
-    """Body rates [rad/s] that lead roll and pitch to those asked for [rad].
+    """Body rates p, q, r, FRD [rad/s], that lead roll and pitch to those asked for.
 
     Args:
-        roll: asked for.
-        pitch: asked for.
+        roll: roll asked for [rad].
+        pitch: pitch asked for [rad].
         euler: roll, pitch and yaw now [rad].
         airspeed: true airspeed [m/s].
     """
@@ -49,16 +49,25 @@ def rates_for_attitude(roll: float, pitch: float, euler: Vec3, airspeed: float) 
 
 @compiled
 def coordinated_yaw_rate(roll: float, pitch: float, airspeed: float) -> float:
-    """Rate of the heading in a turn without sideslip, g tan(roll) cos(pitch) / V [rad/s]."""
+    """Rate of the heading in a turn without sideslip, g tan(roll) cos(pitch) / V [rad/s].
+
+    Roll and pitch are in rad, the true airspeed in m/s.
+    """
     bank = max(-TURN_BANK_MAX, min(TURN_BANK_MAX, roll))
     return G0 * math.tan(bank) * math.cos(pitch) / max(airspeed, TURN_AIRSPEED_MIN)
 
 
 @compiled
 def within_limits(omega_b: Vec3, euler: Vec3, airspeed: float, aircraft: Performance) -> Vec3:
-    """Body rates inside the limits of the aircraft, with a pitch rate for its load factors.
+    """Body rates [rad/s] inside the limits of the aircraft, with a pitch rate for its load factors.
 
     A steady pull has the load factor n = cos(pitch) cos(roll) + q V / g.
+
+    Args:
+        omega_b: body rates p, q, r asked for, FRD [rad/s].
+        euler: roll, pitch and yaw now [rad].
+        airspeed: true airspeed [m/s].
+        aircraft: its limits.
     """
     p, q, r = omega_b
     weight = math.cos(euler[0]) * math.cos(euler[1])

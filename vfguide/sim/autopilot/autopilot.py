@@ -67,8 +67,9 @@ class Autopilot:
         self.mode = Mode.HOLD
         self.parameters = Parameters()
         self.ports: list[MavlinkChannel] = []
+        """The channels on which it is heard."""
         self.now = 0
-        """[us since 1970]."""
+        """Date of the latest update [us since 1970]."""
         self._airframe = airframe
         self._tables = airframe.tables
         self._estimator = Estimator(first, instruments)
@@ -80,6 +81,7 @@ class Autopilot:
         self.estimate: Estimate = self._estimator.update(first)
         self._hold = Loiter(aircraft, airspeed, self.estimate)
         self.setpoint: SetAttitudeTarget | None = None
+        """The newest setpoint, whether or not it is flown."""
         self._setpoint_at = -SECOND * 3600
         self._wanted = (0.0, 0.0, 0.0, airframe.cruise_thrust)  # p, q, r [rad/s], thrust
         self._motor = motor
@@ -90,11 +92,14 @@ class Autopilot:
 
     @property
     def origin(self) -> tuple[float, float, float]:
-        """Latitude, longitude [rad] and altitude [m] of the local frame."""
+        """Latitude, longitude [rad] and altitude [m] of the origin of the local frame."""
         return self._estimator.origin
 
     def control(self, inner: InnerTuple, dt: float) -> ControlTuple:
-        """The rate loop and the thrust map: at every step of the plant."""
+        """Controls by the rate loop and the thrust map, at every step of the plant of `dt` [s].
+
+        `inner` has the measurements of the loop, still without errors.
+        """
         if not self._is_flyable:
             self._controls = self._airframe.cruise.controls._replace(throttle=0.0)
             return self._controls
@@ -110,7 +115,10 @@ class Autopilot:
         return self._controls
 
     def update(self, now: int, truth: Truth) -> None:
-        """The slower part: estimate, loss of the stream, attitude setpoints, hold."""
+        """The slower part: estimate, loss of the stream, attitude setpoints, hold.
+
+        `now` is the date [us since 1970], `truth` the state of the plant then.
+        """
         self.now = now
         rate_error = (0.0, 0.0, 0.0) if self._rates is None else self._rates.last
         self.estimate = self._estimator.update(truth, rate_error)

@@ -33,7 +33,7 @@ Outcome = tuple[MavResult, list[Message]]
 
 
 def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
-    """DO_SET_MODE with PX4's main and sub mode."""
+    """DO_SET_MODE with PX4's main and sub mode; DENIED where it cannot be asked for."""
     if not (is_number(command.param2) and is_number(command.param3)):
         return MavResult.DENIED, []
     mode = int(command.param2) << MAIN_MODE | int(command.param3) << SUB_MODE
@@ -44,7 +44,7 @@ def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | Com
 
 
 def change_mode(autopilot: Autopilot, event: Event) -> MavResult:
-    """Change to a mode; OFFBOARD is accepted only while setpoints arrive."""
+    """Change to a mode, and the result; OFFBOARD is accepted only while setpoints arrive."""
     if event is Event.OFFBOARD_ASKED and not autopilot.has_stream:
         return MavResult.TEMPORARILY_REJECTED
     autopilot.happen(event)
@@ -52,7 +52,7 @@ def change_mode(autopilot: Autopilot, event: Event) -> MavResult:
 
 
 def return_to_launch(autopilot: Autopilot, *_: object) -> Outcome:
-    """NAV_RETURN_TO_LAUNCH."""
+    """NAV_RETURN_TO_LAUNCH: fly back to where it started."""
     return change_mode(autopilot, Event.RETURN_ASKED), []
 
 
@@ -69,7 +69,7 @@ def arm_or_disarm(_: Autopilot, __: MavlinkChannel, command: CommandLong | Comma
 def set_message_interval(
     autopilot: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
 ) -> Outcome:
-    """SET_MESSAGE_INTERVAL of a message that can be streamed."""
+    """SET_MESSAGE_INTERVAL [us] of a message that can be streamed, of others UNSUPPORTED."""
     if not (is_number(command.param1) and is_number(command.param2)):
         return MavResult.DENIED, []
     if int(command.param1) not in MAKERS:
@@ -81,7 +81,7 @@ def set_message_interval(
 def get_message_interval(
     _: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
 ) -> Outcome:
-    """GET_MESSAGE_INTERVAL."""
+    """GET_MESSAGE_INTERVAL: MESSAGE_INTERVAL of a message that can be streamed."""
     if not is_number(command.param1) or int(command.param1) not in MAKERS:
         return MavResult.UNSUPPORTED, []
     msgid = int(command.param1)
@@ -91,7 +91,7 @@ def get_message_interval(
 def request_message(
     autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt
 ) -> Outcome:
-    """REQUEST_MESSAGE."""
+    """REQUEST_MESSAGE: the message that was asked for, UNSUPPORTED if it is none of ours."""
     wanted = int(command.param1) if is_number(command.param1) else -1
     if wanted == AutopilotVersion.MSGID:
         return MavResult.ACCEPTED, [version(autopilot)]
@@ -103,12 +103,12 @@ def request_message(
 
 
 def get_home(autopilot: Autopilot, *_: object) -> Outcome:
-    """GET_HOME_POSITION."""
+    """GET_HOME_POSITION: HOME_POSITION."""
     return MavResult.ACCEPTED, [MAKERS[HomePosition.MSGID](autopilot.report())]
 
 
 def request_version(autopilot: Autopilot, *_: object) -> Outcome:
-    """REQUEST_AUTOPILOT_CAPABILITIES."""
+    """REQUEST_AUTOPILOT_CAPABILITIES: AUTOPILOT_VERSION."""
     return MavResult.ACCEPTED, [version(autopilot)]
 
 
@@ -132,7 +132,7 @@ def is_number(value: float) -> bool:
 
 
 def version(autopilot: Autopilot) -> AutopilotVersion:
-    """AUTOPILOT_VERSION."""
+    """AUTOPILOT_VERSION; the unique id is the system id."""
     none = (0, 0, 0, 0, 0, 0, 0, 0)
     return AutopilotVersion(
         CAPABILITIES, FLIGHT_SW_VERSION, 0, 0, 0, none, none, none, 0, 0, autopilot.sysid

@@ -43,9 +43,9 @@ def lateral_acceleration(
     """Lateral acceleration [m/s^2] that leads clockwise round a circle, to the right positive.
 
     Args:
-        place: position from the centre [m].
-        ground: velocity over ground [m/s].
-        wind: the direction it blows toward [m/s].
+        place: position from the centre, north and east [m].
+        ground: velocity over ground, north and east [m/s].
+        wind: the direction it blows toward, north and east [m/s].
         airspeed: true airspeed, above 0 [m/s].
         radius: of the circle, above 0 [m].
     """
@@ -70,6 +70,11 @@ def look_ahead(error: float, ground: Vec2, airspeed: float) -> float:
 
     pi/2 (1 - |e| / e_max)^2, where e_max is flown over ground within the period times the damping
     ratio.
+
+    Args:
+        error: distance from the path [m].
+        ground: velocity over ground, north and east [m/s].
+        airspeed: true airspeed [m/s].
     """
     speed = max(math.hypot(ground[0], ground[1]), GROUND_SPEED_SHARE * airspeed)
     bound = period(airspeed) * GUIDANCE_DAMPING * speed
@@ -85,7 +90,9 @@ def period(airspeed: float) -> float:
 
 @compiled
 def air_velocity(bearing: Vec2, wind: Vec2, airspeed: float) -> Vec2:
-    """Velocity through the air that leads over ground along the bearing, or drifts least from it.
+    """Velocity through the air that leads along the bearing, or drifts least from it [m/s].
+
+    All vectors are north and east; the bearing is a unit vector, wind and airspeed are in m/s.
 
     Where the airspeed cannot hold the bearing, |wind| > V, the velocity over ground points along
     bearing - wind / sqrt(w^2 - V^2), which goes over into the nose against the wind.
@@ -102,13 +109,17 @@ def air_velocity(bearing: Vec2, wind: Vec2, airspeed: float) -> Vec2:
 
 @compiled
 def along_bearing(cross: float, airspeed: float) -> float:
-    """Airspeed left along a bearing after a wind [m/s] across it is made up for; 0 at the least."""
+    """Airspeed along a bearing that is left when a wind across it is made up for [m/s each]."""
     return math.sqrt(max(airspeed * airspeed - cross * cross, 0.0))
 
 
 @compiled
 def turn_toward(air: Vec2, wanted: Vec2, airspeed: float) -> float:
-    """Lateral acceleration from the angle between two air velocities, largest beyond 90 degrees."""
+    """Lateral acceleration [m/s^2], to the right positive, that turns an air velocity to another.
+
+    It grows with the sine of the angle between them, and is largest beyond 90 degrees. The
+    velocities are north and east [m/s].
+    """
     gain = 4.0 * math.pi * GUIDANCE_DAMPING / period(airspeed)
     sizes = max(math.hypot(air[0], air[1]) * airspeed, 1e-6)
     sine = max(-1.0, min(1.0, _cross(air, wanted) / sizes))
@@ -119,7 +130,7 @@ def turn_toward(air: Vec2, wanted: Vec2, airspeed: float) -> float:
 
 @compiled
 def turn_along(rate: float, bearing: Vec2, wind: Vec2, airspeed: float) -> float:
-    """Lateral acceleration that turns with a bearing that turns at a rate [rad/s] in a wind.
+    """Lateral acceleration [m/s^2] that turns with a bearing at its rate [rad/s] in a wind [m/s].
 
     V psi' with psi' = chi' (1 + w_along / (V cos(psi - chi))); none where no course can be held.
     """

@@ -57,7 +57,7 @@ class EnergyState(NamedTuple):
     """What one step leaves for the next."""
 
     thrust: float
-    """Integral of the missing energy, in setpoint of thrust."""
+    """Integral of the missing energy, as thrust setpoint, a share of full thrust."""
     pitch: float
     """Integral of the missing path angle [rad]."""
 
@@ -66,20 +66,20 @@ class Longitudinal(NamedTuple):
     """What is flown, and what is missing."""
 
     height_missing: float
-    """[m]."""
+    """Height to fly less the present one [m]."""
     airspeed_missing: float
-    """[m/s]."""
+    """True airspeed to fly less the present one [m/s]."""
     airspeed: float
     """True airspeed [m/s]."""
     climb: float
-    """Sine of the path angle."""
+    """Sine of the path angle, up positive, dimensionless."""
     bank: float
-    """[rad]."""
+    """Bank, right wing down positive [rad]."""
 
 
 @compiled
 def fresh_energy() -> EnergyState:
-    """Nothing is flown yet."""
+    """The state before the first step: both integrals are 0."""
     return EnergyState(0.0, 0.0)
 
 
@@ -105,7 +105,10 @@ def pitch_and_thrust(
 
 @compiled
 def wanted_rates(now: Longitudinal, speed: float, aircraft: Performance) -> tuple[float, float]:
-    """Sine of the path angle, and acceleration over g, that take the errors back."""
+    """Sine of the path angle, and acceleration over g, that take the errors back.
+
+    `speed` is the true airspeed [m/s], not below the slowest of the aircraft.
+    """
     climb = flyable_climb(now.height_missing / (HEIGHT_TIME * speed), aircraft)
     acceleration = now.airspeed_missing / (AIRSPEED_TIME * G0)
     return climb, max(-ACCELERATION_MAX, min(ACCELERATION_MAX, acceleration))
@@ -113,7 +116,7 @@ def wanted_rates(now: Longitudinal, speed: float, aircraft: Performance) -> tupl
 
 @compiled
 def flyable_climb(climb: float, aircraft: Performance) -> float:
-    """Sine of the path angle, within the limits of the aircraft."""
+    """The sine `climb` of a path angle, within the limits of the aircraft."""
     return max(-math.sin(aircraft.descent_max), min(math.sin(aircraft.climb_max), climb))
 
 
@@ -121,7 +124,10 @@ def flyable_climb(climb: float, aircraft: Performance) -> float:
 def thrust_for(
     energy: float, load: float, integral: float, aircraft: Performance
 ) -> tuple[float, float]:
-    """Thrust (0 to 1) for a rate of the total energy at a load factor, and the rate it lacks."""
+    """Thrust (0 to 1) for a rate of the total energy at a load factor, and the rate it lacks.
+
+    Both rates are over g V, dimensionless; `integral` is that of the thrust, as setpoint.
+    """
     level = aircraft.thrust_trim + aircraft.thrust_per_load * (load * load - 1.0) + integral
     asked = level + aircraft.thrust_per_climb * energy
     thrust = max(0.0, min(1.0, asked))
@@ -130,15 +136,16 @@ def thrust_for(
 
 @compiled
 def nearness_of_stall(airspeed: float, load: float, aircraft: Performance) -> float:
-    """0 where the airspeed is well above the stall at a load factor, 1 where it comes near."""
+    """0 at an airspeed [m/s] well above the stall at a load factor, 1 where it comes near."""
     margin = airspeed / (aircraft.airspeed_min * math.sqrt(load))
     return max(0.0, min(1.0, (SLOW_RATIO - margin) / (SLOW_RATIO - STALLING_RATIO)))
 
 
 @compiled
 def missing_climb(missing: float, stalling: float) -> float:
-    """What is missing of the path angle, as far as pitch may answer to it.
+    """What is missing of the path angle [rad], as far as pitch may answer to it.
 
+    `missing` is the difference of the sines, which counts as the angle; `stalling` is 0 to 1.
     An aircraft that sinks because it stalls would stall the more with its nose higher.
     """
     return max(-CLIMB_ERROR_MAX, min(CLIMB_ERROR_MAX * (1.0 - stalling), missing))
@@ -146,7 +153,10 @@ def missing_climb(missing: float, stalling: float) -> float:
 
 @compiled
 def integrated_thrust(integral: float, missing: float, lack: float, dt: float) -> float:
-    """The integral after a step of `dt` [s]; it rests while thrust is at its stop."""
+    """The integral of thrust, as setpoint, `dt` [s] later; it rests while thrust is at its stop.
+
+    `missing` is the thrust setpoint for the missing energy, `lack` the rate that thrust lacks.
+    """
     if lack * missing > 0.0:
         return integral
     grown = integral + missing / THRUST_TIME * dt
@@ -155,6 +165,6 @@ def integrated_thrust(integral: float, missing: float, lack: float, dt: float) -
 
 @compiled
 def integrated_pitch(integral: float, missing: float, dt: float) -> float:
-    """The integral of the missing path angle after a step of `dt` [s], in radians of pitch."""
+    """The integral of the `missing` path angle [rad] as pitch [rad], `dt` [s] later."""
     grown = integral + missing / PITCH_TIME * dt
     return max(-PITCH_INTEGRAL_MAX, min(PITCH_INTEGRAL_MAX, grown))

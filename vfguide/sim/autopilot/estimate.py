@@ -21,23 +21,25 @@ class Estimate(NamedTuple):
     """One aircraft at one instant, SI units, angles in radians."""
 
     time: float
-    """Since the autopilot started [s]."""
+    """Time since the autopilot started [s]."""
     latitude: float
+    """Geodetic latitude [rad]."""
     longitude: float
+    """Longitude [rad]."""
     altitude: float
-    """[m]; AMSL and ellipsoid are the same here."""
+    """Altitude [m]; above mean sea level and above the ellipsoid are the same here."""
     p_l: Vec3
-    """Position in the local frame [m]."""
+    """Position in the local frame, NED from its origin [m]."""
     v_n: Vec3
     """Velocity over ground, NED [m/s]."""
     euler: Vec3
-    """Roll, pitch, yaw [rad]."""
+    """Roll, pitch, yaw of body FRD against NED, Euler angles z-y-x [rad]."""
     omega_b: Vec3
-    """Body rates [rad/s]."""
+    """Body rates p, q, r, FRD [rad/s]."""
     calibrated_airspeed: float
-    """What is told [m/s]; not a number without a sensor."""
+    """Calibrated airspeed that is told [m/s]; not a number without a sensor."""
     true_airspeed: float
-    """What the autopilot itself flies on [m/s]: without a sensor, ground velocity less wind."""
+    """True airspeed that it flies on [m/s]: without a sensor, ground velocity less wind."""
     wind_n: Vec3
     """Wind, the direction it blows toward, NED [m/s]."""
 
@@ -46,17 +48,27 @@ class Origin(NamedTuple):
     """Origin of an autopilot's local frame: where it started, until it is reset."""
 
     latitude: float
+    """Geodetic latitude [rad]."""
     longitude: float
-    """[rad]"""
+    """Longitude [rad]."""
     altitude: float
-    """[m]"""
+    """Altitude [m]."""
 
 
 @compiled
 def on_instruments(
     origin_lat: float, origin_lon: float, lat: float, lon: float, airspeed: float, altitude: float
 ) -> Vec3:
-    """North and east of the local origin [m], and the calibrated airspeed [m/s] at an altitude."""
+    """North and east of the local origin [m], and the calibrated airspeed [m/s].
+
+    Args:
+        origin_lat: latitude of that origin [rad].
+        origin_lon: its longitude [rad].
+        lat: latitude of the aircraft [rad].
+        lon: its longitude [rad].
+        airspeed: its true airspeed [m/s].
+        altitude: its altitude, which sets the density of the air [m].
+    """
     x, y = project(origin_lat, origin_lon, lat, lon)
     return x, y, calibrated_airspeed(airspeed, isa_density(altitude))
 
@@ -71,7 +83,9 @@ class Estimator:
     def __init__(self, first: Truth, instruments: Instruments) -> None:
         """An estimator that starts at the truth `first`."""
         self.origin = Origin(first.latitude, first.longitude, first.altitude)
+        """Origin of the local frame; resets move it."""
         self.home = self.origin
+        """Where the autopilot started."""
         self.error = NO_ERRORS
         """Told minus true, at the latest update; of the position without its resets."""
         self._instruments = instruments

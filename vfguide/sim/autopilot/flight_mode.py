@@ -15,20 +15,24 @@ class Mode(Enum):
     OFFBOARD = auto()
     """The setpoints of a companion."""
     LOST_TO_HOLD = auto()
+    """HOLD as failsafe: setpoints have ceased; until they resume or a mode is asked for."""
     LOST_TO_RETURN = auto()
-    """The stream of setpoints has ended: failsafe, until it resumes or a mode is asked for."""
+    """RETURN as failsafe: setpoints have ceased; until they resume or a mode is asked for."""
 
 
 class Event(Enum):
     """What can happen."""
 
     HOLD_ASKED = auto()
+    """HOLD is asked for."""
     RETURN_ASKED = auto()
+    """RETURN is asked for."""
     OFFBOARD_ASKED = auto()
-    """While setpoints arrive; without them it is refused before it comes to this table."""
+    """OFFBOARD is asked for while setpoints arrive; without them it is refused before."""
     STREAM_LOST_HOLD = auto()
+    """Setpoints have ceased to arrive, and the parameters ask for a hold then."""
     STREAM_LOST_RETURN = auto()
-    """Setpoints have ceased to arrive; the parameters say what follows."""
+    """Setpoints have ceased to arrive, and the parameters ask for a return then."""
     STREAM_BACK = auto()
     """Setpoints arrive again."""
 

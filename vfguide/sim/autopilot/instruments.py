@@ -17,22 +17,23 @@ class Errors(NamedTuple):
     drift: float
     """Time constant of both drifts [s]."""
     velocity: float
-    """On each axis [m/s]."""
+    """Error of the velocity on each axis [m/s]."""
     attitude: float
     """Drift of roll and of pitch [rad]."""
     attitude_bias: float
     """Constant part of roll and of pitch [rad]."""
     yaw: float
+    """Drift of yaw [rad]."""
     yaw_bias: float
-    """The same of yaw [rad]."""
+    """Constant part of yaw [rad]."""
     rate: float
     """White noise of a body rate from one step of the plant to the next [rad/s]."""
     rate_bias: float
     """Constant part of a body rate [rad/s]."""
     airspeed: float
-    """White noise from one look of the autopilot to the next [m/s]."""
+    """White noise of the airspeed from one look of the autopilot to the next [m/s]."""
     airspeed_bias: float
-    """Constant part [m/s]."""
+    """Constant part of the airspeed [m/s]."""
     wind: float
     """Drift of the wind estimate on each axis [m/s]."""
 
@@ -52,29 +53,30 @@ class Reset(NamedTuple):
     """A jump of what the autopilot believes."""
 
     time: float
-    """[s] after the start."""
+    """Time after the start [s]."""
     position: Vec3
-    """By which its estimate of the position jumps, NED [m]."""
+    """Jump of its estimate of the position, NED [m]."""
     origin: Vec3
-    """By which the origin of its local frame moves, NED [m]."""
+    """Move of the origin of its local frame, NED [m]."""
 
 
 class Instruments(NamedTuple):
     """What one autopilot measures with; the defaults are exact and never fail."""
 
     errors: Errors | None = None
-    """None: it knows its state exactly."""
+    """Sizes of the errors; None: it knows its state exactly."""
     seed: int = 0
-    """Of the errors of its estimate."""
+    """Seed of the errors of its estimate."""
     rate_seed: int = 0
-    """Of the errors of its body rates."""
+    """Seed of the errors of its body rates."""
     airspeed_fails: float = math.inf
-    """When the airspeed sensor fails [s]; 0: there is none."""
+    """Time after the start at which the airspeed sensor fails [s]; 0: there is none."""
     airspeed_fault: AirspeedFault = AirspeedFault.MISSING
+    """What the sensor makes the autopilot tell from then on."""
     tells_wind: bool = True
     """Whether it sends WIND_COV."""
     resets: tuple[Reset, ...] = ()
-    """In the order of time."""
+    """Jumps of what it believes, in the order of time."""
 
 
 EXACT = Instruments()

@@ -35,15 +35,16 @@ class LoiterState(NamedTuple):
     """What one step of the hold leaves for the next."""
 
     time: float
-    """Of the step before [s]; negative before the first."""
+    """Time of the step before [s]; negative before the first."""
     radius: float
-    """Of the circle [m]."""
+    """Radius of the circle [m]."""
     energy: EnergyState
+    """Integrals of energy control."""
 
 
 @compiled
 def fresh_loiter(radius: float) -> LoiterState:
-    """Nothing is flown yet of a circle of this radius [m]."""
+    """The state before the first step on a circle of this radius [m]."""
     return LoiterState(-1.0, radius, fresh_energy())
 
 
@@ -64,7 +65,7 @@ def wanted_bank(
 def step_loiter(
     estimate: Estimate, circle: Circle, aircraft: Performance, s: LoiterState
 ) -> tuple[Vec3, float, LoiterState]:
-    """Body rates [rad/s] and thrust (0 to 1) that fly a circle, and the next state."""
+    """Body rates, FRD [rad/s], and thrust (0 to 1) that fly a circle, and the next state."""
     airspeed = max(estimate.true_airspeed, 0.5 * aircraft.airspeed_min)
     now = Longitudinal(
         circle.plane.alt - estimate.altitude,
@@ -110,7 +111,7 @@ class Loiter:
         self._state = fresh_loiter(self._radius(estimate))
 
     def step(self, estimate: Estimate) -> tuple[Vec3, float]:
-        """Body rates [rad/s] and thrust (0 to 1) for the next while."""
+        """Body rates, FRD [rad/s], and thrust (0 to 1) until the next step."""
         omega_b, thrust, self._state = step_loiter(
             estimate, self._circle, self._aircraft, self._state
         )

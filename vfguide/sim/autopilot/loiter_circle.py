@@ -24,12 +24,13 @@ class Circle(NamedTuple):
     """Where to fly, and how fast."""
 
     plane: TangentPlane
-    """Its origin is at the height of the circle."""
+    """Plane with its origin at the height of the circle."""
     north: float
+    """North of the plane's origin, of the centre [m]."""
     east: float
-    """The centre in the plane [m]."""
+    """East of the plane's origin, of the centre [m]."""
     airspeed: float
-    """True airspeed [m/s]."""
+    """True airspeed to fly [m/s]."""
 
 
 @compiled
@@ -41,7 +42,7 @@ def largest_bank(aircraft: Performance, airspeed: float) -> float:
 
 @compiled
 def radius_in(wind_n: Vec3, airspeed: float, aircraft: Performance) -> float:
-    """Radius of the circle at a true airspeed [m/s] in a wind [m/s], wide enough downwind [m]."""
+    """Radius of the circle [m], wide enough downwind at a true airspeed in a wind, NED [m/s]."""
     downwind = airspeed + math.hypot(wind_n[0], wind_n[1])
     bank = largest_bank(aircraft, airspeed)
     tightest = RADIUS_MARGIN * downwind * downwind / (G0 * math.tan(bank))

@@ -57,7 +57,7 @@ GROUND: dict[int, float] = {
 
 
 class MavlinkChannel:
-    """One channel. Times in us."""
+    """One channel. All times are dates [us since 1970]."""
 
     def __init__(self, sysid: int, rates: dict[int, float], now: int) -> None:
         """A channel of system `sysid` with these streams [Hz], all due at `now`."""
@@ -97,7 +97,7 @@ class MavlinkChannel:
         return ready
 
     def set_interval(self, now: int, msgid: int, interval: int) -> None:
-        """Change a stream: -1 ends it, 0 is its default."""
+        """Change the interval of a stream [us] at a time: -1 ends it, 0 is its default."""
         interval = self._default.get(msgid, -1) if interval == 0 else interval
         if interval < 0:
             self._interval.pop(msgid, None)

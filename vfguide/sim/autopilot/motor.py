@@ -2,20 +2,22 @@
 
 from typing import NamedTuple
 
+from vfguide.geometry.units import MINUTE
+
 
 class Motor(NamedTuple):
     """Shares of the thrust in the map; the defaults give all of it for ever."""
 
     scale: float = 1.0
-    """At the start."""
+    """Share at the start."""
     sag: float = 0.0
-    """Lost in a minute."""
+    """Share that is lost in a minute [1/min]."""
     floor: float = 0.0
-    """The sag ends here."""
+    """Share at which the sag ends."""
 
     def share(self, time: float) -> float:
-        """The share at a time [s] after the start."""
-        return max(self.scale - self.sag * time / 60.0, min(self.floor, self.scale))
+        """The share of the thrust at a time [s] after the start, dimensionless."""
+        return max(self.scale - self.sag * time / MINUTE, min(self.floor, self.scale))
 
 
 SOUND = Motor()

@@ -26,26 +26,28 @@ class Bias(NamedTuple):
     """Constant parts of the errors."""
 
     roll: float
+    """Constant error of roll [rad]."""
     pitch: float
+    """Constant error of pitch [rad]."""
     yaw: float
-    """[rad]."""
+    """Constant error of yaw [rad]."""
     airspeed: float
-    """[m/s]."""
+    """Constant error of the airspeed [m/s]."""
 
 
 class Errs(NamedTuple):
     """Errors at one instant: told minus true."""
 
     p_n: Vec3
-    """[m]."""
+    """Error of the position, NED [m]."""
     v_n: Vec3
-    """[m/s]."""
+    """Error of the velocity over ground, NED [m/s]."""
     euler: Vec3
-    """[rad]."""
+    """Errors of roll, pitch and yaw [rad]."""
     airspeed: float
-    """[m/s]."""
+    """Error of the true airspeed [m/s]."""
     wind_n: Vec3
-    """[m/s]."""
+    """Error of the wind, NED [m/s]."""
 
 
 def normals(seed: int) -> Iterator[float]:
@@ -64,6 +66,7 @@ class Drift:
     def __init__(self, source: Iterator[float], sigma: float, time: float) -> None:
         """A process with standard deviation `sigma` and the time constant `time` [s]."""
         self.value = sigma * next(source)
+        """Present value, in the unit of `sigma`."""
         self._source, self._sigma, self._time = source, sigma, time
 
     def step(self, dt: float) -> float:
@@ -114,7 +117,7 @@ class RateNoise:
         p, q, r = islice(self._source, 3)
         bias = errors.rate_bias
         self.last: Vec3 = (bias * p, bias * q, bias * r)
-        """What was added last [rad/s]."""
+        """Errors of p, q, r that were added last [rad/s]."""
         self._bias = self.last
 
     def measure(self, inner: InnerTuple, airspeed_error: float) -> InnerTuple:

@@ -17,10 +17,15 @@ class Parameter:
     """One parameter and what it may be."""
 
     name: str
+    """Name on MAVLink, as of PX4."""
     value: float
+    """Present value, in the unit that PX4 gives it."""
     low: float
+    """Least value that is taken."""
     high: float
+    """Largest value that is taken."""
     integer: bool
+    """Whether it is an integer."""
 
 
 class Parameters:
@@ -39,7 +44,10 @@ class Parameters:
         return self._all[name].value
 
     def set(self, name: str, wire_value: float) -> ParamValue | None:
-        """Take a new value; the echo tells the value that holds. None: no such parameter."""
+        """Take a value as PARAM_SET has it; returns PARAM_VALUE with the value that holds.
+
+        A value out of range is not taken. None: there is no such parameter.
+        """
         parameter = self._all.get(name)
         if parameter is None:
             return None
@@ -53,7 +61,11 @@ class Parameters:
         return list(self._all)
 
     def describe(self, name: str) -> ParamValue:
-        """PARAM_VALUE of one parameter."""
+        """PARAM_VALUE of one parameter.
+
+        Raises:
+            KeyError: there is no such parameter.
+        """
         parameter = self._all[name]
         kind = MavParamType.INT32 if parameter.integer else MavParamType.REAL32
         value = to_bytes(int(parameter.value)) if parameter.integer else parameter.value
@@ -61,10 +73,14 @@ class Parameters:
 
 
 def to_bytes(value: int) -> float:
-    """PX4 puts the four bytes of an integer where the float stands."""
+    """The float that has the four bytes of an integer, as PX4 sends integers.
+
+    Raises:
+        struct.error: the integer needs more than 32 bits.
+    """
     return float(struct.unpack("<f", struct.pack("<i", value))[0])
 
 
 def from_bytes(value: float) -> int:
-    """The integer whose bytes stand where the float is."""
+    """The integer whose four bytes a float of 32 bits has."""
     return int(struct.unpack("<i", struct.pack("<f", value))[0])

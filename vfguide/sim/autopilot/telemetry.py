@@ -55,24 +55,45 @@ ALL_HEALTHY = (
 """Flags of all sensors of SYS_STATUS as present, enabled and healthy."""
 BATTERY_VOLTAGE = 44_400
 """Voltage of the simulated battery [mV]; chosen, 12 cells."""
+BATTERY_LEFT = 100
+"""Charge that is left in the simulated battery [%]; chosen, it is not used up."""
+LOOP_LOAD = 200
+"""Load of the simulated autopilot's main loop [0.1 %]; chosen."""
+HDOP = 80
+"""Horizontal dilution of precision of the simulated receiver times 100, a number; chosen, that of a
+good fix."""
+VDOP = 120
+"""Vertical dilution of precision of the simulated receiver times 100, a number; chosen, that of a
+good fix."""
+SATELLITES = 12
+"""Number of satellites of the simulated receiver; chosen, enough for a good fix."""
+WIND_CHANGE = 0.25
+"""Standard deviation in time of the wind in WIND_COV [m/s]; chosen."""
+WIND_ACCURACY = 0.5
+"""Standard deviation of the estimate of the wind in WIND_COV [m/s]; chosen."""
 
 
 class Report(NamedTuple):
     """Everything that the streams tell."""
 
     now: int
-    """[us since 1970]."""
+    """Date [us since 1970]."""
     time_boot_ms: int
     """Time since the start [ms]."""
     estimate: Estimate
+    """What the autopilot believes of its aircraft."""
     origin: Origin
+    """Origin of its local frame."""
     home: Origin
+    """Where it started."""
     mode: Mode
+    """What it is flying."""
     armed: bool
+    """Whether it is armed."""
     setpoint: SetAttitudeTarget | None
-    """The one that is flown."""
+    """The setpoint that is flown; None: it flies by itself."""
     throttle: float
-    """0 to 1."""
+    """Throttle that the motor gets, 0 to 1."""
 
 
 def heartbeat(report: Report) -> Heartbeat:
@@ -88,23 +109,23 @@ def heartbeat(report: Report) -> Heartbeat:
 
 
 def attitude(report: Report) -> Attitude:
-    """ATTITUDE."""
+    """ATTITUDE: Euler angles [rad] and body rates [rad/s]."""
     return Attitude(report.time_boot_ms, *report.estimate.euler, *report.estimate.omega_b)
 
 
 def attitude_quaternion(report: Report) -> AttitudeQuaternion:
-    """ATTITUDE_QUATERNION."""
+    """ATTITUDE_QUATERNION: body FRD to NED, and body rates [rad/s]."""
     w, x, y, z = quaternion_from_euler(*report.estimate.euler)
     return AttitudeQuaternion(report.time_boot_ms, w, x, y, z, *report.estimate.omega_b)
 
 
 def local_position(report: Report) -> LocalPositionNed:
-    """LOCAL_POSITION_NED about the vehicle's start."""
+    """LOCAL_POSITION_NED about the origin of the local frame [m], with the velocity [m/s]."""
     return LocalPositionNed(report.time_boot_ms, *report.estimate.p_l, *report.estimate.v_n)
 
 
 def global_position(report: Report) -> GlobalPositionInt:
-    """GLOBAL_POSITION_INT."""
+    """GLOBAL_POSITION_INT; its relative altitude is that above home."""
     estimate = report.estimate
     north, east, down = estimate.v_n
     return GlobalPositionInt(
@@ -121,7 +142,7 @@ def global_position(report: Report) -> GlobalPositionInt:
 
 
 def compass(angle: float) -> int:
-    """An angle as 0 to 35999 hundredths of a degree."""
+    """An angle [rad] as 0 to 35999 hundredths of a degree."""
     return round(angle / CDEG) % 36000
 
 
@@ -139,10 +160,11 @@ def vfr_hud(report: Report) -> VfrHud:
 
 
 def wind_cov(report: Report) -> WindCov:
-    """WIND_COV; the wind blows toward this vector. As on PX4 no vertical wind is estimated."""
+    """WIND_COV: the direction it blows toward [m/s]. As on PX4 no vertical wind is estimated."""
     north, east, _ = report.estimate.wind_n
     altitude = report.estimate.altitude
-    return WindCov(report.now, north, east, 0.0, 0.25, 0.25, altitude, 0.5, 0.5)
+    change, accuracy = WIND_CHANGE, WIND_ACCURACY
+    return WindCov(report.now, north, east, 0.0, change, change, altitude, accuracy, accuracy)
 
 
 def gps_raw(report: Report) -> GpsRawInt:
@@ -155,11 +177,11 @@ def gps_raw(report: Report) -> GpsRawInt:
         round(estimate.latitude / DEG_E7),
         round(estimate.longitude / DEG_E7),
         round(estimate.altitude / MM),
-        80,
-        120,
+        HDOP,
+        VDOP,
         round(math.hypot(north, east) / CM_S),
         compass(math.atan2(east, north)),
-        12,
+        SATELLITES,
         round(estimate.altitude / MM),
     )
 
@@ -177,7 +199,7 @@ def global_origin(report: Report) -> GpsGlobalOrigin:
 
 
 def origin_on_the_wire(origin: Origin) -> tuple[int, int, int]:
-    """Latitude, longitude [1e-7 deg] and altitude [mm]."""
+    """Latitude, longitude [1e-7 deg] and altitude [mm] of an origin, as messages have them."""
     return (
         round(origin.latitude / DEG_E7),
         round(origin.longitude / DEG_E7),
@@ -187,9 +209,8 @@ def origin_on_the_wire(origin: Origin) -> tuple[int, int, int]:
 
 def sys_status(_: Report) -> SysStatus:
     """SYS_STATUS: all well."""
-    return SysStatus(
-        ALL_HEALTHY, ALL_HEALTHY, ALL_HEALTHY, 200, BATTERY_VOLTAGE, -1, 100, 0, 0, 0, 0, 0, 0
-    )
+    sensors, battery = (ALL_HEALTHY, ALL_HEALTHY, ALL_HEALTHY), (BATTERY_VOLTAGE, -1, BATTERY_LEFT)
+    return SysStatus(*sensors, LOOP_LOAD, *battery, 0, 0, 0, 0, 0, 0)
 
 
 def extended_sys_state(report: Report) -> ExtendedSysState:
@@ -204,7 +225,7 @@ def system_time(report: Report) -> SystemTime:
 
 
 def current_mode(report: Report) -> CurrentMode:
-    """CURRENT_MODE."""
+    """CURRENT_MODE: the mode that is flown, told as the intended one too."""
     mode = REPORTED[report.mode]
     return CurrentMode(0, mode, mode)
 

@@ -49,6 +49,7 @@ class Airframe:
     rates: RateTable
     """The table of `rate_loop`."""
     thrust: ThrustMap
+    """The table of `throttle_for`."""
     cruise: FlightCondition
     """Level trimmed flight, about which the airframe was measured."""
     cruise_thrust: float

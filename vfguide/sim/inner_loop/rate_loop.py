@@ -21,13 +21,13 @@ class Axis(NamedTuple):
     """Angular acceleration about one body axis with the surfaces at zero, and its surface."""
 
     zero: float
-    """Angular acceleration at no angle and no rate, by rho V^2 [1/(kg/m)]."""
+    """Angular acceleration at no angle and no rate, by rho V^2 [m/kg]."""
     alpha: float
-    """Its derivative by the angle of attack, by rho V^2 [1/(kg/m rad)]."""
+    """Derivative of that by the angle of attack [m/(kg rad)]."""
     beta: float
-    """Its derivative by the angle of sideslip, by rho V^2 [1/(kg/m rad)]."""
+    """Derivative of that by the angle of sideslip [m/(kg rad)]."""
     damping: Vec3
-    """Its derivatives by the body rates p, q, r, by rho V [m^2/kg]."""
+    """Derivatives of the angular acceleration by the body rates p, q, r, by rho V [m^2/kg]."""
     pq: float
     """Gyroscopic coefficient of p q [1]."""
     pr: float
@@ -37,15 +37,18 @@ class Axis(NamedTuple):
     pp_rr: float
     """Gyroscopic coefficient of p^2 - r^2 [1]."""
     surface: Vec3
-    """Aileron, elevator or rudder for an angular acceleration about x, y, z, times rho V^2."""
+    """Its surface for an angular acceleration about x, y, z, by 1 / (rho V^2) [kg/m]."""
 
 
 class Rates(NamedTuple):
     """The coefficients of all three axes."""
 
     roll: Axis
+    """About x, with the aileron."""
     pitch: Axis
+    """About y, with the elevator."""
     yaw: Axis
+    """About z, with the rudder."""
 
 
 RateTable = Row

@@ -50,7 +50,9 @@ class ThrustMap:
     """The table of throttles of one airframe for `throttle_for`."""
 
     throttles: Throttles
+    """Throttles over airspeed and thrust setpoint, 0 to 1, beyond 1 where thrust is lacking."""
     axes: Axes
+    """Airspeeds and density of the table."""
     full_thrust: float
     """Thrust at setpoint 1, in the density of the table [N]."""
 
