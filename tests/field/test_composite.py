@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import NOBODY, NOTHING, SPACING, STILL, at_level, one_obstacle, random_goal
-from shape_samples import SHAPES, floats, random_directions, random_shape
+from shape_samples import SHAPES, every_shape, floats, random_directions, random_shape
 
 from vfguide.field import arrays
 from vfguide.field.attitude import AXIS, attitude
@@ -282,7 +282,7 @@ def test_extremes_stay_finite():
             assert np.isfinite(part).all()
 
 
-@pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+@every_shape
 def test_the_field_is_continuous_where_the_reactive_area_begins(body):
     obstacles, goal = one_obstacle(body), goal_frame((500.0, 100.0, 50.0), 0.2, 0.1)
     edge = at_level(obstacles, random_directions(np.random.default_rng(13), 100), 4.0)
