@@ -4,10 +4,9 @@ import math
 import shutil
 from functools import cache
 
-import jsbsim
 import numpy as np
 import pytest
-from sim_flights import AIRCRAFT, ALTITUDE, CESSNA, STEPS_PER_S
+from sim_flights import AIRCRAFT, ALTITUDE, CESSNA, STEPS_PER_S, plain_jsbsim
 
 from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft
@@ -143,14 +142,7 @@ def test_a_trim_does_not_depend_on_what_was_asked_before(name, airspeeds):
 
 
 def test_plain_jsbsim_flies_the_easystar():
-    fdm = jsbsim.FGFDMExec(str(AIRCRAFT.parent))
-    fdm.set_debug_level(0)
-    fdm.set_dt(0.005)
-    assert fdm.load_model("easystar")
-    fdm["ic/h-sl-ft"] = ALTITUDE / FT
-    fdm["ic/theta-rad"] = 1.2 * DEG
-    fdm["ic/u-fps"] = 11.0 / FT
-    assert fdm.run_ic()
+    fdm = plain_jsbsim("easystar", 11.0, 1.2 * DEG)
     fdm["fcs/throttle-cmd-norm"] = 0.49
     for _ in range(400):
         assert fdm.run()
