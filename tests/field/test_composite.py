@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from body_rates import vee
 from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import NOBODY, NOTHING, SPACING, STILL, at_level, one_obstacle, random_goal
@@ -61,11 +62,6 @@ def random_scene(rng):
 
 def after(others, h):
     return np.hstack([others[:, :3] + h * others[:, 3:], others[:, 3:]])
-
-
-def vee(S):
-    skew = 0.5 * (S - np.swapaxes(S, -1, -2))
-    return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)
 
 
 def turn_rates(goal, p, v, obstacles, others, h):
