@@ -9,6 +9,10 @@ from typing import Any
 
 from programs import VFGUIDE, Program
 
+from vfguide.link.codec import Frame, decode
+from vfguide.link.messages import Message
+from vfguide.link.tlog import TlogReader
+
 FIRST_FLIGHT = """
 name = "short"
 duration_s = 60.0
@@ -56,3 +60,8 @@ def interrupted(path: Path, log: str) -> dict[str, Any]:
     result = json.loads((folder / "out" / "result.json").read_text())
     assert result["reasons"][0] == "interrupted"
     return result
+
+
+def messages(log: Path) -> list[tuple[int, Frame, Message | None]]:
+    """What a log holds: times [us], frames and what they say."""
+    return [(time_us, frame, decode(frame)) for time_us, frame in TlogReader.open(log)]

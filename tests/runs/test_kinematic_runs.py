@@ -5,14 +5,13 @@ import math
 
 import numpy as np
 import pytest
-from flights import interrupted, vfguide
+from flights import interrupted, messages, vfguide
 from scipy.spatial.transform import Rotation
 
 from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.files.data import shipped_scenarios
 from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
-from vfguide.link.codec import decode
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.link.tlog import TlogReader
 from vfguide.results.path import positions
@@ -121,10 +120,6 @@ def fly(folder, text, *changes):
     early = ("time",) if flight.ending is Ending.TIME else ()
     result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
     return flight, json.loads(result.to_json())
-
-
-def messages(log):
-    return [(time_us, frame, decode(frame)) for time_us, frame in TlogReader.open(log)]
 
 
 @pytest.fixture(scope="module")
