@@ -19,8 +19,10 @@ from vfguide.sim.truth import Truth
 
 AIRCRAFT = Path(__file__).parents[1] / "aircraft"
 AEROSONDE = Model(AIRCRAFT, "aerosonde")
+EASYSTAR = Model(AIRCRAFT, "easystar")
 CESSNA = Model(Path(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
 """A stock model, with engine and propeller of JSBSim's own, in a folder of engines."""
+MODELS = {"aerosonde": AEROSONDE, "easystar": EASYSTAR, "c172p": CESSNA}
 GROUND = 488.0
 ALTITUDE = 638.0
 STEPS_PER_S = round(1.0 / STEP)
