@@ -5,6 +5,7 @@ from plans import FIRST_FLIGHT
 from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
+from vfguide.companion.route import Route
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.enums import MavAutopilot, MavCmd, MavResult, MavState, MavType
 from vfguide.link.messages import (
@@ -86,6 +87,24 @@ class Conversation:
 
     def acknowledge(self, result: int = MavResult.ACCEPTED) -> None:
         self.hear(CommandAck(MavCmd.DO_SET_MODE, result))
+
+
+class Testing(Conversation):
+    """The companion of a plan with a test flight."""
+
+    __test__ = False
+
+    def __init__(self, its: Plan) -> None:
+        super().__init__()
+        self.companion = type(self.companion)(1, its, engage=True)
+
+    def engage(self) -> None:
+        self.fly(1.0)
+        self.fly(1.0, Px4Mode.OFFBOARD)
+
+    @property
+    def route(self) -> Route:
+        return self.companion.route
 
 
 def setpoints(messages: list) -> list[SetAttitudeTarget]:

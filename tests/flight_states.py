@@ -13,6 +13,10 @@ from vfguide.geometry.vector import matmul, matvec
 
 GAINS = Gains(25.0)
 VEHICLE = Vehicle(AEROSONDE, GAINS)
+NORTH = FlightState(
+    5.0, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.0, 0.0), 25.0, (math.nan,) * 3
+)
+"""Level flight to the north, in a wind that is not known."""
 
 
 def state(p_n, yaw, roll=0.1, wind=(0.0, 0.0, 0.0), time=1.0):

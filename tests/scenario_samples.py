@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+import pytest
+
+from vfguide.files.errors import InputError
 from vfguide.scenario.load import LoadedScenario, load_scenario
 
 MINIMAL = """\
@@ -26,6 +29,13 @@ position_m = [-500, 200, -100]
 position_m = [0, 200, -100]
 heading_deg = 0
 """
+BOX = '\n[[obstacle]]\nname = "{name}"\nshape = "box"\nposition_m = {at}\nsize_m = {size}\n'
+SQUARE = "polygon_m = [[-900, -900], [-900, 900], [900, 900], [900, -900]]"
+"""Of a zone of a fence."""
+
+
+def box(at: list[float], size: list[float], more: str = "") -> str:
+    return BOX.format(name="shed", at=at, size=size) + more
 
 
 def loaded_from(
@@ -34,3 +44,13 @@ def loaded_from(
     file = folder / "x.toml"
     file.write_text(text)
     return load_scenario(file, overrides)
+
+
+def message_for(folder: Path, text: str, *overrides: str) -> str:
+    """The line that refuses a scenario, behind the name of its file."""
+    with pytest.raises(InputError) as error:
+        loaded_from(folder, text, overrides)
+    message, start = str(error.value), f"{folder / 'x.toml'}: "
+    assert "\n" not in message
+    assert overrides or message.startswith(start)
+    return message.removeprefix(start)

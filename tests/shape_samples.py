@@ -1,6 +1,7 @@
 """Shapes, and points on them and around them."""
 
 import numpy as np
+import pytest
 
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes import shape
@@ -25,6 +26,9 @@ MORE_SHAPES = SHAPES | {
     "spire": shape.cone(5.0, 100.0),
     "heap": shape.cone(80.0, 10.0),
 }
+
+every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+every_odd_shape = pytest.mark.parametrize("body", MORE_SHAPES.values(), ids=MORE_SHAPES)
 
 
 def floats(a):

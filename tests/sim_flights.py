@@ -6,7 +6,7 @@ from pathlib import Path
 import jsbsim
 
 from vfguide.geometry.rows import columns
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import DEG, FT
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model, Start, Weather
@@ -19,8 +19,10 @@ from vfguide.sim.truth import Truth
 
 AIRCRAFT = Path(__file__).parents[1] / "aircraft"
 AEROSONDE = Model(AIRCRAFT, "aerosonde")
+EASYSTAR = Model(AIRCRAFT, "easystar")
 CESSNA = Model(Path(jsbsim.get_default_root_dir()) / "aircraft", "c172p")
 """A stock model, with engine and propeller of JSBSim's own, in a folder of engines."""
+MODELS = {"aerosonde": AEROSONDE, "easystar": EASYSTAR, "c172p": CESSNA}
 GROUND = 488.0
 ALTITUDE = 638.0
 STEPS_PER_S = round(1.0 / STEP)
@@ -46,6 +48,22 @@ def start(condition: FlightCondition | None = None, yaw: float = 0.0) -> Start:
 
 def airborne(airspeed: float = 25.0, yaw: float = 0.0, weather: Weather | None = None) -> Plant:
     return Plant(AEROSONDE, start(steady(airspeed), yaw), weather, GROUND)
+
+
+def plain_jsbsim(
+    name: str, forward: float, pitch: float, downward: float = 0.0
+) -> jsbsim.FGFDMExec:
+    """A model as any user of JSBSim would load it, in flight at these body velocities [m/s]."""
+    fdm = jsbsim.FGFDMExec(str(AIRCRAFT.parent))
+    fdm.set_debug_level(0)
+    fdm.set_dt(0.005)
+    assert fdm.load_model(name)
+    fdm["ic/h-sl-ft"] = ALTITUDE / FT
+    fdm["ic/theta-rad"] = pitch
+    fdm["ic/u-fps"] = forward / FT
+    fdm["ic/w-fps"] = downward / FT
+    assert fdm.run_ic()
+    return fdm
 
 
 def thrust_in(condition: FlightCondition) -> float:

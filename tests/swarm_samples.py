@@ -5,9 +5,10 @@ from scipy.spatial.transform import Rotation
 
 from vfguide.field.goal_frame import goal_frame
 from vfguide.field.swarm import goal_rows
-from vfguide.field.swarm_control import Swarm
+from vfguide.field.swarm_control import PaperGains, Swarm
 
 GOAL = goal_frame((10.0, -20.0, 5.0), 0.7, 0.3)
+GAINS = PaperGains(0.5, 3.5, 0.02)
 
 
 def swarm_of(p_n, R_nb=None, moving=None):

@@ -105,14 +105,18 @@ def found_in(samples, before=AEROSONDE):
     return found, {its.key: its for its in found.estimates}
 
 
-@pytest.mark.parametrize("wind", [(0.0, 0.0, 0.0), (3.0, -2.0, 0.0), (-9.0, 8.0, 0.0)])
-def test_the_numbers_of_a_flight_are_found(wind):
-    found, estimates = found_in(flight(wind))
+def assert_all_found(estimates):
     assert all(its.used for its in estimates.values())
     for key, true in TRUE.items():
         # A setpoint is held for DT: the response to it seems so much faster or slower.
         most = 0.06 * abs(true) + (DT if key.endswith("_s") else 0.0)
         assert estimates[key].value == pytest.approx(true, abs=most), key
+
+
+@pytest.mark.parametrize("wind", [(0.0, 0.0, 0.0), (3.0, -2.0, 0.0), (-9.0, 8.0, 0.0)])
+def test_the_numbers_of_a_flight_are_found(wind):
+    found, estimates = found_in(flight(wind))
+    assert_all_found(estimates)
     its = found.aircraft
     assert (its.thrust_trim, its.thrust_per_climb, its.thrust_per_load) == tuple(
         estimates[key].value for key in ("trim", "per_climb", "per_load")
@@ -182,10 +186,7 @@ def test_a_gap_in_the_airspeed_costs_no_more_than_itself(gap):
     found, estimates = found_in(
         samples._replace(airspeed=np.where(lost, math.nan, samples.airspeed))
     )
-    assert all(its.used for its in estimates.values())
-    for key, true in TRUE.items():
-        most = 0.06 * abs(true) + (DT if key.endswith("_s") else 0.0)
-        assert estimates[key].value == pytest.approx(true, abs=most), key
+    assert_all_found(estimates)
     assert found.aircraft.thrust_trim == estimates["trim"].value
 
 

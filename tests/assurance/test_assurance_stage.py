@@ -4,18 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from aeroplanes import AEROSONDE
 from assurance_samples import FLOWN, decide
-from flight_states import motion
+from flight_states import VEHICLE, motion
 from hazard_samples import ball, hazards
 from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.path_limits import ZOOM_RATIO
-from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
-from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.assurance import assurance
@@ -37,7 +34,6 @@ from vfguide.geometry.so3 import IDENTITY
 
 HERE = (0.0, 0.0, -150.0)
 WISH = GuidanceCommand(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
-VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 NORTHWARD = FlightState(1.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 0.0))
 
 

@@ -4,12 +4,11 @@ import math
 from itertools import pairwise
 from types import SimpleNamespace
 
-from aeroplanes import AEROSONDE
+from flight_states import VEHICLE
+from loop_legs import FAR, GOALS
 from loop_steps import step_told
 
-from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
-from vfguide.aircraft.vehicle import Vehicle
 from vfguide.companion.annunciations import passage_note, progress_notes
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.rows import row_of
@@ -17,15 +16,9 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT
 from vfguide.loop.attempts import Attempts
-from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.mission import MissionState
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.planning.excess_wind import fresh_wind_hold
-
-GOALS = (
-    Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
-    Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
-)
 
 
 def note(goal_before, missed, goal_after, given_up):
@@ -43,10 +36,6 @@ def test_the_operator_is_told_what_became_of_a_goal():
     assert note(0, 1, 1, 0) == "goal 1 reached, 5.1 m off; flying to goal 2 of 2"
 
 
-VEHICLE = row_of(Vehicle(AEROSONDE, Gains(25.0)))
-LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
-
-
 def circling(seconds):
     """Rows of the loop of a vehicle that flies a level circle of 80 m whatever it is told."""
     row, flown = row_of_state(fresh_state()), []
@@ -56,7 +45,7 @@ def circling(seconds):
         v_n = (25.0 * math.cos(course), 25.0 * math.sin(course), 0.0)
         R_nb = from_euler(38.0 * DEG, 0.05, course)
         state = FlightState(1.0 + 0.02 * k, place, v_n, R_nb, 25.0, (0.0, 0.0, 0.0))
-        _, row, _ = step_told(state, row, LEGS, None, FLIGHT, VEHICLE)
+        _, row, _ = step_told(state, row, FAR, None, FLIGHT, row_of(VEHICLE))
         flown.append(row)
     return flown
 

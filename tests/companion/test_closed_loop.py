@@ -33,20 +33,29 @@ def longest(flight, start):
     return max(path, abs(start[2] - to.p_n[2]) / CLIMB) + LOOPS * flight.radius
 
 
+def to_one_goal(rng, start, heading, wind, climb=0.0):
+    """The flight to (0, 0, -150) on any course, in a wind from anywhere."""
+    to = goal(0.0, 0.0, course=rng.uniform(0.0, 360.0), climb=climb)
+    return flown(start, heading, [to], blowing(wind, rng.uniform(0.0, 360.0)))
+
+
+def assert_in_good_order(flight, start, number):
+    assert flight.finished, number
+    assert flight.length < longest(flight, start), number
+    assert flight.switches <= 6, number
+    assert flight.reversals <= 4, number
+
+
 @pytest.mark.parametrize("wind", WINDS)
 def test_from_anywhere_the_goal_is_reached_exactly_and_without_detours(wind):
     for number in range(40):
         rng = np.random.default_rng([1, number, int(wind)])
         start, heading = around(rng, 250.0, 1000.0, 30.0)
-        to = goal(0.0, 0.0, course=rng.uniform(0.0, 360.0))
-        flight = flown(start, heading, [to], blowing(wind, rng.uniform(0.0, 360.0)))
-        assert flight.finished, number
+        flight = to_one_goal(rng, start, heading, wind)
+        assert_in_good_order(flight, start, number)
         assert flight.reached[0].miss < 0.5, number
         assert flight.reached[0].course_error < 1.0 * DEG, number
         assert flight.reached[0].climb_error < 1.0 * DEG, number
-        assert flight.length < longest(flight, start), number
-        assert flight.switches <= 6, number
-        assert flight.reversals <= 4, number
 
 
 @pytest.mark.parametrize("wind", WINDS)
@@ -54,12 +63,8 @@ def test_from_close_by_it_is_reached_all_the_same(wind):
     for number in range(40):
         rng = np.random.default_rng([2, number, int(wind)])
         start, heading = around(rng, 0.0, 200.0, 10.0)
-        to = goal(0.0, 0.0, course=rng.uniform(0.0, 360.0))
-        flight = flown(start, heading, [to], blowing(wind, rng.uniform(0.0, 360.0)))
-        assert flight.finished, number
-        assert flight.length < longest(flight, start), number
-        assert flight.switches <= 6, number
-        assert flight.reversals <= 4, number
+        flight = to_one_goal(rng, start, heading, wind)
+        assert_in_good_order(flight, start, number)
 
 
 @pytest.mark.parametrize("wind", [0.0, 10.0])
@@ -80,8 +85,7 @@ def test_height_that_the_path_does_not_allow_is_flown_off_in_circles(height, win
         rng = np.random.default_rng([3, number, int(height) + 100])
         start, heading = around(rng, 10.0, 300.0, 0.0)
         start = (start[0], start[1], -150.0 - height)
-        to = goal(0.0, 0.0, course=rng.uniform(0.0, 360.0))
-        flight = flown(start, heading, [to], blowing(wind, rng.uniform(0.0, 360.0)))
+        flight = to_one_goal(rng, start, heading, wind)
         assert flight.finished, number
         assert flight.reached[0].miss < 5.0, number
         assert flight.length < longest(flight, start), number
@@ -96,8 +100,7 @@ def test_a_climb_angle_is_flown_at_the_goal_and_not_long_before(climb, wind):
     for number in range(12):
         rng = np.random.default_rng([4, number])
         start, heading = around(rng, 250.0, 900.0, 60.0)
-        to = goal(0.0, 0.0, course=rng.uniform(0.0, 360.0), climb=climb)
-        flight = flown(start, heading, [to], blowing(wind, rng.uniform(0.0, 360.0)))
+        flight = to_one_goal(rng, start, heading, wind, climb)
         assert flight.finished, number
         assert flight.reached[0].miss < 1.0, number
         assert flight.reached[0].climb_error < 2.0 * DEG, number

@@ -5,20 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conversations import Conversation, plan
+from conversations import Testing, plan
+from flight_states import NORTH
 from hypothesis import given
 from hypothesis import strategies as st
 from plans import TEST_FLIGHT
 
-from vfguide.aircraft.state import FlightState
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.circuit import AIRSPEED_CHANGE, ROOM_SPACING, circuit
-from vfguide.companion.plan import Plan
-from vfguide.geometry.so3 import from_euler
-
-NORTH = FlightState(
-    5.0, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.0, 0.0), 25.0, (math.nan,) * 3
-)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -60,24 +54,6 @@ def test_it_changes_the_airspeed_by_as_much_as_it_says():
     speeds = [leg.airspeed for leg in circuit(NORTH, TEST_FLIGHT, 1.0)]
     assert max(speeds) == pytest.approx(25.0 * (1.0 + AIRSPEED_CHANGE))
     assert min(speeds) == pytest.approx(25.0 * (1.0 - AIRSPEED_CHANGE))
-
-
-class Testing(Conversation):
-    """The companion of a plan with a test flight."""
-
-    __test__ = False
-
-    def __init__(self, its: Plan) -> None:
-        super().__init__()
-        self.companion = type(self.companion)(1, its, engage=True)
-
-    def engage(self) -> None:
-        self.fly(1.0)
-        self.fly(1.0, Px4Mode.OFFBOARD)
-
-    @property
-    def route(self):
-        return self.companion.route
 
 
 def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():

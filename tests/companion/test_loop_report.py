@@ -1,7 +1,7 @@
 """What is reported from the row of the loop."""
 
-import numpy as np
 import pytest
+from loop_rows import flown, numbered
 
 from vfguide.companion.loop_report import (
     air_report,
@@ -15,27 +15,10 @@ from vfguide.companion.loop_report import (
     trusts_sensor_of_row,
 )
 from vfguide.estimation.air_state import report_air
-from vfguide.geometry.rows import Row, leaves, place, row_of
+from vfguide.geometry.rows import leaves, place, row_of
 from vfguide.loop.state import (
-    STATE_WIDTH,
     LoopState,
-    state_of_row,
 )
-
-OBSTACLES = 3
-
-
-def numbered() -> Row:
-    """A row whose numbers all differ, but for truth values; none is that of a fresh state."""
-    row = np.arange(2.0, 2.0 + STATE_WIDTH + OBSTACLES)
-    for leaf in leaves(LoopState):
-        if leaf.kind is bool:
-            row[place(LoopState, leaf.name)] = 1.0
-    return row
-
-
-def flown() -> LoopState:
-    return state_of_row(numbered())
 
 
 def test_what_is_reported_is_taken_from_its_place():

@@ -80,9 +80,9 @@ def start():
     return level((-700.0, 0.0, HEIGHT), 0.0, 25.0, plan_of([goal(0, 0)]).aircraft)
 
 
-def flown_among(obstacles, wind=STILL, to=None, **known):
+def flown_among(obstacles, wind=STILL, to=None, seconds=200.0, **known):
     plan = among(plan_of([to or goal(500.0, 0.0)]), obstacles, **known)
-    flown = fly(start(), plan, wind, 200.0, arrived)
+    flown = fly(start(), plan, wind, seconds, arrived)
     assert arrived(flown[-1]), "the goal was not reached"
     return flown
 
@@ -181,10 +181,7 @@ def ridge(high=180.0, wide=1600.0, low=0.0):
 
 def flown_far(obstacles, wind=STILL, **known):
     """The same 2,600 m to the goal."""
-    plan = among(plan_of([goal(1900.0, 0.0)]), obstacles, **known)
-    flown = fly(start(), plan, wind, 300.0, arrived)
-    assert arrived(flown[-1]), "the goal was not reached"
-    return flown
+    return flown_among(obstacles, wind, goal(1900.0, 0.0), 300.0, **known)
 
 
 def heights(flown):

@@ -2,6 +2,7 @@ import math
 
 import numpy as np
 import pytest
+from body_rates import vee
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -41,12 +42,6 @@ def assert_rotations(R, tolerance=1e-12):
     gram = np.swapaxes(R, -1, -2) @ R
     np.testing.assert_allclose(gram, np.broadcast_to(np.eye(3), R.shape), atol=tolerance)
     np.testing.assert_allclose(np.linalg.det(R), 1.0, atol=tolerance)
-
-
-def vee(S):
-    """Vectors of the skew parts of matrices (..., 3, 3)."""
-    skew = 0.5 * (S - np.swapaxes(S, -1, -2))
-    return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)
 
 
 def test_attitudes_are_rotations_at_10000_points():

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import NOBODY, SPACING, STILL, at_level, one_obstacle, random_goal
-from shape_samples import SHAPES, floats, random_directions
+from shape_samples import SHAPES, every_shape, floats, random_directions
 
 from vfguide.field.avoidance import (
     COLLINEAR,
@@ -33,7 +33,6 @@ vectors = st.tuples(coordinates, coordinates, coordinates)
 off_axis = vectors.filter(lambda p: math.hypot(p[1], p[2]) > 0.1)
 normals = vectors.filter(lambda n: norm(n) > 0.1)
 transitions = st.floats(0.0, 1.0)
-every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 
 
 def constant(a):

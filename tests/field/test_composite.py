@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from body_rates import vee
 from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import NOBODY, NOTHING, SPACING, STILL, at_level, one_obstacle, random_goal
-from shape_samples import SHAPES, floats, random_directions, random_shape
+from shape_samples import SHAPES, every_shape, floats, random_directions, random_shape
 
 from vfguide.field import arrays
 from vfguide.field.attitude import AXIS, attitude
@@ -61,11 +62,6 @@ def random_scene(rng):
 
 def after(others, h):
     return np.hstack([others[:, :3] + h * others[:, 3:], others[:, 3:]])
-
-
-def vee(S):
-    skew = 0.5 * (S - np.swapaxes(S, -1, -2))
-    return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)
 
 
 def turn_rates(goal, p, v, obstacles, others, h):
@@ -282,7 +278,7 @@ def test_extremes_stay_finite():
             assert np.isfinite(part).all()
 
 
-@pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+@every_shape
 def test_the_field_is_continuous_where_the_reactive_area_begins(body):
     obstacles, goal = one_obstacle(body), goal_frame((500.0, 100.0, 50.0), 0.2, 0.1)
     edge = at_level(obstacles, random_directions(np.random.default_rng(13), 100), 4.0)

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from shape_samples import floats
 
 from vfguide.field import arrays, navigation
 from vfguide.field.attitude import goal_attitude
@@ -14,10 +15,6 @@ PAIRS = [
     (arrays.binormal_fields, navigation.binormal_field),
     (arrays.attitudes, lambda p: goal_attitude(p, AT_REST)[0]),
 ]
-
-
-def floats(a):
-    return tuple(map(float, a))
 
 
 @pytest.mark.parametrize(("over_array", "scalar"), PAIRS)

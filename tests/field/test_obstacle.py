@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from obstacle_samples import STILL, at_level
-from shape_samples import SHAPES, floats, random_directions
+from shape_samples import SHAPES, every_shape, floats, random_directions
 
 from vfguide.field.obstacle import (
     OUT_OF_SIGHT,
@@ -26,7 +26,6 @@ from vfguide.geometry.shapes.shape import shape_level
 coordinates = st.floats(-60.0, 60.0)
 points = st.tuples(coordinates, coordinates, coordinates)
 angles = st.floats(-math.pi, math.pi)
-every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 SHIP = Obstacle(shape.box((20.0, 60.0, 40.0)), (100.0, 50.0, -5.0), 0.5, (3.0, -4.0, 1.0), 9.0)
 
 

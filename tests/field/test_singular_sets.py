@@ -10,7 +10,7 @@ import math
 import numpy as np
 import pytest
 from obstacle_samples import NOBODY, SPACING, STILL, at_level, one_obstacle
-from shape_samples import SHAPES, floats, random_directions
+from shape_samples import SHAPES, every_shape, floats, random_directions
 
 from vfguide.field import arrays
 from vfguide.field.composite import composite_field
@@ -22,7 +22,6 @@ from vfguide.geometry.rows import place
 Q = (-60.0, 80.0, 0.0)
 VELOCITY = (12.0, -5.0, 3.0)
 LEVELS = [1.0, 1.5, 3.0]
-every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 every_level = pytest.mark.parametrize("level", LEVELS)
 every_direction = pytest.mark.parametrize("seed", range(2))
 

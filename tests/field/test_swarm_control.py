@@ -4,16 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from swarm_samples import goals_of, random_swarm
+from obstacle_samples import NOTHING
+from swarm_samples import GAINS, GOAL, goals_of, random_swarm
 
-from vfguide.field.goal_frame import goal_frame
-from vfguide.field.obstacle import obstacle_rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm, fly_paper_law, held_gain
-
-GOAL = goal_frame((10.0, -20.0, 5.0), 0.7, 0.3)
-NOTHING = obstacle_rows([])
-GAINS = PaperGains(0.5, 3.5, 0.02)
 
 
 @pytest.mark.parametrize("rate", [5.0, 50.0, 200.0])

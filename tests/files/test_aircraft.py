@@ -4,10 +4,9 @@ import math
 import shutil
 from functools import cache
 
-import jsbsim
 import numpy as np
 import pytest
-from sim_flights import AIRCRAFT, ALTITUDE, CESSNA, STEPS_PER_S
+from sim_flights import ALTITUDE, EASYSTAR, MODELS, STEPS_PER_S, plain_jsbsim
 
 from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft
@@ -21,13 +20,7 @@ from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.signals import Controls
 from vfguide.sim.trim import TrimError, trim
 
-NAMES = ["aerosonde", "easystar", "c172p"]
-EASYSTAR = Model(AIRCRAFT, "easystar")
 HANDS_OFF = (0.0, 0.0, 0.0)
-
-
-def model(name: str) -> Model:
-    return CESSNA if name == "c172p" else Model(AIRCRAFT, name)
 
 
 @cache
@@ -37,17 +30,17 @@ def file(name: str) -> Aircraft:
 
 @cache
 def bench(name: str) -> Bench:
-    return Bench(model(name), ALTITUDE)
+    return Bench(MODELS[name], ALTITUDE)
 
 
 def airframe(name: str) -> Airframe:
-    return identify(model(name), file(name).airspeed.cruise_mps, ALTITUDE)
+    return identify(MODELS[name], file(name).airspeed.cruise_mps, ALTITUDE)
 
 
 def flown(name: str, omega_b, seconds: float, thrust: float = 0.0) -> tuple[Plant, np.ndarray]:
     """The plant after a flight from the cruise, and of every step p, q, r and thrust [N]."""
     its, memory, rows = airframe(name), HANDS_OFF, []
-    plant = Plant(model(name), Start(0.8, 0.1, ALTITUDE, 0.0, its.cruise))
+    plant = Plant(MODELS[name], Start(0.8, 0.1, ALTITUDE, 0.0, its.cruise))
     for _ in range(round(seconds * STEPS_PER_S)):
         wanted = (*omega_b, its.cruise_thrust + thrust)
         controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
@@ -60,7 +53,7 @@ def time_to_63_percent(values: np.ndarray) -> float:
     return STEP * (float(np.argmax(values > 1.0 - math.exp(-1.0))) + 1.0)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_it_flies_level_at_its_airspeeds_with_the_angle_of_attack_of_its_file(name):
     its, speeds = file(name).performance(), file(name).airspeed
     for airspeed in (speeds.min_mps, speeds.cruise_mps, speeds.max_mps):
@@ -70,13 +63,13 @@ def test_it_flies_level_at_its_airspeeds_with_the_angle_of_attack_of_its_file(na
         assert wanted == pytest.approx(found, abs=most * DEG), airspeed
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_below_its_slowest_airspeed_there_is_soon_no_level_flight(name):
     with pytest.raises(TrimError):
         trim(bench(name), 0.92 * file(name).airspeed.min_mps)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_its_steepest_paths_are_steady_flight(name):
     its = file(name)
     for climb_deg in (its.limits.climb_max_deg, -its.limits.descent_max_deg):
@@ -84,14 +77,14 @@ def test_its_steepest_paths_are_steady_flight(name):
         assert 0.0 < steady.controls.throttle < 1.0
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_the_thrust_of_its_file_is_that_of_its_model(name):
     its, full = file(name).thrust, airframe(name).thrust.full_thrust
     assert its.trim == pytest.approx(airframe(name).cruise_thrust, abs=0.01)
     assert its.per_climb == pytest.approx(bench(name).mass * G0 / full, rel=0.04)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_the_responses_of_its_file_are_measured(name):
     its = file(name)
     rate = min(its.limits.roll_rate_max_dps, 60.0) * DEG
@@ -102,7 +95,7 @@ def test_the_responses_of_its_file_are_measured(name):
     assert time_to_63_percent(share) == pytest.approx(its.response.thrust_s, rel=0.25)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_its_rate_loop_follows_half_of_what_it_may_be_asked_for(name, axis):
     limits = file(name).limits
@@ -116,7 +109,7 @@ def test_its_rate_loop_follows_half_of_what_it_may_be_asked_for(name, axis):
         assert share[60:] == pytest.approx(1.0, abs=0.2)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MODELS)
 def test_it_flies_hands_off_and_every_fresh_one_alike(name):
     (plant, rates), (_, again) = flown(name, HANDS_OFF, 10.0), flown(name, HANDS_OFF, 10.0)
     assert (rates == again).all()
@@ -143,14 +136,7 @@ def test_a_trim_does_not_depend_on_what_was_asked_before(name, airspeeds):
 
 
 def test_plain_jsbsim_flies_the_easystar():
-    fdm = jsbsim.FGFDMExec(str(AIRCRAFT.parent))
-    fdm.set_debug_level(0)
-    fdm.set_dt(0.005)
-    assert fdm.load_model("easystar")
-    fdm["ic/h-sl-ft"] = ALTITUDE / FT
-    fdm["ic/theta-rad"] = 1.2 * DEG
-    fdm["ic/u-fps"] = 11.0 / FT
-    assert fdm.run_ic()
+    fdm = plain_jsbsim("easystar", 11.0, 1.2 * DEG)
     fdm["fcs/throttle-cmd-norm"] = 0.49
     for _ in range(400):
         assert fdm.run()

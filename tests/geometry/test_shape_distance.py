@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 from shape_samples import (
-    MORE_SHAPES,
     distances_at,
+    every_odd_shape,
     floats,
     levels_at,
     points_around,
@@ -17,10 +17,8 @@ from vfguide.geometry.shapes.distance import onto_surface, signed_distance
 from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import norm
 
-every_shape = pytest.mark.parametrize("body", MORE_SHAPES.values(), ids=MORE_SHAPES)
 
-
-@every_shape
+@every_odd_shape
 def test_the_sign_is_that_of_the_level(body):
     x = points_around(body)
     inside = levels_at(body, x) < 1.0
@@ -28,7 +26,7 @@ def test_the_sign_is_that_of_the_level(body):
     assert 50 < np.count_nonzero(inside) < 550
 
 
-@every_shape
+@every_odd_shape
 def test_no_point_of_the_surface_is_nearer(body):
     x = points_around(body)
     distance = np.abs(distances_at(body, x))
@@ -36,7 +34,7 @@ def test_no_point_of_the_surface_is_nearer(body):
     assert np.all(distance <= found * (1.0 + 5e-4) + 1e-6 * max(body.semi_axes))
 
 
-@every_shape
+@every_odd_shape
 def test_along_a_normal_from_the_surface_the_distance_is_the_length(body):
     """Exact outside, because the body is convex; inside it is an upper bound."""
     rng = np.random.default_rng(5)
@@ -51,7 +49,7 @@ def test_along_a_normal_from_the_surface_the_distance_is_the_length(body):
     assert np.all(inside <= d * (1.0 + 1e-3) + 1e-9)
 
 
-@every_shape
+@every_odd_shape
 def test_the_ball_of_that_radius_around_a_point_inside_is_inside(body):
     x = points_around(body)
     distance = distances_at(body, x)
@@ -81,7 +79,7 @@ def test_faces_edges_and_apex():
     assert signed_distance(cone, (0.0, 0.0, 50.0)) == pytest.approx(10.0, rel=1e-4)
 
 
-@every_shape
+@every_odd_shape
 def test_points_onto_the_surface(body):
     for x in points_around(body)[1:100]:
         y = onto_surface(body, floats(x))
@@ -89,7 +87,7 @@ def test_points_onto_the_surface(body):
         assert norm(y) * norm(floats(x)) == pytest.approx(np.dot(x, y), rel=1e-12)
 
 
-@every_shape
+@every_odd_shape
 def test_far_away_the_distance_is_that_of_the_centre(body):
     for direction in random_directions(np.random.default_rng(6), 20):
         distance = signed_distance(body, floats(1e6 * direction))

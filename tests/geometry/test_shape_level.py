@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from shape_samples import SHAPES, floats, levels_at, random_directions
+from shape_samples import every_shape, floats, levels_at, random_directions
 
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.base import FAR, Kind, Shape, even_power
@@ -19,7 +19,6 @@ from vfguide.geometry.shapes.shape import (
 
 coordinates = st.floats(-2.0, 2.0)
 points = st.tuples(coordinates, coordinates, coordinates)
-every_shape = pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 
 
 def scaled(body, w):

@@ -47,6 +47,10 @@ def records_of(record: type) -> st.SearchStrategy:
 
 
 any_record = st.one_of([records_of(record) for record in RECORDS])
+magic_rich = st.lists(
+    st.sampled_from([0xFD, 0xFE, 0, 1, 9, 36, 255]) | st.integers(0, 255), max_size=60
+).map(bytes)
+"""Bytes among which a frame may seem to begin."""
 
 
 def pymavlink_message(record: Any) -> Any:

@@ -2,14 +2,12 @@
 
 from hypothesis import given
 from hypothesis import strategies as st
+from link_samples import magic_rich
 
 from vfguide.link.codec import Encoder, Parser
 from vfguide.link.messages import Heartbeat
 
 FRAME = Encoder(7, 195).encode(Heartbeat(18, 8, 0, 0, 4))
-magic_rich = st.lists(
-    st.sampled_from([0xFD, 0xFE, 0, 1, 9, 36, 255]) | st.integers(0, 255), max_size=60
-).map(bytes)
 cut_frame = st.integers(0, len(FRAME) - 1).map(lambda size: FRAME[:size])
 junk = magic_rich | cut_frame
 

@@ -6,7 +6,7 @@ import pytest
 from fastcrc.crc16 import mcrf4xx
 from hypothesis import given
 from hypothesis import strategies as st
-from link_samples import any_record, pymavlink_message, pymavlink_sender, unknown_frame
+from link_samples import any_record, magic_rich, pymavlink_message, pymavlink_sender, unknown_frame
 from pymavlink.dialects.v20 import all as dialect
 
 from vfguide.link.codec import Encoder, Parser
@@ -35,9 +35,6 @@ def true_frames(draw):
     return message.pack(sender)
 
 
-magic_rich = st.lists(
-    st.sampled_from([0xFD, 0xFE, 0, 1, 9, 36, 255]) | st.integers(0, 255), max_size=60
-).map(bytes)
 junk = magic_rich | st.binary(max_size=60) | st.binary(max_size=40).map(unknown_frame)
 streams = st.lists(junk | true_frames(), max_size=8).map(b"".join)
 

@@ -4,31 +4,24 @@ import math
 from typing import NamedTuple
 
 import pytest
-from aeroplanes import AEROSONDE
+from flight_states import VEHICLE
+from loop_legs import GOALS, LEGS
 
-from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
-from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import known_state
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.loop import mission
 from vfguide.loop.attempts import Attempts, no_attempts
-from vfguide.loop.legs import Goal, goal_of, leg_rows, target_of
+from vfguide.loop.legs import goal_of, leg_rows, target_of
 from vfguide.loop.mission import NO_PASSAGE, MissionState, fresh_mission, passage_of, passage_since
 from vfguide.paths.leg import FIELD, ON_PATH
 from vfguide.planning import planning
 from vfguide.planning.excess_wind import WindHold, in_air_frame, into_wind
 from vfguide.planning.route import fresh_route
 
-GOALS = (
-    Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
-    Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
-)
-LEGS = leg_rows(GOALS, -1.0, 120.0)
 STUBBORN = leg_rows([goal._replace(attempts=2) for goal in GOALS], -1.0, 120.0)
-VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 
 
 def state(p_n, course=0.0, climb=0.0, time=1.0):

@@ -3,18 +3,14 @@
 import math
 
 import pytest
-from aeroplanes import AEROSONDE
+from loop_legs import FAR
 
-from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
-from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import known_state
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import DEG
 from vfguide.loop import progress as stage
-from vfguide.loop.legs import Goal, leg_rows, target_of
+from vfguide.loop.legs import target_of
 from vfguide.loop.progress import PROGRESS_MARGIN, Progress, after_step, fresh_progress
 from vfguide.paths.leg import FIELD, ON_PATH, OUTBOUND, new_leg
 from vfguide.planning.objective import objective_at
@@ -23,8 +19,6 @@ STEP = 0.5
 """Flown in one step [m]."""
 RADIUS = 100.0
 CIRCLE = FULL_TURN * RADIUS
-VEHICLE = row_of(Vehicle(AEROSONDE, Gains(25.0)))
-LEGS = leg_rows((Goal((3000.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),), 1.0, 100.0)
 
 
 def in_phase(phase):
@@ -93,7 +87,7 @@ def on_the_way(**known):
         1.02, (0.5, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.05, 0.0), 25.0, (0.0,) * 3
     )
     nav = known_state(state, 1.0)._replace(is_continuous=True, p_n_before=(0.0, 0.0, -150.0))
-    return nav._replace(**known), objective_at(target_of(LEGS, 0), state)
+    return nav._replace(**known), objective_at(target_of(FAR, 0), state)
 
 
 def test_what_is_flown_over_the_ground_is_counted():

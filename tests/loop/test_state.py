@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from aeroplanes import AEROSONDE
+from loop_rows import OBSTACLES, flown, numbered
 
 from vfguide.control.control import fresh_control
 from vfguide.estimation.air_state import ACCELERATION_BIAS, AIRSPEED
@@ -29,21 +30,6 @@ from vfguide.loop.state import (
     write_state,
 )
 from vfguide.planning.route import fresh_route
-
-OBSTACLES = 3
-
-
-def numbered() -> Row:
-    """A row whose numbers all differ, but for truth values; none is that of a fresh state."""
-    row = np.arange(2.0, 2.0 + STATE_WIDTH + OBSTACLES)
-    for leaf in leaves(LoopState):
-        if leaf.kind is bool:
-            row[place(LoopState, leaf.name)] = 1.0
-    return row
-
-
-def flown() -> LoopState:
-    return state_of_row(numbered())
 
 
 @compiled

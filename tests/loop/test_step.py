@@ -8,12 +8,11 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from aeroplanes import AEROSONDE
+from flight_states import VEHICLE
+from loop_legs import LEGS
 
 import vfguide
-from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.state import FlightState
-from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace, unnested_airspace
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
@@ -29,19 +28,11 @@ from vfguide.geometry.projection import Projection
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT, PAPER, crossing
-from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.loop.step import step
 
-GOALS = (
-    Goal((0.0, 0.0, -150.0), 0.0, 0.0, 5.0, 10.0 * DEG),
-    Goal((500.0, 100.0, -160.0), 0.5 * math.pi, 3.0 * DEG, 5.0, 10.0 * DEG),
-)
-LEGS = leg_rows(GOALS, -1.0, 120.0)
-VEHICLE = Vehicle(AEROSONDE, Gains(25.0))
 ORIGIN = (0.8, 0.1, 400.0)
 MEASURED = Measurement(
     time=1.0,

@@ -6,20 +6,17 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from planar_states import SPEED, at
 
 from vfguide.field.navigation import navigation_field
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.se2 import Pose
-from vfguide.paths.course_laws import Planar, arc_to_goal, field_course, line_course, loiter_course
+from vfguide.paths.course_laws import arc_to_goal, field_course, line_course, loiter_course
 
-RADIUS, SPEED = 80.0, 25.0
+RADIUS = 80.0
 PLACE = st.floats(-1500.0, 1500.0)
 COURSE = st.floats(-math.pi, math.pi)
 SIDE = st.sampled_from([1.0, -1.0])
-
-
-def at(x, y, course):
-    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
 def rate(course_of, place):

@@ -6,11 +6,11 @@ import pytest
 from flight_states import GAINS
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from planar_states import at
 
 from vfguide.aircraft.envelope import turn_radius
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.units import DEG, G0
-from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import is_hasty, length_of, shortest_path
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, keep_radius, new_leg
 from vfguide.paths.leg_phases import BREAK_OFF, fly_leg, leg_course
@@ -24,14 +24,10 @@ from vfguide.paths.leg_start import (
 )
 from vfguide.paths.path_stretching import best_end, best_outbound
 
-RADIUS, SPEED = 80.0, 25.0
+RADIUS = 80.0
 FINAL, CORE = GAINS.final_approach * RADIUS, GAINS.core * RADIUS
 PLACE = st.floats(-600.0, 600.0)
 COURSE = st.floats(-math.pi, math.pi)
-
-
-def at(x, y, course=0.0):
-    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
 def leg(phase=NEW):

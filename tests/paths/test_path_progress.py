@@ -6,6 +6,7 @@ import pytest
 from dubins import dubins_length
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from planar_states import SPEED, at
 
 from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.geometry.se2 import Pose, after_turn, composed
@@ -22,13 +23,9 @@ from vfguide.paths.path_progress import (
     path_left,
 )
 
-RADIUS, SPEED = 70.0, 25.0
+RADIUS = 70.0
 PLACE = st.floats(-800.0, 800.0)
 COURSE = st.floats(-math.pi, math.pi)
-
-
-def at(x, y, course):
-    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
 def progress_from(x, y, course, circles=0):

@@ -5,10 +5,10 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_states import at
 
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.se2 import Pose, after_turn
-from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import length_of, shortest_path
 from vfguide.paths.path_stretching import (
     LEAST_GAIN,
@@ -21,17 +21,13 @@ from vfguide.paths.path_stretching import (
     outbound_length,
 )
 
-RADIUS, SPEED = 62.5, 25.0
+RADIUS = 62.5
 PLACE, COURSE = st.floats(-500.0, 500.0), st.floats(-math.pi, math.pi)
 NEEDED = st.floats(0.0, 2000.0)
 
 
 def shortest(x, y, course):
     return RADIUS * length_of(shortest_path(x, y, course, RADIUS))
-
-
-def at(x, y, course):
-    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
 
 
 @given(PLACE, PLACE, COURSE, NEEDED)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawings import drawn
 from flight_samples import record_of, straight
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
@@ -50,13 +51,6 @@ def flights(tmp_path: Path) -> Flights:
     guard[500:550] = (1.0, 8.0, 3.0, 0.0)
     guard[800:810] = (2.0, -1.0, 2.0, 2.0)
     return Flights(loaded, [replace(record, decisions=Decisions(*guard.T))])
-
-
-def drawn(draw, flights: Flights) -> Figure:
-    figure = Figure()
-    draw(figure, flights)
-    figure.draw_without_rendering()
-    return figure
 
 
 def labels(figure: Figure) -> list[str]:

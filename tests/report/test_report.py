@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import matplotlib as mpl
 import numpy as np
 import pytest
+from drawings import drawn
 from flight_samples import moved, record_of, spiral, straight
 from matplotlib.figure import Figure
 from matplotlib.image import imread
@@ -164,11 +165,8 @@ def test_nothing_touches_the_edge_of_a_figure(run: Run) -> None:
 
 @pytest.mark.parametrize("draw", [draw_plan, draw_side])
 def test_flat_views_have_one_scale_and_hold_the_path(run: Run, draw: object) -> None:
-    figure = Figure()
     assert callable(draw)
-    draw(figure, run.flights)
-    figure.draw_without_rendering()
-    (axes,) = figure.axes
+    (axes,) = drawn(draw, run.flights).axes
     box = axes.get_window_extent()
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     assert box.width / (right - left) == pytest.approx(box.height / (high - low), rel=1e-6)
@@ -192,10 +190,7 @@ def test_the_plan_has_north_up_and_east_right(run: Run) -> None:
 
 
 def test_the_wind_arrow_points_where_the_wind_blows(run: Run) -> None:
-    figure = Figure()
-    draw_plan(figure, run.flights)
-    figure.draw_without_rendering()
-    (axes,) = figure.axes
+    (axes,) = drawn(draw_plan, run.flights).axes
     (text,) = [its for its in axes.texts if "Wind" in its.get_text()]
     assert text.get_text() == "Wind 8 m/s\nfrom 045°"
     arrows = [its.arrow_patch for its in axes.texts if its.arrow_patch and its.get_text() == ""]
@@ -210,10 +205,7 @@ CHANGES = "wind.change=[{time_s=30, speed_mps=0}, {time_s=50, speed_mps=12, from
 def test_a_wind_that_changes_is_shown_as_it_changes(tmp_path: Path) -> None:
     loaded = loaded_from(tmp_path, MINIMAL, (*WINDY, CHANGES))
     record = record_of(loaded.scenario.vehicles[0], straight, 25.0)
-    figure = Figure()
-    draw_plan(figure, Flights(loaded, [record]))
-    figure.draw_without_rendering()
-    (axes,) = figure.axes
+    (axes,) = drawn(draw_plan, Flights(loaded, [record])).axes
     texts = [its.get_text() for its in axes.texts if "Wind" in its.get_text()]
     assert texts == [
         "Wind 8 m/s\nfrom 045°",

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawings import drawn
 from flight_samples import record_of, straight
 from matplotlib.figure import Figure
 from scenario_samples import MINIMAL, loaded_from
@@ -64,9 +65,7 @@ def test_where_the_vehicle_is_not_known_no_aircraft_is_near(flights: Flights) ->
 
 @pytest.mark.parametrize("draw", [draw_plan, draw_side, draw_space])
 def test_the_figures_of_the_path_show_it(flights: Flights, draw) -> None:
-    figure = Figure()
-    draw(figure, flights)
-    figure.draw_without_rendering()
+    figure = drawn(draw, flights)
     texts = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
     assert texts[-2:] == ["Other aircraft", "Its volume, when nearest"]
     names = [text.get_text() for text in figure.axes[0].texts]

@@ -2,16 +2,10 @@
 
 from pathlib import Path
 
-from scenario_samples import MINIMAL
+from scenario_samples import MINIMAL, box
 from typer.testing import CliRunner
 
 from vfguide.cli.main import app
-
-BOX = '\n[[obstacle]]\nname = "{name}"\nshape = "box"\nposition_m = {at}\nsize_m = {size}\n'
-
-
-def box(at: list[float], size: list[float], more: str = "") -> str:
-    return BOX.format(name="shed", at=at, size=size) + more
 
 
 def test_check_prints_warnings_and_is_content(tmp_path: Path) -> None:

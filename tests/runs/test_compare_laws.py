@@ -1,43 +1,13 @@
 """The table of laws side by side."""
 
 import csv
-import dataclasses
-import math
 
 import compare_laws
 import numpy as np
 import pytest
-import tomli_w
 from flown_worlds import scenario_of
-from measure_avoidance import Outcome
-
-from vfguide.scenario.load import load_scenario
-
-OUTCOME = Outcome(
-    number=0,
-    reached=True,
-    miss_m=1.0,
-    angle_deg=1.0,
-    clearance_m=3.0,
-    time_s=40.0,
-    wall_s=1.0,
-    acting=0.1,
-    length_m=1100.0,
-    reference_m=math.nan,
-    free_m=1000.0,
-    best_m=math.nan,
-    reasons=(),
-)
-
-
-def flight(**changes):
-    return dataclasses.replace(OUTCOME, **changes)
-
-
-def loaded_from(table, folder):
-    path = folder / "world.toml"
-    path.write_text(tomli_w.dumps(table))
-    return load_scenario(path)
+from outcomes import flight
+from world_tables import loaded_from
 
 
 def test_laws_side_by_side_as_a_table(tmp_path):

@@ -1,27 +1,19 @@
 """What the tools say of flights among obstacles: turning traffic, and whether it left an escape."""
 
-import dataclasses
 import math
 
 import numpy as np
 import pytest
-import tomli_w
 from flown_escapes import best_possible, known_from, true_distances, world_of
 from flown_worlds import fenced, scenario_of
-from measure_avoidance import Outcome
+from outcomes import flight
+from world_tables import loaded_from, northward
 
 from vfguide.results.record import FlightRecord
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 
 SPEED = 25.0
-
-
-def loaded_from(table, folder):
-    path = folder / "world.toml"
-    path.write_text(tomli_w.dumps(table))
-    return load_scenario(path)
 
 
 def straight_on(loaded, seconds):
@@ -56,24 +48,13 @@ def sphere_ahead(folder, radius, seen):
 
 
 def sphere_table(radius, seen):
-    return {
-        "name": "ahead",
-        "vehicle": [
-            {
-                "id": 1,
-                "position_m": [0.0, 0.0, -150.0],
-                "goal": [{"position_m": [900.0, 0.0, -150.0], "heading_deg": 0.0}],
-            }
-        ],
-        "obstacle": [
-            {
-                "shape": "sphere",
-                "radius_m": radius,
-                "position_m": [400.0, 0.0, -150.0],
-                "visible_from_m": seen,
-            }
-        ],
+    sphere = {
+        "shape": "sphere",
+        "radius_m": radius,
+        "position_m": [400.0, 0.0, -150.0],
+        "visible_from_m": seen,
     }
+    return northward("ahead", obstacle=[sphere])
 
 
 def test_traffic_that_turns_is_where_it_was_aimed_at_and_turns_as_a_small_aircraft(tmp_path):
@@ -161,52 +142,19 @@ def test_what_comes_in_sight_later_is_no_excuse(tmp_path):
 
 def test_the_tree_knows_how_traffic_is_going_to_turn(tmp_path):
     """It comes along beside, and turns in when it is too late for whoever does not know."""
-    table = {
-        "name": "traffic",
-        "vehicle": [
-            {
-                "id": 1,
-                "position_m": [0.0, 0.0, -150.0],
-                "goal": [{"position_m": [900.0, 0.0, -150.0], "heading_deg": 0.0}],
-            }
-        ],
-        "traffic": [
-            {
-                "name": "BESIDE",
-                "position_m": [0.0, 150.0, -150.0],
-                "velocity_mps": [25.0, 0.0, 0.0],
-                "change": [{"time_s": 5.0, "velocity_mps": [20.0, -15.0, 0.0], "within_s": 2.0}],
-            }
-        ],
+    beside = {
+        "name": "BESIDE",
+        "position_m": [0.0, 150.0, -150.0],
+        "velocity_mps": [25.0, 0.0, 0.0],
+        "change": [{"time_s": 5.0, "velocity_mps": [20.0, -15.0, 0.0], "within_s": 2.0}],
     }
-    loaded = loaded_from(table, tmp_path)
+    loaded = loaded_from(northward("traffic", traffic=[beside]), tmp_path)
     record = straight_on(loaded, 20.0)
     assert known_from(loaded, record) == [0, 0]
     world = world_of(loaded, record)
     assert world.volume == (50.0, 30.0)
     assert true_distances(world, record.p_n, record.time)[0].min() < 0.0
     assert best_possible(loaded, record) == pytest.approx(5.0)
-
-
-OUTCOME = Outcome(
-    number=0,
-    reached=True,
-    miss_m=1.0,
-    angle_deg=1.0,
-    clearance_m=3.0,
-    time_s=40.0,
-    wall_s=1.0,
-    acting=0.1,
-    length_m=1100.0,
-    reference_m=math.nan,
-    free_m=1000.0,
-    best_m=math.nan,
-    reasons=(),
-)
-
-
-def flight(**changes):
-    return dataclasses.replace(OUTCOME, **changes)
 
 
 @pytest.mark.parametrize(

@@ -3,40 +3,27 @@
 import json
 
 import pytest
-import tomli_w
 from explain_step import explained
 from flights import vfguide
+from world_tables import northward, world_file
 
 from vfguide.cli.replay import open_log
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 pytestmark = pytest.mark.slow
-SUDDEN = {
-    "name": "sudden",
-    "vehicle": [
-        {
-            "id": 1,
-            "position_m": [0.0, 0.0, -150.0],
-            "goal": [{"position_m": [900.0, 0.0, -150.0], "heading_deg": 0.0}],
-        }
-    ],
-    "obstacle": [
-        {
-            "name": "balloon",
-            "shape": "sphere",
-            "radius_m": 20.0,
-            "position_m": [400.0, 0.0, -150.0],
-            "visible_from_m": 50.0,
-        }
-    ],
+BALLOON = {
+    "name": "balloon",
+    "shape": "sphere",
+    "radius_m": 20.0,
+    "position_m": [400.0, 0.0, -150.0],
+    "visible_from_m": 50.0,
 }
 """A balloon on the way that is seen so late that only an escape misses it."""
 
 
 def test_an_escape_is_explained_by_what_the_command_would_have_come_to(tmp_path):
-    world = tmp_path / "sudden.toml"
-    world.write_text(tomli_w.dumps(SUDDEN))
+    world = world_file(northward("sudden", obstacle=[BALLOON]), tmp_path)
     vfguide("run", str(world), "--out", "flown", "--no-report", cwd=tmp_path)
     result = json.loads((tmp_path / "flown/result.json").read_text())
     (episode, *_) = result["vehicles"][0]["assurance"]["episodes"]

@@ -2,11 +2,10 @@
 
 import json
 import math
-import subprocess
 
 import numpy as np
 import pytest
-from programs import VFGUIDE
+from flights import vfguide
 
 from vfguide.files.errors import InputError
 from vfguide.scenario.field_points import fields_at, read_points
@@ -62,10 +61,6 @@ def points_file(folder, rows, header="x,y,z,vx,vy,vz,t"):
     path = folder / "points.csv"
     path.write_text("\n".join([header, *(",".join(map(str, row)) for row in rows)]) + "\n")
     return path
-
-
-def vfguide(*arguments):
-    return subprocess.run([*VFGUIDE, *arguments], capture_output=True, text=True, check=False)
 
 
 def field_of(world, rows, law="paper", sysid=7):
@@ -195,7 +190,7 @@ def test_blank_lines_spaces_and_a_byte_order_mark_do_no_harm(tmp_path):
 def test_the_command_prints_the_same_as_json(world, tmp_path):
     row = [-50.0, 170.0, -95.0, 4.0, -3.0, 2.0, 1.0]
     path = points_file(tmp_path, [row, row])
-    done = vfguide("field", str(world), "--vehicle", "7", "--points", str(path))
+    done = vfguide("field", world, "--vehicle", "7", "--points", path, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     printed = json.loads(done.stdout)
     (expected,) = field_of(world, [row])
@@ -214,7 +209,7 @@ def test_the_command_prints_the_same_as_json(world, tmp_path):
     ],
 )
 def test_the_command_refuses_bad_input_with_one_line(world, arguments, complaint):
-    done = vfguide("field", str(world), *arguments)
+    done = vfguide("field", world, *arguments, cwd=world.parent)
     assert done.returncode == 2
     assert complaint in done.stderr
     assert "Traceback" not in done.stderr

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from drawings import drawn
 from flight_samples import moved, record_of, spiral, straight
-from matplotlib.figure import Figure
 from scenario_samples import MINIMAL, SECOND, loaded_from
 
 from vfguide.cli import flight_display
@@ -98,13 +98,6 @@ def scenario_text(vehicles: int, obstacles: tuple = OBSTACLES, head: str = HEAD)
 def flown(folder: Path, text: str) -> Flights:
     loaded = loaded_from(folder, text)
     return Flights(loaded, fly_scenario(loaded, folder).records)
-
-
-def drawn(draw, flights: Flights) -> Figure:
-    figure = Figure()
-    draw(figure, flights)
-    figure.draw_without_rendering()
-    return figure
 
 
 def values_of(line) -> np.ndarray:

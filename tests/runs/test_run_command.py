@@ -5,8 +5,7 @@ import resource
 import signal
 
 import pytest
-from flights import scenario_file, vfguide
-from programs import Program
+from flights import interrupted, scenario_file, vfguide
 
 from vfguide.files.data import find_aircraft
 from vfguide.link.tlog import TlogReader
@@ -110,16 +109,7 @@ def test_a_disk_that_fills_up(tmp_path):
 
 
 def test_ctrl_c_in_flight_keeps_what_was_flown(tmp_path):
-    path = scenario_file(tmp_path)
-    flight = ("run", path, "--out", "out", "--no-report", "--realtime")
-    log = tmp_path / "out" / "vehicle-7.tlog"
-    with Program(*flight, cwd=tmp_path) as program:
-        program.writes(log)
-        program.send(signal.SIGINT)
-        assert program.status(30.0) == 130, program.text
-    assert "Traceback" not in program.text
-    result = json.loads((tmp_path / "out" / "result.json").read_text())
-    assert result["reasons"][0] == "interrupted"
+    interrupted(scenario_file(tmp_path), "vehicle-7.tlog")
     for name in ("flight.tlog", "vehicle-7.tlog"):
         reader = TlogReader.open(tmp_path / "out" / name)
         assert sum(1 for _ in reader) > 100

@@ -4,12 +4,10 @@ import math
 from itertools import pairwise
 
 import pytest
-from flights import scenario_file
+from flights import messages, scenario_file
 from pymavlink import mavutil
 
-from vfguide.link.codec import decode
 from vfguide.link.messages import Heartbeat, HilStateQuaternion, SetAttitudeTarget
-from vfguide.link.tlog import TlogReader
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.truth_log import TRUTH_COMPONENT
 from vfguide.scenario.load import load_scenario
@@ -24,14 +22,10 @@ def logs(tmp_path_factory):
     return folder
 
 
-def frames(path):
-    return [(time, frame, decode(frame)) for time, frame in TlogReader.open(path)]
-
-
 def test_setpoints_are_body_rates_at_50_hz_and_finite(logs):
     sent = [
         (time, frame, message)
-        for time, frame, message in frames(logs / "vehicle-7.tlog")
+        for time, frame, message in messages(logs / "vehicle-7.tlog")
         if isinstance(message, SetAttitudeTarget)
     ]
     assert {frame.compid for _, frame, _ in sent} == {195}
@@ -48,11 +42,11 @@ def test_setpoints_are_body_rates_at_50_hz_and_finite(logs):
 
 
 def test_no_companion_sees_the_truth(logs):
-    own = {type(message) for *_, message in frames(logs / "vehicle-7.tlog")}
+    own = {type(message) for *_, message in messages(logs / "vehicle-7.tlog")}
     assert HilStateQuaternion not in own
     truth = [
         (time, frame)
-        for time, frame, message in frames(logs / "flight.tlog")
+        for time, frame, message in messages(logs / "flight.tlog")
         if isinstance(message, HilStateQuaternion)
     ]
     assert {frame.compid for _, frame in truth} == {TRUTH_COMPONENT}
@@ -64,7 +58,7 @@ def test_no_companion_sees_the_truth(logs):
 def test_the_companion_shows_itself_once_a_second(logs):
     beats = [
         (time, message)
-        for time, frame, message in frames(logs / "vehicle-7.tlog")
+        for time, frame, message in messages(logs / "vehicle-7.tlog")
         if frame.compid == 195 and isinstance(message, Heartbeat)
     ]
     assert abs(len(beats) - DURATION) <= 2
@@ -72,7 +66,7 @@ def test_the_companion_shows_itself_once_a_second(logs):
 
 
 def test_pymavlink_reads_every_frame(logs):
-    ours = frames(logs / "flight.tlog")
+    ours = messages(logs / "flight.tlog")
     theirs = mavutil.mavlogfile(str(logs / "flight.tlog"))
     names = []
     while (message := theirs.recv_msg()) is not None:

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from scenario_samples import MINIMAL, SECOND
+from scenario_samples import MINIMAL, SECOND, message_for
 
 from vfguide.files.errors import InputError
 from vfguide.scenario.load import load_scenario
@@ -25,17 +25,6 @@ SENSORS = {
 }
 """Their keys and the largest values."""
 GOAL = "position_m = [0, 0, -100]\nheading_deg = 0"
-
-
-def message_for(folder: Path, text: str) -> str:
-    file = folder / "x.toml"
-    file.write_text(text)
-    with pytest.raises(InputError) as error:
-        load_scenario(file)
-    message = str(error.value)
-    assert "\n" not in message
-    assert message.startswith(f"{file}: ")
-    return message.removeprefix(f"{file}: ")
 
 
 def in_vehicle(line: str) -> str:

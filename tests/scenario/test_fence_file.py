@@ -4,19 +4,11 @@ import math
 import re
 
 import pytest
-from scenario_samples import MINIMAL
+from scenario_samples import MINIMAL, SQUARE, loaded_from
 
 from vfguide.files.errors import InputError
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.load import load_scenario
-
-SQUARE = "polygon_m = [[-900, -900], [-900, 900], [900, 900], [900, -900]]"
-
-
-def loaded(folder, text):
-    file = folder / "x.toml"
-    file.write_text(f"{MINIMAL}\n{text}\n")
-    return load_scenario(file)
 
 
 @pytest.mark.parametrize(
@@ -44,13 +36,13 @@ def loaded(folder, text):
 )
 def test_a_fence_that_makes_no_sense_is_refused(tmp_path, text, message):
     with pytest.raises(InputError) as error:
-        loaded(tmp_path, text)
+        loaded_from(tmp_path, MINIMAL + text)
     assert re.search(message, str(error.value)), str(error.value)
 
 
 def test_a_fence_is_written_and_read_again(tmp_path):
     text = f'[fence]\nfloor_m = 20\n[[fence.zone]]\nkind = "include"\n{SQUARE}'
-    scenario = loaded(tmp_path, text).scenario
+    scenario = loaded_from(tmp_path, MINIMAL + text).scenario
     again = tmp_path / "again.toml"
     again.write_text(scenario.to_toml())
     assert load_scenario(again).scenario == scenario
@@ -60,4 +52,4 @@ def test_a_fence_is_written_and_read_again(tmp_path):
 
 
 def test_without_obstacles_and_fence_there_is_nothing_to_keep_clear_of(tmp_path):
-    assert hazards_of(loaded(tmp_path, "").scenario) is None
+    assert hazards_of(loaded_from(tmp_path).scenario) is None

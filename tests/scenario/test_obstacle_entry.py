@@ -4,10 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scenario_samples import loaded_from
+from scenario_samples import loaded_from, message_for
 
 from vfguide.field.obstacle_arrays import levels
-from vfguide.files.errors import InputError
 from vfguide.files.obstacle_entry import SIZES
 from vfguide.geometry.shapes.shape import SHAPES
 from vfguide.scenario.load import load_scenario
@@ -43,15 +42,6 @@ def obstacle(*lines: str, shape: str = "sphere", at: str = "[-50, 0, 0]") -> str
 
 def sized(shape: str, *lines: str, at: str = "[-50, 0, 0]") -> str:
     return obstacle(*(VALUES[key] for key in SIZES[shape]), *lines, shape=shape, at=at)
-
-
-def message_for(folder: Path, text: str, *overrides: str) -> str:
-    with pytest.raises(InputError) as error:
-        loaded_from(folder, text, overrides)
-    message = str(error.value)
-    assert "\n" not in message
-    start = f"{folder / 'x.toml'}: "
-    return message.removeprefix(start)
 
 
 def test_every_shape_of_the_field_can_be_written() -> None:

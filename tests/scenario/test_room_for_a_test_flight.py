@@ -3,43 +3,19 @@
 import math
 
 import pytest
-from conversations import Conversation
+from conversations import Testing
+from flight_states import NORTH
 
-from vfguide.aircraft.state import FlightState
-from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.circuit import circuit, least_room
 from vfguide.companion.identification_flight import NEEDED_ROOM
 from vfguide.companion.plan import Plan
-from vfguide.geometry.so3 import from_euler
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
-
-NORTH = FlightState(
-    5.0, (0.0, 0.0, -150.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.0, 0.0), 25.0, (math.nan,) * 3
-)
 
 
 def plan(*changes: str, aircraft: str = "aerosonde") -> Plan:
     loaded = load_scenario("identify", (f'vehicle.0.aircraft="{aircraft}"', *changes))
     return plan_of(loaded, loaded.scenario.vehicles[0])
-
-
-class Testing(Conversation):
-    """The companion of a plan with a test flight."""
-
-    __test__ = False
-
-    def __init__(self, its: Plan) -> None:
-        super().__init__()
-        self.companion = type(self.companion)(1, its, engage=True)
-
-    def engage(self) -> None:
-        self.fly(1.0)
-        self.fly(1.0, Px4Mode.OFFBOARD)
-
-    @property
-    def route(self):
-        return self.companion.route
 
 
 @pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])

@@ -3,12 +3,9 @@
 from pathlib import Path
 
 import pytest
-from scenario_samples import MINIMAL, loaded_from
-
-from vfguide.files.errors import InputError
+from scenario_samples import BOX, MINIMAL, box, loaded_from, message_for
 
 HEAD = "[[vehicle]]\nid = 1"
-BOX = '\n[[obstacle]]\nname = "{name}"\nshape = "box"\nposition_m = {at}\nsize_m = {size}\n'
 SHUT = "".join(
     BOX.format(name=f"wall {k}", at=at, size=size)
     for k, (at, size) in enumerate(
@@ -29,23 +26,13 @@ def warnings_of(folder: Path, text: str) -> list[str]:
     return [warning.removeprefix(f"{file}: ") for warning in told]
 
 
-def refused(folder: Path, text: str) -> str:
-    with pytest.raises(InputError) as error:
-        loaded_from(folder, text)
-    return str(error.value).removeprefix(f"{folder / 'x.toml'}: ")
-
-
-def box(at: list[float], size: list[float], more: str = "") -> str:
-    return BOX.format(name="shed", at=at, size=size) + more
-
-
 def test_with_room_there_is_nothing_to_say(tmp_path: Path) -> None:
     assert warnings_of(tmp_path, MINIMAL) == []
     assert warnings_of(tmp_path, MINIMAL + box([-250, 0, -100], [40, 40, 300])) == []
 
 
-def test_a_start_straight_before_a_wall_is_refused(tmp_path: Path) -> None:
-    message = refused(tmp_path, MINIMAL + box([-470, 0, -100], [20, 600, 400]))
+def test_a_start_straight_before_a_wall_is_message_for(tmp_path: Path) -> None:
+    message = message_for(tmp_path, MINIMAL + box([-470, 0, -100], [20, 600, 400]))
     assert message == (
         "vehicle[0].position_m = [-500.0, 0.0, -100.0]: no way out from here, straight on leads "
         'into "shed"; allowed farther from it, or with another heading_deg'
@@ -82,8 +69,8 @@ def test_only_the_last_straight_of_the_approach_counts(tmp_path: Path) -> None:
     assert "8.0 m" in told
 
 
-def test_a_goal_that_is_shut_in_is_refused(tmp_path: Path) -> None:
-    assert refused(tmp_path, MINIMAL + SHUT) == (
+def test_a_goal_that_is_shut_in_is_message_for(tmp_path: Path) -> None:
+    assert message_for(tmp_path, MINIMAL + SHUT) == (
         "vehicle[0].goal[0] = [0.0, 0.0, -100.0]: shut in, no way leads there at these heights; "
         "move it, or open a gap"
     )

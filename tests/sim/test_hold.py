@@ -19,7 +19,7 @@ from vfguide.link.enums import MavCmd
 from vfguide.sim.autopilot.flight_mode import Mode
 from vfguide.sim.autopilot.loiter_circle import BANK_SHARE, HOLD_RADIUS, largest_bank, radius_in
 from vfguide.sim.bench import Bench
-from vfguide.sim.condition import FlightCondition, Model, Start, Turbulence, Weather
+from vfguide.sim.condition import FlightCondition, Start, Turbulence, Weather
 from vfguide.sim.trim import TrimError, trim
 from vfguide.sim.vehicle import Setup, Vehicle
 
@@ -28,7 +28,7 @@ pytestmark = pytest.mark.slow
 AIRCRAFT = {
     "aerosonde": (AEROSONDE, sim_flights.AEROSONDE),
     "c172p": (CESSNA, sim_flights.CESSNA),
-    "easystar": (EASYSTAR, Model(sim_flights.AIRCRAFT, "easystar")),
+    "easystar": (EASYSTAR, sim_flights.EASYSTAR),
 }
 GROUND, ALTITUDE = 488.0, 838.0
 ORIGIN = (47.4 * DEG, 8.5 * DEG, ALTITUDE)

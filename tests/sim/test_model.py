@@ -2,12 +2,11 @@
 
 import math
 
-import jsbsim
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_flights import AIRCRAFT, ALTITUDE, bench
+from sim_flights import ALTITUDE, bench, plain_jsbsim
 
 from vfguide.geometry.units import DEG, FT, G0, LBF
 from vfguide.sim.condition import FlightCondition
@@ -20,17 +19,7 @@ STOP = 25.0 * DEG
 
 @pytest.fixture
 def fdm():
-    """The model as any user of JSBSim would load it, in level flight at 25 m/s."""
-    fdm = jsbsim.FGFDMExec(str(AIRCRAFT.parent))
-    fdm.set_debug_level(0)
-    fdm.set_dt(0.005)
-    assert fdm.load_model("aerosonde")
-    fdm["ic/h-sl-ft"] = ALTITUDE / FT
-    fdm["ic/theta-rad"] = 3.1 * DEG
-    fdm["ic/u-fps"] = 25.0 / FT
-    fdm["ic/w-fps"] = 25.0 * math.tan(3.1 * DEG) / FT
-    assert fdm.run_ic()
-    return fdm
+    return plain_jsbsim("aerosonde", 25.0, 3.1 * DEG, 25.0 * math.tan(3.1 * DEG))
 
 
 def test_plain_jsbsim_flies_the_model(fdm):

@@ -6,8 +6,17 @@ import numpy as np
 import pytest
 from continuous_law import GOAL as ITS_GOAL
 from continuous_law import K_V, K_W, move, rows
+from obstacle_samples import NOTHING
 from scipy.spatial.transform import Rotation
-from swarm_samples import angle_between, goals_of, random_attitudes, random_swarm, swarm_of
+from swarm_samples import (
+    GAINS,
+    GOAL,
+    angle_between,
+    goals_of,
+    random_attitudes,
+    random_swarm,
+    swarm_of,
+)
 
 from vfguide.field.attitude import attitude
 from vfguide.field.goal_frame import goal_frame
@@ -21,9 +30,6 @@ from vfguide.geometry.vector import mat3
 from vfguide.sim import kinematic
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
-GOAL = goal_frame((10.0, -20.0, 5.0), 0.7, 0.3)
-NOTHING = obstacle_rows([])
-GAINS = PaperGains(0.5, 3.5, 0.02)
 ARRIVED = 0.05
 
 
