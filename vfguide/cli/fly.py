@@ -92,11 +92,11 @@ def open_transport(text: str, sysid: int) -> "Transport":
         raise InputError(f"--connect {error}") from error
 
 
-def log_path(wish: Path | None, name: str, sysid: int) -> Path:
+def log_path(asked: Path | None, name: str, sysid: int) -> Path:
     """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder."""
-    if wish is not None and wish.suffix == ".tlog":
-        return wish
-    folder = wish or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
+    if asked is not None and asked.suffix == ".tlog":
+        return asked
+    folder = asked or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
     return folder / f"vehicle-{sysid}.tlog"
 
 
