@@ -7,10 +7,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.compiled import compiled
-
-CRAB_SINE_MAX = 0.95
-"""Largest sine of the crab angle, that of 72 degrees; chosen below 1, where the rate of the azimuth
-has no bound."""
+from vfguide.planning.excess_wind import EXCESS_RATIO
 
 
 class Heading(NamedTuple):
@@ -31,7 +28,7 @@ def heading_for_course(
     """Azimuth of the air velocity that makes good the course `chi` [rad] at `airspeed` [m/s].
 
     V sin(psi - chi) = -(wind to the right of the course); the rate follows from the derivative.
-    The crab angle is limited where the cross wind exceeds CRAB_SINE_MAX of the airspeed.
+    The crab angle is limited where the cross wind exceeds EXCESS_RATIO of the airspeed.
 
     Args:
         chi: course over ground [rad].
@@ -42,7 +39,7 @@ def heading_for_course(
     c, s = math.cos(chi), math.sin(chi)
     along = wind[0] * c + wind[1] * s
     across = -wind[0] * s + wind[1] * c
-    sine = max(-CRAB_SINE_MAX, min(CRAB_SINE_MAX, -across / airspeed))
+    sine = max(-EXCESS_RATIO, min(EXCESS_RATIO, -across / airspeed))
     forward = airspeed * math.sqrt(1.0 - sine * sine)
     groundspeed = forward + along
     return Heading(chi + math.asin(sine), chi_rate * groundspeed / forward, groundspeed)

@@ -16,8 +16,8 @@ from vfguide.geometry.vector import sub
 from vfguide.planning.objective import GuidanceTarget
 
 EXCESS_RATIO = 0.95
-"""Ratio of the wind to the airspeed above which a wind hold starts; chosen, the
-`CRAB_SINE_MAX` of `heading_for_course`: the largest cross wind that it crabs against."""
+"""Ratio of the wind to the airspeed above which a wind hold starts, and the largest sine of the
+crab angle, that of 72 degrees; chosen below 1, where the rate of the azimuth has no bound."""
 RELEASE_RATIO = 0.85
 """Ratio of the wind to the airspeed below which a wind hold ends; chosen as hysteresis."""
 WIND_SMOOTHING_TIME = 3.0
