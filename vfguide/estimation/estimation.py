@@ -10,6 +10,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.air_data import sense_air
 from vfguide.estimation.air_state import AIRSPEED, AirState, fresh_air, sigma
+from vfguide.estimation.consistency import Consistency, as_flown, follow, fresh_consistency
 from vfguide.estimation.position_resets import (
     PositionResets,
     follow_resets,
@@ -37,6 +38,8 @@ class Inputs(NamedTuple):
     measured: FlightState
     """State at the time of the attitude, in the same frame; airspeed and wind are not numbers where
     they are not measured."""
+    omega_b: Vec3
+    """Measured body rates [rad/s]."""
     is_exact: bool
     """Whether the predicted state is known exactly, as of a kinematic body."""
 
@@ -56,6 +59,8 @@ class EstimationState(NamedTuple):
     """The position resets that are being let in."""
     air: AirState
     """The estimate of wind, airspeed and vertical wind."""
+    consistency: Consistency
+    """What is doubted of what is told."""
 
 
 class NavState(NamedTuple):
@@ -87,7 +92,7 @@ class NavState(NamedTuple):
 def fresh_estimation() -> EstimationState:
     """The state of estimation before the first step."""
     zero = (0.0, 0.0, 0.0)
-    return EstimationState(-1.0, False, zero, zero, no_resets(), fresh_air())
+    return EstimationState(-1.0, False, zero, zero, no_resets(), fresh_air(), fresh_consistency())
 
 
 @compiled
@@ -110,9 +115,10 @@ def update(
         s: state of estimation at the step before.
         vehicle: its aircraft, and the true airspeed to fly.
     """
-    told, air = inputs.predicted, s.air
+    told, air, checked = inputs.predicted, s.air, s.consistency
     if not inputs.is_exact:
-        told, air = sense(inputs, thrust, air, vehicle)
+        checked = follow(inputs.measured, inputs.omega_b, checked, air, vehicle.aircraft)
+        told, air = sense(inputs, checked, thrust, air, vehicle)
     elapsed = told.time - s.time
     resets = follow_resets(s.resets, (s.p_n, s.v_n), told, elapsed if s.is_continuous else 0.0)
     state = smoothed(told, resets)
@@ -128,20 +134,26 @@ def update(
         air.estimate.x[AIRSPEED],
         sigma(air.estimate.P[AIRSPEED, AIRSPEED]),
     )
-    return nav, EstimationState(state.time, True, state.p_n, state.v_n, resets, air)
+    return nav, EstimationState(state.time, True, state.p_n, state.v_n, resets, air, checked)
 
 
 @compiled
 def sense(
-    inputs: Inputs, thrust: float, air: AirState, vehicle: Vehicle
+    inputs: Inputs, checked: Consistency, thrust: float, air: AirState, vehicle: Vehicle
 ) -> tuple[FlightState, AirState]:
-    """The predicted state with airspeed [m/s] and wind (NED) [m/s], and the estimate of the air.
+    """The state with airspeed and wind as they are used, and the estimate of the air.
 
-    `thrust` is the setpoint of the step before, 0 to 1.
+    Args:
+        inputs: predicted and measured state.
+        checked: what is doubted of them.
+        thrust: thrust setpoint of the step before, 0 to 1.
+        air: estimate of the air at the step before.
+        vehicle: its aircraft, and the airspeed to fly.
     """
     aircraft, gains, _ = vehicle
-    air = feel_rise(inputs.measured, air, aircraft)
-    return sense_air(inputs.predicted, air, thrust, aircraft, gains.airspeed)
+    air = feel_rise(as_flown(inputs.measured, checked), air, aircraft)
+    predicted = as_flown(inputs.predicted, checked)
+    return sense_air(predicted, air, thrust, aircraft, gains.airspeed)
 
 
 @compiled

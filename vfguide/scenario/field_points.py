@@ -23,7 +23,7 @@ from vfguide.files.errors import InputError
 from vfguide.geometry.rows import Row, Table, columns, python_reader
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale, sub, transpose
+from vfguide.geometry.vector import ZERO, Mat3, Vec3, add, matmul, scale, sub, transpose
 from vfguide.loop.state import fresh_state
 from vfguide.loop.step import step
 from vfguide.scenario.load import LoadedScenario
@@ -209,6 +209,6 @@ def flight_reference(plan: Plan, p_n: Vec3, v_n: Vec3, time: float) -> tuple[flo
     """Azimuth and path angle wanted through the air [rad], and the reference attitude."""
     level = from_euler(0.0, 0.0, math.atan2(v_n[1], v_n[0]))
     state = FlightState(time, p_n, v_n, level, plan.gains.airspeed, (0.0, 0.0, 0.0))
-    inputs = Inputs(state, state, True)
+    inputs = Inputs(state, state, ZERO, True)
     setpoint, _, told = step(inputs, fresh_state(), plan.legs, None, plan.law, plan.vehicle)
     return told.command.azimuth, told.command.gamma, from_quaternion(setpoint.q_nb)

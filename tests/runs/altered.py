@@ -1,0 +1,97 @@
+"""Flights whose companion is told something else than its autopilot says: a liar on the link."""
+
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+
+import numpy as np
+
+from vfguide.companion.session import Session
+from vfguide.link.codec import Encoder, Parser, decode
+from vfguide.results.record import FlightRecord
+from vfguide.results.result import Result, judge
+from vfguide.runs.aeroplanes import Aeroplanes
+from vfguide.runs.lockstep import Lockstep
+from vfguide.runs.logs import Logs
+from vfguide.scenario.load import load_scenario
+
+Alter = Callable[[float, object], Sequence[object]]
+"""The messages that arrive in place of one that was sent, `time` [s] after the start."""
+
+
+class Altered:
+    """A session whose input is altered between the autopilot and the companion."""
+
+    def __init__(self, session: Session, alter: Alter):
+        self.session, self.alter = session, alter
+        self.parser, self.began = Parser(), None
+        self.encoders = {}
+
+    def receive(self, now, data):
+        self.began = now if self.began is None else self.began
+        altered = b""
+        for frame in self.parser.feed(data):
+            message = decode(frame)
+            if message is None:
+                altered += frame.raw
+                continue
+            who = (frame.sysid, frame.compid)
+            encoder = self.encoders.setdefault(who, Encoder(*who))
+            told = self.alter((now - self.began) * 1e-6, message)
+            altered += b"".join(encoder.encode(each) for each in told)
+        return self.session.receive(now, altered)
+
+    def __getattr__(self, name):
+        return getattr(self.session, name)
+
+
+@dataclass(frozen=True)
+class AlteredFlight:
+    """The truth of a flight, its result, and what the operator was told."""
+
+    record: FlightRecord
+    result: Result
+    told: tuple[tuple[float, str], ...]
+
+    @property
+    def bank(self):
+        """Greatest bank [deg]."""
+        return self.result.vehicles[0].max_bank_deg
+
+    @property
+    def load(self):
+        """Least and greatest load factor."""
+        return self.result.vehicles[0].load_factor
+
+    @property
+    def lost(self):
+        """Height lost below the lower one of start and goal [m]."""
+        down = self.record.p_n[:, 2]
+        return float(down.max() - max(down[0], -120.0))
+
+    def notes(self, words):
+        """The notes that contain some words."""
+        return [note for _, note in self.told if words in note]
+
+
+def fly_altered(folder, alter: Alter, *changes, scenario="first-flight") -> AlteredFlight:
+    """Fly a scenario with every message to the companion altered."""
+    loaded, told = load_scenario(scenario, changes), []
+    with ExitStack() as stack:
+        fleet = Aeroplanes(loaded, Logs(folder, stack))
+        member = fleet.members[0]
+        member._session = Altered(member._session, alter)
+        lockstep = Lockstep(fleet, loaded.scenario.duration_s)
+        while lockstep.ending is None:
+            lockstep.advance()
+            told += [(lockstep.sim_s, note) for note in member.companion.news()]
+        records = fleet.records()
+    result = judge(loaded.scenario, records, lockstep.sim_s, 1.0)
+    return AlteredFlight(records[0], result, tuple(told))
+
+
+def turned_about_vertical(q, angle):
+    """A quaternion w, x, y, z after a turn of NED about down by an angle [rad]."""
+    c, s = np.cos(0.5 * angle), np.sin(0.5 * angle)
+    w, x, y, z = q
+    return c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w

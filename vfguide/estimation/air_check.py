@@ -1,0 +1,172 @@
+"""The wind triangle as a check: ground velocity = wind + airspeed along the nose.
+
+With a wind that is told it has more knowns than unknowns. Its length shows a wrong wind or airspeed
+whatever the yaw is, and the airspeed that pitch and thrust ask for tells the two apart. Its
+direction shows a wrong yaw where the length is right.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.rows import replacing
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import Vec3
+
+FAST_TIME = 0.7
+"""Time constant with which large errors of the wind triangle are smoothed [s]; chosen, so that they
+are found before they are flown on for long."""
+SLOW_TIME = 10.0
+"""Time constant with which small errors of its length are smoothed [s]; chosen longer than gusts
+last."""
+SIDESLIP_LIMIT = 12.0 * DEG
+"""Sideslip above which the direction is wrong, in still air [rad]; chosen."""
+GUST = 6.0
+"""Gust that the wind of the autopilot does not contain [m/s]; chosen as three standard deviations
+in moderate turbulence."""
+LASTING_ERROR = 3.5
+"""Error of the length that no gust has for SLOW_TIME [m/s]; chosen."""
+WIND_JUMP = 4.0
+"""Change of the told wind between two messages that the air does not make [m/s]; chosen."""
+WIND_AGREES = 3.0
+"""Difference of the told wind from the estimated one below which it is right [m/s]; chosen."""
+WIND_AGREEMENT = 5.0
+"""Time for which it has to be right before it is believed again [s]; chosen."""
+AIRSPEED_AGREES = 2.0
+"""Error of the length below which the airspeed sensor is right [m/s]; chosen."""
+AIRSPEED_AGREEMENT = 20.0
+"""Time for which it has to be right before it is believed again [s]; chosen long, so that a wrong
+scale is not believed in turns."""
+
+
+class Triangle(NamedTuple):
+    """The wind triangle as it is measured."""
+
+    sideslip: float
+    """Azimuth of the air velocity less that of the nose [rad]."""
+    excess: float
+    """Speed of ground velocity less wind, less the airspeed [m/s]."""
+
+
+class AirCheck(NamedTuple):
+    """What the wind triangle has shown."""
+
+    is_first: bool
+    """Whether nothing was measured yet."""
+    wind_n: Vec3
+    """Wind that was told last, NED [m/s]; not numbers if none was."""
+    ahead: float
+    """Cosine of the sideslip, smoothed."""
+    right: float
+    """Sine of the sideslip, smoothed."""
+    excess: float
+    """Excess of the `Triangle`, smoothed with FAST_TIME [m/s]."""
+    lasting: float
+    """The same with SLOW_TIME [m/s]."""
+    wind_doubt: float
+    """Time for which the told wind has not been believed [s]; 0: it is believed."""
+    wind_agrees: float
+    """Time for which a wind that is not believed has been right [s]."""
+    airspeed_doubt: float
+    """Time for which the measured airspeed has not been believed [s]; 0: it is believed."""
+    airspeed_agrees: float
+    """Time for which an airspeed that is not believed has been right [s]."""
+
+
+replaced_doubts = replacing(AirCheck, "wind_n", "wind_doubt", "airspeed_doubt", "airspeed_agrees")
+with_smoothed_slip = replacing(AirCheck, "ahead", "right")
+with_wind_doubt = replacing(AirCheck, "wind_n", "wind_doubt", "wind_agrees")
+with_airspeed_doubt = replacing(AirCheck, "airspeed_doubt", "airspeed_agrees")
+
+
+@compiled
+def first_check() -> AirCheck:
+    """The check before the first wind triangle."""
+    nan = math.nan
+    return AirCheck(True, (nan, nan, nan), 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def sideslip_limit(airspeed: float) -> float:
+    """Sideslip above which a direction is wrong at an airspeed [m/s], gusts allowed for [rad]."""
+    return SIDESLIP_LIMIT + math.asin(min(1.0, GUST / max(airspeed, 1.0)))
+
+
+@compiled
+def triangle(air_n: Vec3, nose_n: Vec3, airspeed: float) -> Triangle:
+    """The wind triangle of an air velocity [m/s] and a nose (unit vector), NED, and an airspeed."""
+    slip = wrap(math.atan2(air_n[1], air_n[0]) - math.atan2(nose_n[1], nose_n[0]))
+    level = math.hypot(nose_n[0], nose_n[1])
+    return Triangle(slip, math.hypot(air_n[0], air_n[1]) - level * airspeed)
+
+
+@compiled
+def smoothed_triangle(s: AirCheck, seen: Triangle, wind_n: Vec3, dt: float) -> AirCheck:
+    """The check with one more triangle, `dt` [s] later, and the told wind, NED [m/s]."""
+    ahead, right = math.cos(seen.sideslip), math.sin(seen.sideslip)
+    fast = 1.0 if s.is_first else dt / (FAST_TIME + dt)
+    return AirCheck(
+        False,
+        wind_n,
+        s.ahead + fast * (ahead - s.ahead),
+        s.right + fast * (right - s.right),
+        s.excess + fast * (seen.excess - s.excess),
+        s.lasting + dt / (SLOW_TIME + dt) * (seen.excess - s.lasting),
+        s.wind_doubt,
+        s.wind_agrees,
+        s.airspeed_doubt,
+        s.airspeed_agrees,
+    )
+
+
+@compiled
+def is_wrong(s: AirCheck) -> bool:
+    """Whether the length of the wind triangle is wrong: the wind or the airspeed."""
+    return abs(s.excess) > GUST or abs(s.lasting) > LASTING_ERROR
+
+
+@compiled
+def has_jumped(before_n: Vec3, wind_n: Vec3) -> bool:
+    """Whether the told wind, NED [m/s], has jumped from one message to the next."""
+    return math.hypot(wind_n[0] - before_n[0], wind_n[1] - before_n[1]) > WIND_JUMP
+
+
+@compiled
+def sideslip_of(s: AirCheck) -> float:
+    """The smoothed sideslip [rad]."""
+    return math.atan2(s.right, s.ahead)
+
+
+@compiled
+def doubting_wind(s: AirCheck, dt: float) -> AirCheck:
+    """The check where the told wind is not believed any more, at a step of `dt` [s]."""
+    return replaced_doubts(first_check(), s.wind_n, dt, s.airspeed_doubt, s.airspeed_agrees)
+
+
+@compiled
+def doubting_airspeed(s: AirCheck, dt: float) -> AirCheck:
+    """The check where the airspeed sensor is not believed any more, at a step of `dt` [s]."""
+    return replaced_doubts(first_check(), s.wind_n, s.wind_doubt, dt, 0.0)
+
+
+@compiled
+def follow_wind_doubt(s: AirCheck, wind_n: Vec3, own_n: Vec3, dt: float) -> AirCheck:
+    """The check `dt` [s] later of a wind that is not believed.
+
+    It is believed again when the told wind agrees with the own estimate, both NED [m/s].
+    """
+    off = math.hypot(wind_n[0] - own_n[0], wind_n[1] - own_n[1])
+    agrees = s.wind_agrees + dt if off < WIND_AGREES else 0.0
+    doubt = 0.0 if agrees > WIND_AGREEMENT else s.wind_doubt + dt
+    return with_wind_doubt(s, wind_n, doubt, agrees)
+
+
+@compiled
+def follow_airspeed_doubt(s: AirCheck, excess: float, dt: float) -> AirCheck:
+    """The check `dt` [s] later of an airspeed that is not believed, of which the `excess` is."""
+    if s.airspeed_doubt == 0.0:
+        return s
+    agrees = s.airspeed_agrees + dt if abs(excess) < AIRSPEED_AGREES else 0.0
+    doubt = 0.0 if agrees > AIRSPEED_AGREEMENT else s.airspeed_doubt + dt
+    return with_airspeed_doubt(s, doubt, agrees)

@@ -1,0 +1,213 @@
+"""Consistency: attitude, ground velocity, airspeed and wind are held against each other.
+
+Each has to agree with what the others say of it: fault detection by analytical redundancy. What
+does not is doubted, and replaced by what the others say: the yaw by the direction of the wind
+triangle, the ground velocity by the motion of the position, the wind and the airspeed by their own
+estimates. Roll and pitch have no replacement.
+
+Gertler, Fault Detection and Diagnosis in Engineering Systems, 1998: parity equations.
+"""
+
+import math
+from typing import NamedTuple
+
+from vfguide.aircraft.flight_model import flight_direction
+from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.state import FlightState
+from vfguide.estimation.air_check import (
+    AirCheck,
+    doubting_airspeed,
+    doubting_wind,
+    first_check,
+    follow_airspeed_doubt,
+    follow_wind_doubt,
+    has_jumped,
+    is_wrong,
+    sideslip_limit,
+    sideslip_of,
+    smoothed_triangle,
+    triangle,
+    with_smoothed_slip,
+)
+from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState
+from vfguide.estimation.attitude_check import (
+    AttitudeCheck,
+    corrected_attitude,
+    first_attitude,
+    follow_attitude,
+    turned_by,
+    with_slip,
+)
+from vfguide.estimation.lift_check import LIFT_FAULT_TIME, LiftCheck, first_lift, follow_lift
+from vfguide.estimation.velocity_check import (
+    VelocityCheck,
+    corrected_velocity,
+    first_velocity,
+    follow_velocity,
+)
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import ZERO, Vec3, sub
+
+LONGEST_GAP_CHECKED = 1.0
+"""Time between two steps after which the checks start anew [s]; chosen."""
+
+
+class Consistency(NamedTuple):
+    """What was told last, what the checks have shown, and how long each thing has been doubted."""
+
+    time: float
+    """Time of the step [s]; negative before the first."""
+    attitude: AttitudeCheck
+    velocity: VelocityCheck
+    lift: LiftCheck
+    air: AirCheck
+    yaw_doubt: float
+    """Time for which the told yaw has not been believed [s]; 0: it is believed."""
+    velocity_doubt: float
+    """The same of the ground velocity [s]."""
+    attitude_doubt: float
+    """The same of roll and pitch [s]; it does not end by itself."""
+
+
+@compiled
+def fresh_consistency() -> Consistency:
+    """The state before the first step."""
+    level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    attitude, velocity = first_attitude(level, ZERO), first_velocity(ZERO, ZERO)
+    return Consistency(-1.0, attitude, velocity, first_lift(ZERO), first_check(), 0.0, 0.0, 0.0)
+
+
+@compiled
+def follow(
+    m: FlightState, omega_b: Vec3, s: Consistency, air: AirState, aircraft: Performance
+) -> Consistency:
+    """The state after one more measurement.
+
+    Args:
+        m: the measured state; airspeed and wind are not numbers where they are not measured.
+        omega_b: measured body rates [rad/s].
+        s: the state before.
+        air: estimate of the air at the step before.
+        aircraft: its lift.
+    """
+    dt = m.time - s.time
+    if dt == 0.0:
+        return s
+    if s.time < 0.0 or not 0.0 < dt < LONGEST_GAP_CHECKED:
+        attitude, velocity = first_attitude(m.R_nb, omega_b), first_velocity(m.p_n, m.v_n)
+        lift, dt = first_lift(m.v_n), 0.0
+    else:
+        attitude = follow_attitude(s.attitude, m.R_nb, omega_b, dt)
+        velocity = follow_velocity(s.velocity, m.p_n, m.v_n, dt)
+        lift = follow_lift(s.lift, believed(m, attitude, velocity, s.air, air), aircraft, dt)
+    state = believed(m, attitude, velocity, s.air, air)
+    attitude, checked = check_air(state, m, attitude, s.air, air, aircraft, dt)
+    is_tilted = attitude.is_tilted or lift.time > LIFT_FAULT_TIME or s.attitude_doubt > 0.0
+    return Consistency(
+        m.time,
+        attitude,
+        velocity,
+        lift,
+        checked,
+        lasted(s.yaw_doubt, attitude.yaw_correction != 0.0, dt),
+        lasted(s.velocity_doubt, velocity.is_doubted, dt),
+        lasted(s.attitude_doubt, is_tilted, dt),
+    )
+
+
+@compiled
+def lasted(time: float, is_doubted: bool, dt: float) -> float:
+    """The time of a doubt `dt` [s] later [s]."""
+    return time + max(dt, 1e-3) if is_doubted else 0.0
+
+
+@compiled
+def believed(
+    m: FlightState,
+    attitude: AttitudeCheck,
+    velocity: VelocityCheck,
+    checked: AirCheck,
+    air: AirState,
+) -> FlightState:
+    """The state with what the others say in place of what is doubted, and of what is not told."""
+    own_n = (air.estimate.x[NORTH], air.estimate.x[EAST], 0.0)
+    wind_n = own_n if checked.wind_doubt > 0.0 or math.isnan(m.wind_n[0]) else m.wind_n
+    untold = checked.airspeed_doubt > 0.0 or math.isnan(m.airspeed)
+    speed = air.estimate.x[AIRSPEED] if untold else m.airspeed
+    v_n = corrected_velocity(velocity, m.v_n)
+    return FlightState(m.time, m.p_n, v_n, corrected_attitude(attitude, m.R_nb), speed, wind_n)
+
+
+@compiled
+def check_air(
+    state: FlightState,
+    m: FlightState,
+    attitude: AttitudeCheck,
+    s: AirCheck,
+    air: AirState,
+    aircraft: Performance,
+    dt: float,
+) -> tuple[AttitudeCheck, AirCheck]:
+    """The checks of yaw, wind and airspeed by the wind triangle, `dt` [s] later.
+
+    Args:
+        state: the state that is believed.
+        m: the measured state.
+        attitude: check of the attitude.
+        s: check of the air at the step before.
+        air: estimate of the air at the step before.
+        aircraft: its angle of attack.
+        dt: time step [s].
+    """
+    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    alpha = aircraft.alpha_zero + aircraft.alpha_load / (speed * speed)
+    nose_n = flight_direction(state.R_nb, alpha, 0.0)
+    seen = triangle(sub(state.v_n, state.wind_n), nose_n, state.airspeed)
+    attitude = with_slip(attitude, seen.sideslip, dt)
+    if math.isnan(m.wind_n[0]):
+        return attitude, s
+    if s.wind_doubt > 0.0:
+        return attitude, follow_wind_doubt(s, m.wind_n, state.wind_n, dt)
+    if has_jumped(s.wind_n, m.wind_n):
+        return attitude, doubting_wind(s, max(dt, 1e-3))
+    s = smoothed_triangle(s, seen, m.wind_n, dt)
+    if is_wrong(s):
+        return attitude, blamed(s, m.airspeed, state.airspeed, air, dt)
+    s = follow_airspeed_doubt(s, seen.excess + state.airspeed - m.airspeed, dt)
+    slip = sideslip_of(s)
+    if abs(slip) > sideslip_limit(state.airspeed):
+        return turned_by(attitude, slip), with_smoothed_slip(s, 1.0, 0.0)
+    return attitude, s
+
+
+@compiled
+def blamed(s: AirCheck, measured: float, airspeed: float, air: AirState, dt: float) -> AirCheck:
+    """The check after a wind triangle of the wrong length, at a step of `dt` [s].
+
+    Of the `measured` airspeed and the speed by the told wind the one that is farther from what
+    pitch and thrust ask for is wrong [m/s]; `airspeed` is the one that is believed.
+    """
+    model = air.sensor.model_airspeed
+    by_wind = airspeed + (s.lasting if abs(s.lasting) > abs(s.excess) else s.excess)
+    points_ahead = abs(sideslip_of(s)) < sideslip_limit(airspeed)
+    is_told = s.airspeed_doubt == 0.0 and not math.isnan(measured)
+    if points_ahead and is_told and abs(measured - model) > abs(by_wind - model):
+        return doubting_airspeed(s, max(dt, 1e-3))
+    return doubting_wind(s, max(dt, 1e-3))
+
+
+@compiled
+def as_flown(state: FlightState, s: Consistency) -> FlightState:
+    """A state, measured or predicted, as it is flown on: what is doubted is replaced.
+
+    Airspeed and wind are not numbers where they are doubted.
+    """
+    nan = math.nan
+    return FlightState(
+        state.time,
+        state.p_n,
+        corrected_velocity(s.velocity, state.v_n),
+        corrected_attitude(s.attitude, state.R_nb),
+        nan if s.air.airspeed_doubt > 0.0 else state.airspeed,
+        (nan, nan, nan) if s.air.wind_doubt > 0.0 else state.wind_n,
+    )

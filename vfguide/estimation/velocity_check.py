@@ -1,0 +1,65 @@
+"""Ground velocity against the motion of the position: what moves must be seen to move.
+
+The velocity to fly on is the told one plus a correction, as in a complementary filter: fast changes
+are the told ones, slow ones those of the position.
+"""
+
+from typing import NamedTuple
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.vector import ZERO, Vec3, add, norm, scale, sub
+
+VELOCITY_JUMP = 3.0
+"""Change of the ground velocity in a step that counts as none of the aircraft [m/s]; chosen above
+the noise of velocities."""
+MOST_ACCELERATION = 30.0
+"""Growth of that change with the time step [m/s^2]; chosen as the most an aircraft accelerates."""
+POSITION_JUMP = 2.0
+"""Motion of the position beyond the velocity that counts as a position reset [m]; chosen above the
+noise of positions."""
+CORRECTION_TIME = 1.0
+"""Time constant of the correction [s]; chosen, so that a position noise of 0.5 m passes as 0.5
+m/s."""
+VELOCITY_ERROR = 3.0
+"""Error above which the ground velocity is doubted [m/s]; chosen above those of good estimators."""
+VELOCITY_AGREES = 1.5
+"""Error below which it is believed again [m/s]; chosen as hysteresis."""
+
+
+class VelocityCheck(NamedTuple):
+    """What was told last, and the error that it has shown."""
+
+    p_n: Vec3
+    """Position, NED [m]."""
+    v_n: Vec3
+    """Velocity over ground, NED [m/s]."""
+    correction_n: Vec3
+    """Velocity of the position less the one told, smoothed, NED [m/s]."""
+    is_doubted: bool
+    """Whether the correction is flown on."""
+
+
+@compiled
+def first_velocity(p_n: Vec3, v_n: Vec3) -> VelocityCheck:
+    """The check after one position [m] and velocity [m/s], NED: nothing is known yet."""
+    return VelocityCheck(p_n, v_n, ZERO, False)
+
+
+@compiled
+def follow_velocity(s: VelocityCheck, p_n: Vec3, v_n: Vec3, dt: float) -> VelocityCheck:
+    """The check `dt` [s] later, with the next position [m] and velocity [m/s], NED."""
+    change, correction = sub(v_n, s.v_n), s.correction_n
+    if norm(change) > VELOCITY_JUMP + MOST_ACCELERATION * dt:
+        correction = sub(correction, change)
+    beyond = sub(sub(p_n, s.p_n), scale(0.5 * dt, add(s.v_n, v_n)))
+    if norm(beyond) < POSITION_JUMP:
+        error = sub(scale(1.0 / dt, beyond), correction)
+        correction = add(correction, scale(dt / (CORRECTION_TIME + dt), error))
+    limit = VELOCITY_AGREES if s.is_doubted else VELOCITY_ERROR
+    return VelocityCheck(p_n, v_n, correction, norm(correction) > limit)
+
+
+@compiled
+def corrected_velocity(s: VelocityCheck, v_n: Vec3) -> Vec3:
+    """A velocity over ground, NED [m/s], as it is flown on."""
+    return add(v_n, s.correction_n) if s.is_doubted else v_n
