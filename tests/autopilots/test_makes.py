@@ -3,10 +3,10 @@
 import pytest
 from pages import ROOT
 
-from vfguide.autopilots.makes import ASSUMED, AUTOPILOTS, BY_MAKE, autopilot_of
+from vfguide.autopilots.makes import AUTOPILOTS, BY_MAKE, MAVLINK_VERSION, autopilot_of
 from vfguide.geometry.projection import geodetic_of
-from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, ModeFlag
-from vfguide.link.messages import AttitudeQuaternion, LocalPositionNed, VfrHud
+from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType, ModeFlag
+from vfguide.link.messages import AttitudeQuaternion, Heartbeat, LocalPositionNed, VfrHud
 
 RATES = (
     AttitudeTypeMask.BODY_ROLL_RATE_IGNORE
@@ -19,10 +19,20 @@ NEEDED = {AttitudeQuaternion.MSGID, LocalPositionNed.MSGID, VfrHud.MSGID}
 every = pytest.mark.parametrize("autopilot", AUTOPILOTS, ids=lambda each: each.make.name)
 
 
-@pytest.mark.parametrize("make", MavAutopilot)
-def test_a_make_is_looked_up_and_an_unknown_one_is_assumed(make):
-    found = autopilot_of(int(make))
-    assert found.make == make if make in BY_MAKE else found is ASSUMED
+@pytest.mark.parametrize("make", range(256))
+def test_only_a_known_make_on_a_kind_of_vehicle_that_it_is_for_is_an_autopilot(make):
+    for kind in range(256):
+        found = autopilot_of(Heartbeat(kind, make, 0, 0, MavState.ACTIVE))
+        if make in BY_MAKE and kind in BY_MAKE[make].kinds:
+            assert found is BY_MAKE[make]
+        else:
+            assert found is None
+
+
+@pytest.mark.parametrize("version", range(256))
+def test_another_protocol_is_no_autopilot(version):
+    said = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, 0, MavState.ACTIVE, version)
+    assert (autopilot_of(said) is not None) == (version == MAVLINK_VERSION)
 
 
 def test_no_make_is_there_twice():

@@ -98,9 +98,11 @@ def test_the_operators_mode_silences_it_for_good():
 
 def test_it_is_silent_while_the_link_is_lost_and_goes_on_afterwards():
     talk = flying()
-    talk.fly(2.9, mode=None)
-    assert not setpoints(talk.fly(2.0, mode=None))
+    talk.fly(2.9, mode=None, flying=False)
+    assert talk.companion.phase is Phase.FLYING
+    talk.fly(0.2, mode=None, flying=False)
     assert talk.companion.phase is Phase.INTERRUPTED
+    assert not setpoints(talk.fly(1.0, mode=None))
     beats = [m for m in talk.fly(1.0, mode=None) if isinstance(m, Heartbeat)]
     assert beats[-1].system_status == MavState.CRITICAL
     assert setpoints(talk.fly(0.5, OFFBOARD))

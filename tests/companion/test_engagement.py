@@ -7,6 +7,8 @@ from vfguide.companion.engagement import FINAL_PHASES, SENDING, TRANSITIONS, Eve
 ALL = [(phase, event) for phase in Phase for event in Event]
 CONTROL = {Phase.FLYING, Phase.INTERRUPTED, Phase.RETURNING}
 """The companion's setpoints are flown, or may be."""
+MAY_FLY = {Phase.ASKING, Phase.FLYING, Phase.INTERRUPTED}
+"""They are flown, or will be as soon as the autopilot says so."""
 
 
 def reachable(*begin):
@@ -54,13 +56,40 @@ def test_a_mode_of_the_autopilots_own_ends_control_at_once(phase):
 def test_a_stop_leads_to_the_end_or_to_the_hand_over(phase):
     after = TRANSITIONS[phase, Event.STOP_ASKED]
     assert after in {*FINAL_PHASES, Phase.RETURNING}
-    may_be_flown = phase in {Phase.ASKING, Phase.FLYING, Phase.RETURNING}
+    may_be_flown = phase in {Phase.ASKING, Phase.FLYING, Phase.YIELDING, Phase.RETURNING}
     assert (after is Phase.RETURNING) == may_be_flown
 
 
 @pytest.mark.parametrize("phase", Phase)
 def test_without_a_link_nothing_is_sent(phase):
     assert TRANSITIONS[phase, Event.LINK_LOST] not in SENDING
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_who_cannot_guide_sends_nothing_that_is_flown(phase):
+    after = TRANSITIONS[phase, Event.UNABLE]
+    assert after not in {Phase.ASKING, Phase.FLYING}
+    assert after is (Phase.YIELDING if phase in MAY_FLY else phase)
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_what_the_failsafe_does_is_not_taken_for_the_operators_wish(phase):
+    after = TRANSITIONS[phase, Event.FALLBACK_SEEN]
+    assert after is not Phase.RELEASED or phase is Phase.RELEASED
+    assert after is not Phase.FLYING
+    assert (after is Phase.YIELDING) == (phase in MAY_FLY - {Phase.ASKING} | {Phase.YIELDING})
+
+
+def test_who_yielded_can_be_chosen_again_and_waits_for_that():
+    assert Phase.FLYING in reachable(Phase.YIELDING)
+    nexts = {TRANSITIONS[Phase.YIELDING, event] for event in Event} - {Phase.YIELDING}
+    assert nexts == {Phase.OFFERING, Phase.RETURNING}
+
+
+@pytest.mark.parametrize("phase", Phase)
+def test_only_who_yielded_can_be_able_again(phase):
+    after = TRANSITIONS[phase, Event.ABLE_AGAIN]
+    assert after is (Phase.OFFERING if phase is Phase.YIELDING else phase)
 
 
 @pytest.mark.parametrize("phase", Phase)

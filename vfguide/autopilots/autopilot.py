@@ -10,7 +10,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from vfguide.geometry.projection import Projection
-from vfguide.link.enums import MavAutopilot
+from vfguide.link.enums import MavAutopilot, MavType
 
 
 class Stream(NamedTuple):
@@ -28,6 +28,8 @@ class Autopilot:
 
     make: MavAutopilot
     """The make, as in HEARTBEAT.autopilot."""
+    kinds: tuple[MavType, ...]
+    """Kinds of vehicles that it is this record for, as in HEARTBEAT.type."""
     modes: type[IntEnum]
     """Flight modes: the value is HEARTBEAT.custom_mode, the name is what the operator reads."""
     follow_mode: IntEnum
@@ -36,6 +38,9 @@ class Autopilot:
     """The mode in which the companion leaves the autopilot: it circles by itself."""
     mode_parameters: Callable[[int], tuple[float, ...]]
     """Parameters of MAV_CMD_DO_SET_MODE that ask for a mode; the argument is the mode."""
+    loss_time: int
+    """Time without a setpoint after which it flies by its own failsafe [us], unless its parameters
+    say else."""
     offer: int
     """Time for which setpoints are sent before the companion asks for the follow mode [us]."""
     type_mask: int

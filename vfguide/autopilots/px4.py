@@ -7,7 +7,7 @@ from enum import IntEnum
 
 from vfguide.autopilots.autopilot import Autopilot, Stream
 from vfguide.geometry.projection import Projection
-from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, ModeFlag
+from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavType, ModeFlag
 from vfguide.link.messages import AttitudeQuaternion, LocalPositionNed, VfrHud, WindCov
 
 SUB_MODE = 24
@@ -44,10 +44,12 @@ def mode_parameters(mode: int) -> tuple[float, ...]:
 
 PX4 = Autopilot(
     make=MavAutopilot.PX4,
+    kinds=(MavType.FIXED_WING,),
     modes=Px4Mode,
     follow_mode=Px4Mode.OFFBOARD,
     hold_mode=Px4Mode.HOLD,
     mode_parameters=mode_parameters,
+    loss_time=1_000_000,  # the default of COM_OF_LOSS_T
     offer=200_000,  # chosen; PX4 refuses OFFBOARD until setpoints arrive
     type_mask=int(AttitudeTypeMask.ATTITUDE_IGNORE),
     projection=Projection.AZIMUTHAL_EQUIDISTANT,

@@ -20,14 +20,29 @@ CHOICE_COMES = "{follow} will be asked for"
 """Note where the companion will ask for the follow mode."""
 CHOICE_LEFT = "waiting for the operator to choose {follow}"
 """Note where the operator has to choose the follow mode."""
-LINK_LOST = "link lost, no heartbeat for 3 s: no setpoints until the autopilot is heard again"
+SENT_AGAIN = "setpoints go out again"
+"""Note where nothing keeps setpoints from going out any more."""
+OFFERED_AGAIN = f"{SENT_AGAIN}, "
+"""Beginning of the note where the companion could not guide and can again; CHOICE_LEFT ends it."""
+LINK_LOST = "link lost, {why}: no setpoints until the autopilot is heard again"
 """Note where the link is lost."""
+STRANGER = "vehicle {sysid} says {who}: flown is only {flown}, nothing is sent to it"
+"""Note where another autopilot is found than one that can be flown."""
+INTRUDER = "a heartbeat of vehicle {sysid} that says {who} is not its autopilot's: ignored"
+"""Note where somebody else speaks with the address of the autopilot."""
+STOOD_STILL = "the companion stood still for {gap:.1f} s"
+"""Note where this program did not run for a while."""
+FALLEN_BACK = "the autopilot has fallen back on {mode} by itself"
+"""Reason for silence where the autopilot's failsafe acts."""
+TOO_SLOW = "the link is too slow, a setpoint would act {delay:.1f} s after the state it is made for"
+"""Reason for silence where the link is too slow."""
 
 ON_ENTERING = {
     Phase.SEARCHING: LINK_LOST,
     Phase.ASKING: "asking the autopilot for {follow}",
     Phase.FLYING: "the autopilot follows",
     Phase.INTERRUPTED: LINK_LOST,
+    Phase.YIELDING: "{why}: no more setpoints for now",
     Phase.RETURNING: "handing over: asking the autopilot for {hold}",
     Phase.RELEASED: "released: the mode was changed to {mode}, no more setpoints",
     Phase.ENDED: "ended: the autopilot flies {mode}",
@@ -37,7 +52,12 @@ ON_ENTERING = {
 
 
 def phase_note(
-    before: Phase, after: Phase, autopilot: Autopilot, custom_mode: int | None, engage: bool
+    before: Phase,
+    after: Phase,
+    autopilot: Autopilot,
+    custom_mode: int | None,
+    engage: bool,
+    why: str = "",
 ) -> str:
     """Note of a change of phase.
 
@@ -47,11 +67,13 @@ def phase_note(
         autopilot: the make of the autopilot, which names its modes.
         custom_mode: the mode that it flies; None: unknown.
         engage: whether the companion asks for the follow mode by itself.
+        why: the reason, where the phase does not say it.
     """
     return note_on(before, after, engage).format(
         mode=autopilot.mode_name(custom_mode),
         follow=autopilot.follow_mode.name,
         hold=autopilot.hold_mode.name,
+        why=why,
     )
 
 
@@ -61,6 +83,8 @@ def note_on(before: Phase, after: Phase, engage: bool) -> str:
         return ON_ENTERING[after]
     if before is Phase.ASKING:
         return CHOICE_LEFT
+    if before is Phase.YIELDING:
+        return OFFERED_AGAIN + CHOICE_LEFT
     return FOUND + (CHOICE_COMES if engage else CHOICE_LEFT)
 
 

@@ -5,15 +5,16 @@ from what it received alone, so that a recording gives the same setpoints again.
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import origin_notes
+from vfguide.companion.annunciations import SENT_AGAIN, STOOD_STILL, TOO_SLOW, origin_notes
+from vfguide.companion.contact import Contact
 from vfguide.companion.control import Control
-from vfguide.companion.engagement import FINAL_PHASES, Event, Phase
+from vfguide.companion.engagement import FINAL_PHASES, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
-from vfguide.geometry.units import SECOND
+from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
@@ -31,8 +32,6 @@ from vfguide.link.messages import (
 )
 from vfguide.loop.rows import step_measured
 
-LINK_TIMEOUT = 3 * SECOND
-"""Time without a heartbeat after which the link is lost [us]; chosen."""
 ORIGIN_RETRY = SECOND
 """Time after which the origin of the local frame is asked for again [us]; chosen."""
 SILENCE_TIMEOUT = SECOND
@@ -80,7 +79,7 @@ class Companion:
         self._requests = Requests()
         self._round_trip = RoundTrip()
         self._news: list[str] = []
-        self._heard = 0
+        self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
         self._sent_at = 0
@@ -93,8 +92,14 @@ class Companion:
 
     def receive(self, now: int, message: Message) -> list[Message]:
         """Takes one message of the autopilot at `now` [us since 1970]; returns what to send."""
+        self._wake(now)
+        self._contact.act(now)
         self._watch_link(now)
+        if isinstance(message, Heartbeat) and not self._control.is_vehicle(message):
+            return self._housekeeping(now)
         before, self._known = self._known, observe(self._known, message)
+        if self._known is not before:
+            self._contact.hear(now)
         out: list[Message] = []
         match message:  # the most frequent first
             case LocalPositionNed() | VfrHud() | WindCov():
@@ -104,7 +109,8 @@ class Companion:
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
-                self._control.hear_mode(message.custom_mode)
+                self._control.hear_current_mode(message)
+                self._contact.hear(now)
             case AdsbVehicle():
                 self.route.hear_traffic(message, self._known)
             case GpsGlobalOrigin():
@@ -114,20 +120,30 @@ class Companion:
                 if complaint := self._requests.answer(message):
                     self._news.append(complaint)
             case Timesync():
-                if note := self._round_trip.hear(now, message):
-                    self._news.append(note)
+                self._hear_timesync(now, message)
             case _:
                 return out
         return out + self._housekeeping(now)
 
     def poll(self, now: int) -> list[Message]:
         """What is due at `now` [us since 1970] without anything received."""
+        self._wake(now)
         self._watch_link(now)
-        return self._housekeeping(now)
+        out = self._housekeeping(now)
+        if out:
+            self._contact.act(now)
+        return out
+
+    def recall(self, now: int, message: Message) -> None:
+        """Takes one message of its own that a log says went out at `now` [us since 1970]."""
+        self._wake(now)
+        self._contact.act(now)
+        if isinstance(message, Timesync):
+            self._round_trip.asked(message)
 
     def stop(self, now: int) -> list[Message]:
         """The operator ends it at `now` [us since 1970]; returns what hands over, if it flies."""
-        self._control.happen(Event.STOP_ASKED)
+        self._control.stop()
         return self._housekeeping(now)
 
     def news(self) -> list[str]:
@@ -140,14 +156,36 @@ class Companion:
 
     def _watch_link(self, now: int) -> None:
         """Record that the link to the autopilot is lost."""
-        if now - self._heard > LINK_TIMEOUT and self.phase is not Phase.SEARCHING:
-            self._control.lose_link()
+        if self.phase is not Phase.SEARCHING and (why := self._contact.silence(now)):
+            self._control.lose_link(why)
             self.route.pause()
+
+    def _wake(self, now: int) -> None:
+        """Record that it runs at `now` [us]; what waited while it stood still is not new."""
+        gap = self._contact.wake(now)
+        if not gap or self.phase is Phase.SEARCHING:
+            return
+        self._round_trip.forget_questions()
+        note, told = STOOD_STILL.format(gap=gap * US), self._control.may_send
+        if gap >= self._control.autopilot.loss_time:
+            self._control.stand_still(now, note)
+        if told and self._control.may_send:
+            self._news.append(note)
+
+    def _hear_timesync(self, now: int, message: Timesync) -> None:
+        """Take an answer to a question of our own; nothing is guided over too slow a link."""
+        note = self._round_trip.hear(now, message)
+        slow, delay = self._round_trip.is_too_slow, self._round_trip.delay
+        if note and not slow:
+            self._news.append(note)
+        self._control.hinder(now, TOO_SLOW.format(delay=delay) if slow else None)
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
         new = self.phase is Phase.SEARCHING
-        self._heard = now
+        if new:
+            self._contact = Contact(now)
+        self._contact.hear_heartbeat(now)
         self._control.hear_heartbeat(heartbeat)
         if new and self.phase is Phase.OFFERING:
             autopilot = self._control.autopilot
@@ -155,6 +193,7 @@ class Companion:
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip = RoundTrip()
+            self._control.hinder(now, None)
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
 
@@ -181,6 +220,8 @@ class Companion:
         """The setpoint for the state at a new attitude."""
         if not self._control.may_send:
             self.route.pause()
+            return []
+        if self._contact.waited(now):
             return []
         setpoint = self.route.guide(self._known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
@@ -213,4 +254,4 @@ class Companion:
         why = lacking(self._known) or "no new attitude" if silent else None
         if why != self._complaint:
             self._complaint = why
-            self._news.append(f"no setpoints: {why}" if why else "setpoints go out again")
+            self._news.append(f"no setpoints: {why}" if why else SENT_AGAIN)

@@ -65,8 +65,10 @@ class Replay:
         recorded: list[Timed] = []
         replayed: list[Timed] = []
         for time, frame in log:
-            if self._is_setpoint(frame):
-                recorded.append(Timed(time, frame))
+            if self._is_own(frame):
+                self._session.recall(time, frame)
+                if frame.msgid == SetAttitudeTarget.MSGID:
+                    recorded.append(Timed(time, frame))
             elif frame.compid == MavComponent.AUTOPILOT1:
                 replayed += self._answers(time, frame)
         return Comparison(len(recorded), len(replayed), first_difference(recorded, replayed))
@@ -75,12 +77,12 @@ class Replay:
         """The setpoints that a received frame leads to."""
         for raw in self._session.receive(time, frame.raw):
             for answer in Parser().feed(raw):
-                if self._is_setpoint(answer):
+                if answer.msgid == SetAttitudeTarget.MSGID:
                     yield Timed(time, answer)
 
-    def _is_setpoint(self, frame: Frame) -> bool:
-        companion = frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
-        return companion and frame.msgid == SetAttitudeTarget.MSGID
+    def _is_own(self, frame: Frame) -> bool:
+        """Whether the companion of the log sent a frame."""
+        return frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
 
 
 def first_difference(recorded: list[Timed], replayed: list[Timed]) -> Difference | None:

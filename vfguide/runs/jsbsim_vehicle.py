@@ -103,9 +103,11 @@ class JsbsimVehicle:
         """Carry bytes between autopilot and companion until nothing more arrives now."""
         now = self.sim.now
         self._down.send(now, self.sim.transmit(self._port))
-        for _ in range(ROUNDS):
+        for turn in range(ROUNDS):
             if down := self._down.arrived(now):
                 self._up.send(now, self._session.receive(now, down))
+            elif turn == 0:
+                self._up.send(now, self._session.poll(now))
             if up := self._up.arrived(now):
                 self._down.send(now, self.sim.receive(self._port, up))
             if not (down or up):

@@ -13,7 +13,14 @@ from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
 from vfguide.sim.autopilot.attitude_control import rates_for_attitude
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
-from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, NEXT_MODE, REPORTED, Event, Mode
+from vfguide.sim.autopilot.flight_mode import (
+    FAILSAFE_MODES,
+    INTENDED,
+    NEXT_MODE,
+    REPORTED,
+    Event,
+    Mode,
+)
 from vfguide.sim.autopilot.instruments import Instruments
 from vfguide.sim.autopilot.loiter import Loiter
 from vfguide.sim.autopilot.mavlink_channel import MavlinkChannel
@@ -196,7 +203,7 @@ class Autopilot:
         text = f"Failsafe: no offboard setpoints, {name}" if lost else f"Flight mode {name}"
         severity = MavSeverity.CRITICAL if lost else MavSeverity.INFO
         for port in self.ports:
-            port.queue(self.now, CurrentMode(0, REPORTED[mode], REPORTED[mode]))
+            port.queue(self.now, CurrentMode(0, REPORTED[mode], INTENDED[mode]))
             if port.has_ground_station:
                 port.queue(self.now, Statustext(severity, text))
 

@@ -68,6 +68,9 @@ REPORTED = {
 }
 """The mode that the heartbeat reports."""
 
+INTENDED = REPORTED | dict.fromkeys(FAILSAFE_MODES, Px4Mode.OFFBOARD)
+"""The mode that was asked for last, to which the failsafe goes back."""
+
 ASKED_BY = {
     Px4Mode.HOLD: Event.HOLD_ASKED,
     Px4Mode.RETURN: Event.RETURN_ASKED,

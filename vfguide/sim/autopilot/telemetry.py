@@ -39,7 +39,7 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.sim.autopilot.estimate import Estimate, Origin
-from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, REPORTED, Mode
+from vfguide.sim.autopilot.flight_mode import FAILSAFE_MODES, INTENDED, REPORTED, Mode
 
 ALL_HEALTHY = (
     SysStatusSensor.SENSOR_3D_GYRO
@@ -227,7 +227,7 @@ def system_time(report: Report) -> SystemTime:
 def current_mode(report: Report) -> CurrentMode:
     """CURRENT_MODE: the mode that is flown, told as the intended one too."""
     mode = REPORTED[report.mode]
-    return CurrentMode(0, mode, mode)
+    return CurrentMode(0, mode, INTENDED[report.mode])
 
 
 def attitude_target(report: Report) -> AttitudeTarget:

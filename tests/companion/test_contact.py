@@ -1,0 +1,165 @@
+"""Silence of the autopilot, stalls of this program, and what the autopilot's failsafe does then."""
+
+import pytest
+from conversations import SECOND, TICK, Conversation, heartbeat, modes_asked, setpoints, state
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfguide.autopilots.px4 import PX4, Px4Mode
+from vfguide.companion.contact import LONGEST_GAP, MODE_UNKNOWN
+from vfguide.companion.engagement import Phase
+from vfguide.link.enums import MavAutopilot, MavState, MavType
+from vfguide.link.messages import CurrentMode, Heartbeat, VfrHud
+
+OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
+
+
+def failsafe(mode):
+    """A heartbeat of an autopilot whose failsafe has chosen a mode."""
+    return Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.CRITICAL)
+
+
+def flying(**options):
+    talk = Conversation(**options)
+    talk.fly(1.0)
+    talk.fly(1.0, OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+    return talk
+
+
+def stall(talk, seconds, mode=OFFBOARD):
+    """This program stands still; what the autopilot sent meanwhile comes at once, then."""
+    since, talk.now = talk.boot_ms, talk.now + round(seconds * SECOND)
+    talk.boot_ms += round(seconds * 1000)
+    out = []
+    for boot_ms in range(since + 20, talk.boot_ms, 20):
+        out += talk.hear(*state(boot_ms, 0.025 * boot_ms))
+    return out + talk.hear(heartbeat(mode) if mode is OFFBOARD else failsafe(mode))
+
+
+@given(st.floats(0.55, 0.99))
+def test_a_short_stall_is_told_and_the_flight_goes_on_with_what_is_new(seconds):
+    talk = flying()
+    assert not setpoints(stall(talk, seconds))
+    assert setpoints(talk.fly(0.1, OFFBOARD))
+    assert talk.companion.phase is Phase.FLYING
+    assert sum("stood still" in note for note in talk.told) == 1
+
+
+@given(st.floats(0.0, 0.4))
+def test_a_hiccup_is_nothing(seconds):
+    talk = flying()
+    stall(talk, seconds)
+    assert not any("stood still" in note for note in talk.told)
+    assert setpoints(talk.fly(0.1, OFFBOARD))
+
+
+@given(st.floats(1.01, 5.0), st.sampled_from([HOLD, RETURN]))
+def test_after_a_long_stall_it_is_silent_and_a_later_choice_engages_again(seconds, fallback):
+    talk = flying()
+    said = stall(talk, seconds)
+    for _ in range(3):
+        talk.hear(failsafe(fallback))
+        said += talk.fly(1.0, mode=None)
+    assert not setpoints(said)
+    assert talk.companion.phase is Phase.YIELDING
+    assert sum("stood still" in note for note in talk.told) == 1
+    assert not any("released" in note for note in talk.told)
+    assert set(modes_asked(said)) <= {HOLD}
+    assert setpoints(talk.fly(1.0, HOLD))  # somebody has chosen it: the failsafe is over
+    assert OFFBOARD not in modes_asked(talk.fly(5.0, HOLD))
+    assert setpoints(talk.fly(0.5, OFFBOARD))
+    assert talk.companion.phase is Phase.FLYING
+
+
+def test_a_failsafe_that_holds_is_made_a_chosen_hold_and_one_that_returns_is_left_alone():
+    """Else the autopilot would follow by itself as soon as setpoints go out."""
+    for fallback, asked in ((HOLD, True), (RETURN, False)):
+        talk = flying()
+        said = stall(talk, 1.5, fallback)
+        for _ in range(5):
+            talk.hear(failsafe(fallback))
+            said += talk.fly(1.0, mode=None)
+        assert (HOLD in modes_asked(said)) is asked
+        assert not setpoints(said)
+
+
+def test_an_autopilot_that_follows_on_in_spite_of_the_silence_is_asked_for_hold():
+    talk = flying()
+    said = stall(talk, 1.5) + talk.fly(1.9, OFFBOARD)
+    assert not modes_asked(said)
+    assert HOLD in modes_asked(talk.fly(1.0, OFFBOARD))
+    assert not setpoints(talk.fly(1.0, OFFBOARD))
+
+
+def test_a_mode_that_somebody_chose_meanwhile_is_left_alone():
+    talk = flying()
+    stall(talk, 1.5)
+    assert not modes_asked(talk.fly(5.0, RETURN))
+
+
+@pytest.mark.parametrize(
+    "said", [failsafe(RETURN), CurrentMode(0, RETURN, OFFBOARD)], ids=["heartbeat", "current mode"]
+)
+def test_the_failsafe_is_not_the_operators_wish(said):
+    talk = flying()
+    assert not setpoints(talk.hear(said, *state(talk.boot_ms + 20)))
+    assert talk.companion.phase is Phase.YIELDING
+    assert any("fallen back on RETURN by itself" in note for note in talk.told)
+
+
+def test_a_mode_that_was_chosen_releases_it_for_good():
+    talk = flying()
+    talk.hear(CurrentMode(0, RETURN, RETURN))
+    assert talk.companion.phase is Phase.RELEASED
+
+
+def test_a_stop_while_it_yields_hands_over_or_ends():
+    talk = flying()
+    stall(talk, 1.5)
+    assert modes_asked(talk.stop()) == [HOLD]
+    talk = flying()
+    stall(talk, 1.5, RETURN)
+    assert not talk.stop()
+    assert talk.companion.phase is Phase.ENDED
+
+
+def test_answers_that_waited_do_not_make_the_link_slow():
+    talk = flying()
+    asked = [m for m in talk.said if type(m).__name__ == "Timesync"]
+    stall(talk, 0.9)
+    for question in asked[-20:]:
+        talk.hear(question._replace(tc1=5))
+    assert not any("slow" in note for note in talk.told)
+
+
+@pytest.mark.parametrize("lost", range(1, int(MODE_UNKNOWN / SECOND)))
+def test_the_link_holds_while_states_arrive(lost):
+    talk = flying()
+    assert len(setpoints(talk.fly(lost, mode=None))) > 40 * lost
+    assert talk.companion.phase is Phase.FLYING
+
+
+def test_without_a_heartbeat_for_long_the_mode_is_unknown():
+    talk = flying()
+    talk.fly(MODE_UNKNOWN / SECOND + 1.0, mode=None)
+    assert talk.companion.phase is Phase.INTERRUPTED
+    assert any("link lost, no heartbeat for 10 s" in note for note in talk.told)
+
+
+def test_what_cannot_be_true_does_not_keep_the_link():
+    talk = flying()
+    for _ in range(round(3.5 * SECOND / TICK)):
+        talk.now += TICK
+        talk.hear(VfrHud(-1.0, 0.0, 0, 0, 500.0, 0.0))
+        talk.poll()
+    assert talk.companion.phase is Phase.INTERRUPTED
+    assert any("link lost, nothing heard for 3 s" in note for note in talk.told)
+
+
+def test_a_silent_autopilot_is_no_stall_while_this_program_runs():
+    talk = flying()
+    talk.fly(2.5, mode=None, flying=False)
+    assert talk.companion.phase is Phase.FLYING
+    assert not any("stood still" in note for note in talk.told)
+    assert LONGEST_GAP < SECOND < PX4.loss_time + 1
