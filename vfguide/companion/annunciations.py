@@ -177,7 +177,8 @@ def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
     was, now, notes = state_of_row(before), state_of_row(after), list[str]()
     trusted, begins = now.estimation.air.sensor.trusted, was.estimation.air.time < 0.0
     if trusted != was.estimation.air.sensor.trusted or begins:
-        notes += sensor_notes(trusted, begins=begins)
+        is_told = now.estimation.consistency.air.airspeed_doubt > 0.0
+        notes += sensor_notes(trusted, begins=begins, is_told=is_told)
     resets = now.estimation.resets
     if resets.number != was.estimation.resets.number and not settled(resets):
         notes.append(JUMPED.format(size=resets.size))
@@ -186,11 +187,17 @@ def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
     return notes
 
 
-def sensor_notes(trusted: bool, *, begins: bool) -> list[str]:
-    """Notes of the state of the airspeed sensor; none where a flight begins with a good one."""
+def sensor_notes(trusted: bool, *, begins: bool, is_told: bool) -> list[str]:
+    """Notes of the state of the airspeed sensor; none where a flight begins with a good one.
+
+    Args:
+        trusted: whether it is believed.
+        begins: whether the flight begins.
+        is_told: whether it tells an airspeed.
+    """
     if trusted:
         return [] if begins else [SENSOR_BACK]
-    return [f"{NO_SENSOR if begins else SENSOR_LOST}: {ESTIMATED}"]
+    return [f"{NO_SENSOR if begins and not is_told else SENSOR_LOST}: {ESTIMATED}"]
 
 
 def wind_note(s: LoopState, plan: Plan) -> str:

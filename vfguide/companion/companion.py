@@ -34,6 +34,9 @@ from vfguide.loop.rows import step_measured
 
 ORIGIN_RETRY = SECOND
 """Time after which the origin of the local frame is asked for again [us]; chosen."""
+UNFIT_TIME = 10 * SECOND
+"""Time after which a state that could not be flown on may be flown on again, if the operator wishes
+[us]; chosen."""
 SILENCE_TIMEOUT = SECOND
 """Time without a setpoint after which the operator is told why [us]; chosen."""
 HANDLED = frozenset(
@@ -79,6 +82,9 @@ class Companion:
         self._requests = Requests()
         self._round_trip = RoundTrip()
         self._news: list[str] = []
+        self._slow: str | None = None
+        self._unfit: str | None = None
+        self._unfit_until = 0
         self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
@@ -178,7 +184,13 @@ class Companion:
         slow, delay = self._round_trip.is_too_slow, self._round_trip.delay
         if note and not slow:
             self._news.append(note)
-        self._control.hinder(now, TOO_SLOW.format(delay=delay) if slow else None)
+        self._slow = TOO_SLOW.format(delay=delay) if slow else None
+        self._weigh(now)
+
+    def _weigh(self, now: int) -> None:
+        """Record at `now` [us] whether anything keeps the companion from guiding."""
+        unfit = self._unfit if now < self._unfit_until else None
+        self._control.hinder(now, self._slow or unfit)
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
@@ -192,8 +204,8 @@ class Companion:
             self._known = Knowledge(projection=int(autopilot.projection))
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
-            self._round_trip = RoundTrip()
-            self._control.hinder(now, None)
+            self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
+            self._weigh(now)
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
 
@@ -205,6 +217,7 @@ class Companion:
             out.append(self._own_heartbeat())
         if self.phase is Phase.SEARCHING or self.phase in FINAL_PHASES:
             return out
+        self._weigh(now)
         if self._known.origin is None and now - self._origin_asked >= ORIGIN_RETRY:
             self._origin_asked = now
             self._requests.ask([request_origin(self.sysid)])
@@ -225,6 +238,10 @@ class Companion:
             return []
         setpoint = self.route.guide(self._known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
+            return []
+        if self.route.unfit is not None:
+            self._unfit, self._unfit_until = self.route.unfit, now + UNFIT_TIME
+            self._weigh(now)
             return []
         if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])

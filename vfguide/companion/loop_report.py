@@ -26,6 +26,7 @@ is_alarmed = getter(LoopState, "progress.alarmed")
 trusts_sensor_of_row = getter(LoopState, "estimation.air.sensor.trusted")
 """Whether the airspeed sensor is flown on."""
 
+_consistency = getter(LoopState, "estimation.consistency")
 _air = part_reader(LoopState, "estimation.air")
 _decision = part_reader(LoopState, "assurance.decision")
 _resets = part_reader(LoopState, "estimation.resets.number")
@@ -33,6 +34,11 @@ _holds = part_reader(LoopState, "mission.wind_hold.holds")
 _alarmed = part_reader(LoopState, "progress.alarmed")
 _trusts = part_reader(LoopState, "estimation.air.sensor.trusted")
 _air_time = part_reader(LoopState, "estimation.air.time")
+_yaw_doubt = part_reader(LoopState, "estimation.consistency.yaw_doubt")
+_velocity_doubt = part_reader(LoopState, "estimation.consistency.velocity_doubt")
+_wind_doubt = part_reader(LoopState, "estimation.consistency.air.wind_doubt")
+_airspeed_doubt = part_reader(LoopState, "estimation.consistency.air.airspeed_doubt")
+_attitude_doubt = part_reader(LoopState, "estimation.consistency.attitude_doubt")
 
 
 class Noted(NamedTuple):
@@ -56,6 +62,39 @@ class Noted(NamedTuple):
     """Time until the held command would hit a hazard [s]; infinite if never."""
     hazard: float
     """Number of that hazard; -1 for none."""
+
+
+class Doubts(NamedTuple):
+    """For how long each thing that the autopilot tells has been doubted [s]; 0: it is believed."""
+
+    yaw: float
+    velocity: float
+    """Velocity over ground."""
+    wind: float
+    airspeed: float
+    attitude: float
+    """Roll and pitch."""
+
+
+def doubts_of_row(row: Row) -> Doubts:
+    """What is doubted."""
+    s = _consistency(row)
+    air = s.air
+    return Doubts(
+        s.yaw_doubt, s.velocity_doubt, air.wind_doubt, air.airspeed_doubt, s.attitude_doubt
+    )
+
+
+@compiled
+def is_in_doubt(row: Row) -> bool:
+    """Whether anything is doubted; it takes less time than `doubts_of_row`."""
+    return (
+        _yaw_doubt(row) > 0.0
+        or _velocity_doubt(row) > 0.0
+        or _wind_doubt(row) > 0.0
+        or _airspeed_doubt(row) > 0.0
+        or _attitude_doubt(row) > 0.0
+    )
 
 
 @compiled

@@ -18,6 +18,7 @@ from vfguide.companion.annunciations import (
     progress_notes,
     route_note,
 )
+from vfguide.companion.doubt_annunciations import doubt_notes, unfit
 from vfguide.companion.hazard_annunciations import HazardAnnunciator
 from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.knowledge import STALE, Knowledge, heard, obstacle_time
@@ -25,8 +26,10 @@ from vfguide.companion.loop_report import (
     Noted,
     air_report,
     decision_of_row,
+    doubts_of_row,
     goal_of_row,
     has_news,
+    is_in_doubt,
     noted_numbers,
     number_of_resets,
     trusts_sensor_of_row,
@@ -50,6 +53,7 @@ from vfguide.loop.state import (
     row_of_state,
     state_of_row,
     take_over,
+    watching,
 )
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship
@@ -84,6 +88,8 @@ class Route:
         self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
+        self.unfit: str | None = None
+        """Why what the autopilot tells cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan)
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._stepped: int | None = None
@@ -145,8 +151,9 @@ class Route:
             if self._identification is None
             else self._identification.vehicle_row(goal_of_row(before)),
         )
+        self._tell_doubts(before, after)
+        self._state = after if follows else watching(before, after)
         if follows:
-            self._state = after
             if has_news(before, after):
                 self.notes += air_notes(before, after, plan)
                 self._jumped |= number_of_resets(after) != number_of_resets(before)
@@ -174,6 +181,14 @@ class Route:
     def pause(self) -> None:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
+
+    def _tell_doubts(self, before: Row, after: Row) -> None:
+        """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""
+        self.unfit = None
+        if is_in_doubt(after) or is_in_doubt(before):
+            doubts = doubts_of_row(after)
+            self.notes += doubt_notes(doubts_of_row(before), doubts)
+            self.unfit = unfit(doubts)
 
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""

@@ -39,6 +39,9 @@ AIRSPEED_AGREEMENT = 20.0
 """Time for which it has to be right before it is believed again [s]; chosen long, so that a wrong
 scale is not believed in turns."""
 
+LEAST_DOUBT = 1e-3
+"""Time that a doubt counts as at its first step [s]; chosen, so that it is not 0."""
+
 
 class Triangle(NamedTuple):
     """The wind triangle as it is measured."""
@@ -141,13 +144,13 @@ def sideslip_of(s: AirCheck) -> float:
 @compiled
 def doubting_wind(s: AirCheck, dt: float) -> AirCheck:
     """The check where the told wind is not believed any more, at a step of `dt` [s]."""
-    return replaced_doubts(first_check(), s.wind_n, dt, s.airspeed_doubt, s.airspeed_agrees)
+    return replaced_doubts(first_check(), s.wind_n, max(dt, LEAST_DOUBT), s.airspeed_doubt, 0.0)
 
 
 @compiled
 def doubting_airspeed(s: AirCheck, dt: float) -> AirCheck:
     """The check where the airspeed sensor is not believed any more, at a step of `dt` [s]."""
-    return replaced_doubts(first_check(), s.wind_n, s.wind_doubt, dt, 0.0)
+    return replaced_doubts(first_check(), s.wind_n, s.wind_doubt, max(dt, LEAST_DOUBT), 0.0)
 
 
 @compiled

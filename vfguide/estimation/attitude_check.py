@@ -42,6 +42,8 @@ class AttitudeCheck(NamedTuple):
     """Turn that no body rate shows, NED rotation vector [rad]."""
     yaw_correction: float
     """Angle to add to the told yaw [rad]; 0: it is believed."""
+    is_by_wind: bool
+    """Whether the wind triangle alone asks for it, so that the told wind may be wrong instead."""
     is_tilted: bool
     """Whether roll or pitch have turned though the body has not."""
 
@@ -49,7 +51,7 @@ class AttitudeCheck(NamedTuple):
 @compiled
 def first_attitude(R_nb: Mat3, omega_b: Vec3) -> AttitudeCheck:
     """The check after one attitude, body to NED, and body rates [rad/s]: nothing is known yet."""
-    return AttitudeCheck(R_nb, omega_b, ZERO, 0.0, False)
+    return AttitudeCheck(R_nb, omega_b, ZERO, 0.0, False, False)
 
 
 @compiled
@@ -66,16 +68,23 @@ def follow_attitude(s: AttitudeCheck, R_nb: Mat3, omega_b: Vec3, dt: float) -> A
     if abs(unexplained[2]) > UNEXPLAINED_TURN:
         correction = -unexplained[2]
         unexplained = (unexplained[0], unexplained[1], 0.0)
-    return AttitudeCheck(R_nb, omega_b, unexplained, s.yaw_correction + correction, is_tilted)
+    yaw_correction = s.yaw_correction + correction
+    return AttitudeCheck(R_nb, omega_b, unexplained, yaw_correction, s.is_by_wind, is_tilted)
 
 
-with_correction = replacing(AttitudeCheck, "yaw_correction")
+with_correction = replacing(AttitudeCheck, "yaw_correction", "is_by_wind")
 
 
 @compiled
 def turned_by(s: AttitudeCheck, angle: float) -> AttitudeCheck:
-    """The check with the yaw corrected by an angle more [rad]."""
-    return with_correction(s, s.yaw_correction + angle)
+    """The check with the yaw corrected by an angle [rad] more, as the wind triangle asks for."""
+    return with_correction(s, s.yaw_correction + angle, s.is_by_wind or s.yaw_correction == 0.0)
+
+
+@compiled
+def uncorrected(s: AttitudeCheck) -> AttitudeCheck:
+    """The check with the told yaw."""
+    return with_correction(s, 0.0, False)
 
 
 @compiled
@@ -94,5 +103,5 @@ def with_slip(s: AttitudeCheck, sideslip: float, dt: float) -> AttitudeCheck:
         return s
     correction = s.yaw_correction + sideslip * dt / (YAW_MEMORY + dt)
     if abs(correction) < YAW_AGREES:
-        correction = 0.0
-    return with_correction(s, correction)
+        return uncorrected(s)
+    return with_correction(s, correction, s.is_by_wind)

@@ -15,7 +15,10 @@ from vfguide.aircraft.flight_model import flight_direction
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_check import (
+    LASTING_ERROR,
+    LEAST_DOUBT,
     AirCheck,
+    Triangle,
     doubting_airspeed,
     doubting_wind,
     first_check,
@@ -36,6 +39,7 @@ from vfguide.estimation.attitude_check import (
     first_attitude,
     follow_attitude,
     turned_by,
+    uncorrected,
     with_slip,
 )
 from vfguide.estimation.lift_check import LIFT_FAULT_TIME, LiftCheck, first_lift, follow_lift
@@ -48,6 +52,12 @@ from vfguide.estimation.velocity_check import (
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import ZERO, Vec3, sub
 
+FIRST_CHECK = 0.2
+"""Time of measurements after which the wind triangle is judged [s]; chosen, so that a wrong ground
+velocity is found before."""
+FIRST_LIFT = 0.4
+"""Time of measurements after which lift and attitude are compared [s]; chosen, so that a wrong
+ground velocity, yaw or wind is found before."""
 LONGEST_GAP_CHECKED = 1.0
 """Time between two steps after which the checks start anew [s]; chosen."""
 
@@ -67,6 +77,8 @@ class Consistency(NamedTuple):
     """The same of the ground velocity [s]."""
     attitude_doubt: float
     """The same of roll and pitch [s]; it does not end by itself."""
+    was_misled: bool
+    """Whether the estimate of the air has to start anew: the wind that was believed is wrong."""
 
 
 @compiled
@@ -74,7 +86,9 @@ def fresh_consistency() -> Consistency:
     """The state before the first step."""
     level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     attitude, velocity = first_attitude(level, ZERO), first_velocity(ZERO, ZERO)
-    return Consistency(-1.0, attitude, velocity, first_lift(ZERO), first_check(), 0.0, 0.0, 0.0)
+    return Consistency(
+        -1.0, attitude, velocity, first_lift(ZERO), first_check(), 0.0, 0.0, 0.0, False
+    )
 
 
 @compiled
@@ -95,14 +109,25 @@ def follow(
         return s
     if s.time < 0.0 or not 0.0 < dt < LONGEST_GAP_CHECKED:
         attitude, velocity = first_attitude(m.R_nb, omega_b), first_velocity(m.p_n, m.v_n)
-        lift, dt = first_lift(m.v_n), 0.0
+        lift, dt, tilted = first_lift(m.v_n), 0.0, False
     else:
         attitude = follow_attitude(s.attitude, m.R_nb, omega_b, dt)
         velocity = follow_velocity(s.velocity, m.p_n, m.v_n, dt)
-        lift = follow_lift(s.lift, believed(m, attitude, velocity, s.air, air), aircraft, dt)
+        lift, tilted = first_lift(m.v_n), s.attitude_doubt > 0.0
+        is_known = air.time >= 0.0 or not math.isnan(m.wind_n[0] + m.airspeed)
+        if is_known and velocity.age > FIRST_LIFT:
+            state = believed(m, attitude, velocity, s.air, air)
+            lift = follow_lift(s.lift, m.v_n, state, aircraft, dt)
     state = believed(m, attitude, velocity, s.air, air)
-    attitude, checked = check_air(state, m, attitude, s.air, air, aircraft, dt)
-    is_tilted = attitude.is_tilted or lift.time > LIFT_FAULT_TIME or s.attitude_doubt > 0.0
+    by_wind, checked = attitude.is_by_wind, s.air
+    if velocity.age > FIRST_CHECK:
+        attitude, checked = check_air(state, m, attitude, checked, air, aircraft, dt)
+    if by_wind and lift.time > LIFT_FAULT_TIME:
+        attitude, checked = uncorrected(attitude), doubting_wind(checked, dt)
+    was_misled = by_wind and checked.wind_doubt > 0.0
+    if was_misled:
+        lift = first_lift(m.v_n)
+    is_tilted = attitude.is_tilted or lift.time > LIFT_FAULT_TIME or tilted
     return Consistency(
         m.time,
         attitude,
@@ -112,13 +137,14 @@ def follow(
         lasted(s.yaw_doubt, attitude.yaw_correction != 0.0, dt),
         lasted(s.velocity_doubt, velocity.is_doubted, dt),
         lasted(s.attitude_doubt, is_tilted, dt),
+        was_misled,
     )
 
 
 @compiled
 def lasted(time: float, is_doubted: bool, dt: float) -> float:
     """The time of a doubt `dt` [s] later [s]."""
-    return time + max(dt, 1e-3) if is_doubted else 0.0
+    return time + max(dt, LEAST_DOUBT) if is_doubted else 0.0
 
 
 @compiled
@@ -169,8 +195,27 @@ def check_air(
     if s.wind_doubt > 0.0:
         return attitude, follow_wind_doubt(s, m.wind_n, state.wind_n, dt)
     if has_jumped(s.wind_n, m.wind_n):
-        return attitude, doubting_wind(s, max(dt, 1e-3))
-    s = smoothed_triangle(s, seen, m.wind_n, dt)
+        return attitude, doubting_wind(s, dt)
+    return judged(attitude, smoothed_triangle(s, seen, m.wind_n, dt), seen, state, m, air, dt)
+
+
+@compiled
+def judged(
+    attitude: AttitudeCheck,
+    s: AirCheck,
+    seen: Triangle,
+    state: FlightState,
+    m: FlightState,
+    air: AirState,
+    dt: float,
+) -> tuple[AttitudeCheck, AirCheck]:
+    """The checks after a wind triangle with a wind that is believed; arguments as of `check_air`.
+
+    A wrong length is no matter of the yaw. A wrong direction is one, as long as the length stays
+    right in turns.
+    """
+    if attitude.is_by_wind and abs(s.excess) > LASTING_ERROR:
+        return uncorrected(attitude), doubting_wind(s, dt)
     if is_wrong(s):
         return attitude, blamed(s, m.airspeed, state.airspeed, air, dt)
     s = follow_airspeed_doubt(s, seen.excess + state.airspeed - m.airspeed, dt)
@@ -192,8 +237,8 @@ def blamed(s: AirCheck, measured: float, airspeed: float, air: AirState, dt: flo
     points_ahead = abs(sideslip_of(s)) < sideslip_limit(airspeed)
     is_told = s.airspeed_doubt == 0.0 and not math.isnan(measured)
     if points_ahead and is_told and abs(measured - model) > abs(by_wind - model):
-        return doubting_airspeed(s, max(dt, 1e-3))
-    return doubting_wind(s, max(dt, 1e-3))
+        return doubting_airspeed(s, dt)
+    return doubting_wind(s, dt)
 
 
 @compiled

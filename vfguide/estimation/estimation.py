@@ -151,6 +151,7 @@ def sense(
         vehicle: its aircraft, and the airspeed to fly.
     """
     aircraft, gains, _ = vehicle
+    air = fresh_air() if checked.was_misled else air
     air = feel_rise(as_flown(inputs.measured, checked), air, aircraft)
     predicted = as_flown(inputs.predicted, checked)
     return sense_air(predicted, air, thrust, aircraft, gains.airspeed)

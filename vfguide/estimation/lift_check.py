@@ -11,6 +11,7 @@ from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.flight_model import specific_force
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
+from vfguide.estimation.velocity_check import velocity_jumps
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, dot, sub
@@ -38,7 +39,8 @@ class LiftCheck(NamedTuple):
     alpha_error: float
     """Angle of attack by the attitude less the one by the lift, smoothed [rad]."""
     time: float
-    """Time for which one of them has been above its limit [s]."""
+    """Time for which one of them has been above its limit, times the square of how many times above
+    it [s]: gross errors are found sooner."""
 
 
 @compiled
@@ -48,16 +50,21 @@ def first_lift(v_n: Vec3) -> LiftCheck:
 
 
 @compiled
-def follow_lift(s: LiftCheck, state: FlightState, aircraft: Performance, dt: float) -> LiftCheck:
+def follow_lift(
+    s: LiftCheck, v_n: Vec3, state: FlightState, aircraft: Performance, dt: float
+) -> LiftCheck:
     """The check `dt` [s] later.
 
     Args:
         s: the check at the step before.
+        v_n: told velocity over ground, NED [m/s], whose changes count; a jump shows no force.
         state: the state that is believed.
         aircraft: its lift.
         dt: time step [s].
     """
-    force_n, R = specific_force(s.v_n, state.v_n, dt), state.R_nb
+    if velocity_jumps(s.v_n, v_n, dt):
+        return LiftCheck(v_n, s.side_force, s.alpha_error, s.time)
+    force_n, R = specific_force(s.v_n, v_n, dt), state.R_nb
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     load = -dot(force_n, (R[0][2], R[1][2], R[2][2])) / G0
     by_lift = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed)
@@ -67,5 +74,5 @@ def follow_lift(s: LiftCheck, state: FlightState, aircraft: Performance, dt: flo
     side = s.side_force + blend * (across - s.side_force)
     alpha_error = s.alpha_error + blend * (off - s.alpha_error)
     gust = math.asin(min(1.0, VERTICAL_GUST / speed))
-    wrong = abs(side) > SIDE_FORCE_LIMIT or abs(alpha_error) > gust
-    return LiftCheck(state.v_n, side, alpha_error, s.time + dt if wrong else 0.0)
+    ratio = max(abs(side) / SIDE_FORCE_LIMIT, abs(alpha_error) / gust)
+    return LiftCheck(v_n, side, alpha_error, s.time + ratio**2 * dt if ratio > 1.0 else 0.0)

@@ -35,6 +35,8 @@ class VelocityCheck(NamedTuple):
     """Velocity over ground, NED [m/s]."""
     correction_n: Vec3
     """Velocity of the position less the one told, smoothed, NED [m/s]."""
+    age: float
+    """Time since the first position [s]."""
     is_doubted: bool
     """Whether the correction is flown on."""
 
@@ -42,21 +44,30 @@ class VelocityCheck(NamedTuple):
 @compiled
 def first_velocity(p_n: Vec3, v_n: Vec3) -> VelocityCheck:
     """The check after one position [m] and velocity [m/s], NED: nothing is known yet."""
-    return VelocityCheck(p_n, v_n, ZERO, False)
+    return VelocityCheck(p_n, v_n, ZERO, 0.0, False)
+
+
+@compiled
+def velocity_jumps(before_n: Vec3, v_n: Vec3, dt: float) -> bool:
+    """Whether no aircraft changes its velocity so much in `dt` [s], NED [m/s]."""
+    return norm(sub(v_n, before_n)) > VELOCITY_JUMP + MOST_ACCELERATION * dt
 
 
 @compiled
 def follow_velocity(s: VelocityCheck, p_n: Vec3, v_n: Vec3, dt: float) -> VelocityCheck:
-    """The check `dt` [s] later, with the next position [m] and velocity [m/s], NED."""
-    change, correction = sub(v_n, s.v_n), s.correction_n
-    if norm(change) > VELOCITY_JUMP + MOST_ACCELERATION * dt:
-        correction = sub(correction, change)
+    """The check `dt` [s] later, with the next position [m] and velocity [m/s], NED.
+
+    Younger than CORRECTION_TIME, the correction is the mean of all errors.
+    """
+    correction, age = s.correction_n, s.age + dt
+    if velocity_jumps(s.v_n, v_n, dt):
+        correction = sub(correction, sub(v_n, s.v_n))
     beyond = sub(sub(p_n, s.p_n), scale(0.5 * dt, add(s.v_n, v_n)))
     if norm(beyond) < POSITION_JUMP:
         error = sub(scale(1.0 / dt, beyond), correction)
-        correction = add(correction, scale(dt / (CORRECTION_TIME + dt), error))
+        correction = add(correction, scale(dt / min(age, CORRECTION_TIME), error))
     limit = VELOCITY_AGREES if s.is_doubted else VELOCITY_ERROR
-    return VelocityCheck(p_n, v_n, correction, norm(correction) > limit)
+    return VelocityCheck(p_n, v_n, correction, age, norm(correction) > limit)
 
 
 @compiled

@@ -13,7 +13,7 @@ from vfguide.assurance.assurance import AssuranceState, fresh_assurance
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.air_state import without_model_error
 from vfguide.estimation.estimation import EstimationState, fresh_estimation
-from vfguide.geometry.rows import Row, flattener, python_reader, reader, width, writer
+from vfguide.geometry.rows import Row, flattener, place, python_reader, reader, width, writer
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.loop.attempts import Attempts, at_next, no_attempts
 from vfguide.loop.mission import MissionState, fresh_mission
@@ -41,6 +41,8 @@ state_of_row = python_reader(LoopState)
 """The same as `read_state` in Python; its arrays are views of the row."""
 STATE_WIDTH = width(LoopState)
 """Number of floats in the row of a `LoopState`; one more for each obstacle follows."""
+CONSISTENCY = place(LoopState, "estimation.consistency")
+"""Where the doubts are in the row."""
 _numbers = flattener(LoopState)
 
 
@@ -79,9 +81,18 @@ def leave_goal(s: LoopState) -> LoopState:
     return begin_leg(s, s.mission.goal + 1, at_next(s.mission.attempts, True))
 
 
+def watching(before: Row, after: Row) -> Row:
+    """The row of a state while the autopilot does not follow: doubts alone are kept of a step."""
+    row = before.copy()
+    row[CONSISTENCY] = after[CONSISTENCY]
+    return row
+
+
 def take_over(s: LoopState) -> LoopState:
-    """The state when the autopilot begins to follow: only mission and air are kept."""
-    estimation = fresh_estimation()._replace(air=s.estimation.air)
+    """The state when the autopilot begins to follow: mission, air and doubts are kept."""
+    estimation = fresh_estimation()._replace(
+        air=s.estimation.air, consistency=s.estimation.consistency
+    )
     return s._replace(
         estimation=estimation,
         planning=fresh_route(),
