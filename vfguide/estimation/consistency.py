@@ -93,16 +93,22 @@ def fresh_consistency() -> Consistency:
 
 @compiled
 def follow(
-    m: FlightState, omega_b: Vec3, s: Consistency, air: AirState, aircraft: Performance
+    m: FlightState,
+    omega_b: Vec3,
+    thrust: float,
+    s: Consistency,
+    air: AirState,
+    aircraft: Performance,
 ) -> Consistency:
     """The state after one more measurement.
 
     Args:
         m: the measured state; airspeed and wind are not numbers where they are not measured.
         omega_b: measured body rates [rad/s].
+        thrust: thrust setpoint of the step before, 0 to 1.
         s: the state before.
         air: estimate of the air at the step before.
-        aircraft: its lift.
+        aircraft: its lift, thrust and drag.
     """
     dt = m.time - s.time
     if dt == 0.0:
@@ -117,7 +123,7 @@ def follow(
         is_known = air.time >= 0.0 or not math.isnan(m.wind_n[0] + m.airspeed)
         if is_known and velocity.age > FIRST_LIFT:
             state = believed(m, attitude, velocity, s.air, air)
-            lift = follow_lift(s.lift, m.v_n, state, aircraft, dt)
+            lift = follow_lift(s.lift, m.v_n, state, thrust, aircraft, dt)
     state = believed(m, attitude, velocity, s.air, air)
     by_wind, checked = attitude.is_by_wind, s.air
     if velocity.age > FIRST_CHECK:

@@ -117,7 +117,7 @@ def update(
     """
     told, air, checked = inputs.predicted, s.air, s.consistency
     if not inputs.is_exact:
-        checked = follow(inputs.measured, inputs.omega_b, checked, air, vehicle.aircraft)
+        checked = follow(inputs.measured, inputs.omega_b, thrust, checked, air, vehicle.aircraft)
         told, air = sense(inputs, checked, thrust, air, vehicle)
     elapsed = told.time - s.time
     resets = follow_resets(s.resets, (s.p_n, s.v_n), told, elapsed if s.is_continuous else 0.0)
