@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.engagement import Phase
-from vfguide.link.boot_time import LATE, ROLLOVER
+from vfguide.link.boot_time import LATE_TIME, ROLLOVER
 from vfguide.link.messages import WindCov
 
 FIRST = 5000
@@ -76,7 +76,7 @@ def same(talk, honest):
 @settings(max_examples=15, deadline=None)
 @given(
     st.integers(1, TICKS - 1),
-    st.one_of(st.integers(LATE + 100, HOURS), st.integers(HOURS, ROLLOVER - LATE - 100)),
+    st.one_of(st.integers(LATE_TIME + 100, HOURS), st.integers(HOURS, ROLLOVER - LATE_TIME - 100)),
 )
 def test_a_leap_or_a_restart_moves_no_filter(honest, at, by):
     """Forward by seconds or hours, or back: the difference is taken modulo the rollover."""
@@ -86,7 +86,7 @@ def test_a_leap_or_a_restart_moves_no_filter(honest, at, by):
 @pytest.mark.parametrize("at", [1, 30, 100])
 def test_a_restart_at_zero_moves_no_filter(honest, at):
     talk = flown(lambda k, boot_ms: [boot_ms if k < at else 20 * (k - at)])
-    if FIRST + 20 * at > LATE:
+    if FIRST + 20 * at > LATE_TIME:
         same(talk, honest)
         assert sum("clock has leapt" in note for note in talk.told) == 1
 

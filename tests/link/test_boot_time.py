@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.link.boot_time import AHEAD, LATE, ROLLOVER, BootClock, elapsed, moved_on
+from vfguide.link.boot_time import AHEAD, LATE_TIME, ROLLOVER, BootClock, elapsed, moved_on
 
 counters = st.integers(0, ROLLOVER - 1)
 
@@ -65,12 +65,12 @@ def test_one_step_is_never_negative_and_never_longer_than_our_own(before, after,
         assert 0 <= stepped.time_ms - clock.time_ms <= own_ms + AHEAD
 
 
-@pytest.mark.parametrize("late", [0, 1, 20, LATE - 1])
+@pytest.mark.parametrize("late", [0, 1, 20, LATE_TIME - 1])
 def test_what_repeats_or_comes_late_is_ignored(late):
     assert moved_on(BootClock(5000, 5000, 0), 5000 - late, 1000) is None
 
 
-@pytest.mark.parametrize("counter", [100, 5000 - LATE, 2**31, 5000 + 7_200_000, 2**32 - 1])
+@pytest.mark.parametrize("counter", [100, 5000 - LATE_TIME, 2**31, 5000 + 7_200_000, 2**32 - 1])
 def test_after_a_leap_the_time_goes_on_by_our_own_clock_and_then_by_the_counter(counter):
     clock = moved_on(BootClock(5000, 5000, 0), counter, 30_000)
     assert (clock.time_ms, clock.leaps) == (5030, 1)

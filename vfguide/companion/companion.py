@@ -1,7 +1,7 @@
 """The companion: messages of one autopilot in, messages to it out.
 
 No socket, clock or thread: every call carries the time. What it sends as setpoints follows
-from what it received alone, so that a recording gives the same setpoints again.
+from what it received, and from when it sent something, so that a recording gives the same again.
 """
 
 from vfguide.aircraft.state import RateSetpoint

@@ -4,7 +4,7 @@ from vfguide.companion.date import LEAP_LASTS
 from vfguide.companion.knowledge import Knowledge
 from vfguide.geometry.units import MS, US
 
-NOTE_INTERVAL = 10_000
+LEAP_NOTE_INTERVAL = 10_000
 """Least time between two notes of leaps of the counter [ms]; chosen."""
 COUNTER_LEAPT = "the autopilot's clock has leapt by {leap:+.0f} s: not followed"
 """Note where the time since boot leaps, as after a restart of the autopilot."""
@@ -38,7 +38,7 @@ class TimeAnnunciator:
         clock, was = after.clock, before.clock
         if clock is None or was is None or clock.leaps == was.leaps:
             return []
-        if self._told is not None and clock.time_ms - self._told < NOTE_INTERVAL:
+        if self._told is not None and clock.time_ms - self._told < LEAP_NOTE_INTERVAL:
             return []
         self._told = clock.time_ms
         return [COUNTER_LEAPT.format(leap=clock.leap)]

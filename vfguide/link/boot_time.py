@@ -10,7 +10,7 @@ from vfguide.geometry.units import MS
 
 ROLLOVER = 2**32
 """Number of milliseconds after which time_boot_ms begins again, 49.7 days."""
-LATE = 2000
+LATE_TIME = 2000
 """Time by which a message may be late and is only ignored [ms]; chosen. One that is from longer ago
 tells that the counter began anew."""
 AHEAD = 2000
@@ -52,7 +52,7 @@ class BootClock(NamedTuple):
 
 def is_late(before_ms: int, after_ms: int) -> bool:
     """Whether a message with the time_boot_ms `after_ms` is older than one with `before_ms`."""
-    return -LATE < counted(before_ms, after_ms) < 0
+    return -LATE_TIME < counted(before_ms, after_ms) < 0
 
 
 def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | None:
@@ -64,7 +64,7 @@ def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | Non
     if clock is None:
         return BootClock(boot_ms, boot_ms, now)
     step, own = counted(clock.counter, boot_ms), max(now - clock.heard, 0) // US_PER_MS
-    if -LATE < step <= 0:
+    if -LATE_TIME < step <= 0:
         return None
     if 0 < step <= own + AHEAD:
         return BootClock(boot_ms, clock.time_ms + step, now, clock.leaps, clock.leap)
