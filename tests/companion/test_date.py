@@ -15,7 +15,7 @@ from vfguide.companion.knowledge import Knowledge, observe
 from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.field.obstacle import Obstacle
 from vfguide.geometry.shapes import shape
-from vfguide.link.boot_time import BootClock
+from vfguide.link.boot_time import BootClock, moved_on
 from vfguide.link.messages import AttitudeQuaternion, SystemTime
 
 WEEK = 7 * 86_400 * SECOND
@@ -60,6 +60,14 @@ def test_dates_at_random_are_not_followed(wild):
     told = [(START, 0), *((unix, 1000 * (k + 1)) for k, unix in enumerate(wild))]
     for offset in dates(told):
         assert abs(offset - START) <= TOLERANCE * (len(wild) + 1)
+
+
+def test_date_and_counter_that_move_on_together_agree():
+    """What waited was lost: the counter is ahead of our own clock, and the date says the same."""
+    before = date_after(None, SystemTime(START, 5000), BootClock(5000, 5000, 0))
+    clock = moved_on(BootClock(5000, 5000, 0), 17_000, 20_000)
+    after = date_after(before, SystemTime(START + 12 * SECOND, 17_000), clock)
+    assert (after.unix, after.leap) == (START + 12 * SECOND, 0)
 
 
 def test_a_clock_that_was_never_set_tells_no_date():

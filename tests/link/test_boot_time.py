@@ -1,5 +1,7 @@
 """Times of an autopilot since it booted, which roll over, repeat, come late and leap."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -52,7 +54,7 @@ def test_whatever_is_told_the_time_never_goes_back_nor_ahead_of_our_own_clock(to
         now += since
         messages.append((boot_ms, now))
     _, times = clock_after(messages)
-    for (_, now), was, is_now in zip(messages[1:], times, times[1:], strict=True):
+    for (_, now), (was, is_now) in zip(messages[1:], pairwise(times), strict=True):
         assert is_now >= was
         assert is_now - times[0] <= now // 1000 + AHEAD * len(messages)
 

@@ -7,7 +7,7 @@ wrong week of the GPS, is not believed until it has lasted.
 from typing import NamedTuple
 
 from vfguide.geometry.units import MS, SECOND, US
-from vfguide.link.boot_time import US_PER_MS, BootClock
+from vfguide.link.boot_time import US_PER_MS, BootClock, counted
 from vfguide.link.messages import SystemTime
 
 FIRST_DATE = 946_684_800_000_000
@@ -30,6 +30,8 @@ class Date(NamedTuple):
     """The date [us since 1970]."""
     time_ms: int
     """When it was so, on the clock of the autopilot [ms]."""
+    boot_ms: int
+    """The time_boot_ms that it was told with [ms]."""
     leap: int = 0
     """By how much the dates differ that are told now [us]; 0: they do not."""
     since: int = 0
@@ -45,12 +47,18 @@ def date_after(before: Date | None, said: SystemTime, clock: BootClock | None) -
     if not FIRST_DATE <= said.time_unix_usec < LAST_DATE:
         return before
     time_ms = said.time_boot_ms if clock is None else clock.at(said.time_boot_ms)
-    told = Date(said.time_unix_usec, time_ms)
+    told = Date(said.time_unix_usec, time_ms, said.time_boot_ms)
     if before is None:
         return told
     leap = told.unix - before.unix - (time_ms - before.time_ms) * US_PER_MS
-    if abs(leap) <= TOLERANCE:
+    if abs(leap) <= TOLERANCE or is_backlog(before, told):
         return told
     if before.leap == 0 or abs(leap - before.leap) > TOLERANCE:
         return before._replace(leap=leap, since=time_ms)
     return told if time_ms - before.since >= LEAP_LASTS else before
+
+
+def is_backlog(before: Date, told: Date) -> bool:
+    """Whether date and counter moved on by the same time, as where messages between were lost."""
+    moved, counter = told.unix - before.unix, counted(before.boot_ms, told.boot_ms)
+    return 0 < counter < LEAP_LASTS and abs(moved - counter * US_PER_MS) <= TOLERANCE
