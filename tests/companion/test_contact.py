@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.autopilots.px4 import PX4, Px4Mode
-from vfguide.companion.contact import LONGEST_GAP, MODE_UNKNOWN
+from vfguide.companion.contact import LONGEST_HICCUP, MODE_UNKNOWN
 from vfguide.companion.engagement import Phase
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import CurrentMode, Heartbeat, VfrHud
@@ -162,4 +162,4 @@ def test_a_silent_autopilot_is_no_stall_while_this_program_runs():
     talk.fly(2.5, mode=None, flying=False)
     assert talk.companion.phase is Phase.FLYING
     assert not any("stood still" in note for note in talk.told)
-    assert LONGEST_GAP < SECOND < PX4.loss_time + 1
+    assert LONGEST_HICCUP < SECOND < PX4.loss_time + 1

@@ -42,7 +42,7 @@ def told(lat, lon, alt, v_n=(20.0, 5.0, -1.0), origin=(47.41, 8.57, 600.0), time
 def known_from(messages):
     known = Knowledge()
     for message in messages:
-        known = observe(known, message)
+        known = observe(known, message, 0)
     return known
 
 
@@ -104,7 +104,7 @@ def test_an_old_airspeed_is_not_flown_on():
     known = known_from(told(47.4, 8.55, 600.0))
     later = told(47.4, 8.55, 600.0, time=(5700, 5700))[1:3]
     for message in later:
-        known = observe(known, message)
+        known = observe(known, message, 0)
     assert math.isnan(heard(known).calibrated)
 
 
@@ -122,7 +122,7 @@ def test_what_cannot_be_true_is_not_taken():
         VfrHud(math.inf, 0.0, 0, 0, 600.0, 0.0),
         WindCov(0, math.nan, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     ):
-        assert observe(known, lie) == known
+        assert observe(known, lie, 0) == known
 
 
 def test_the_wire_scales_are_those_of_mavlink():

@@ -1,7 +1,7 @@
 """The companion: messages of one autopilot in, messages to it out.
 
 No socket, clock or thread: every call carries the time. What it sends as setpoints follows
-from what it received alone, so that a recording gives the same setpoints again.
+from what it received, and from when it sent something, so that a recording gives the same again.
 """
 
 from vfguide.aircraft.state import RateSetpoint
@@ -14,6 +14,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
+from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
@@ -81,6 +82,7 @@ class Companion:
         self._known = Knowledge()
         self._requests = Requests()
         self._round_trip = RoundTrip()
+        self._time_notes = TimeAnnunciator()
         self._news: list[str] = []
         self._slow: str | None = None
         self._unfit: str | None = None
@@ -103,9 +105,10 @@ class Companion:
         self._watch_link(now)
         if isinstance(message, Heartbeat) and not self._control.is_vehicle(message):
             return self._housekeeping(now)
-        before, self._known = self._known, observe(self._known, message)
+        before, self._known = self._known, observe(self._known, message, now)
         if self._known is not before:
             self._contact.hear(now)
+            self._news += self._time_notes.notes(before, self._known)
         out: list[Message] = []
         match message:  # the most frequent first
             case LocalPositionNed() | VfrHud() | WindCov():
@@ -201,7 +204,9 @@ class Companion:
         self._control.hear_heartbeat(heartbeat)
         if new and self.phase is Phase.OFFERING:
             autopilot = self._control.autopilot
-            self._known = Knowledge(projection=int(autopilot.projection))
+            self._known = Knowledge(
+                projection=int(autopilot.projection), date=self._known.date, clock=self._known.clock
+            )
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
@@ -268,7 +273,8 @@ class Companion:
             self._sent_at, self._complaint = now, None
             return
         silent = now - self._sent_at > SILENCE_TIMEOUT
-        why = lacking(self._known) or "no new attitude" if silent else None
+        objection = lacking(self._known) or self.route.objection(self._known)
+        why = objection or "no new attitude" if silent else None
         if why != self._complaint:
             self._complaint = why
             self._news.append(f"no setpoints: {why}" if why else SENT_AGAIN)

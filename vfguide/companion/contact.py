@@ -12,7 +12,7 @@ chosen."""
 MODE_UNKNOWN = 10 * SECOND
 """Time without a heartbeat after which the link counts as lost, for the mode is unknown [us];
 chosen: where 30 % of the messages are lost, ten in a row are lost once in two days."""
-LONGEST_GAP = 500_000
+LONGEST_HICCUP = 500_000
 """Time without a message in or out above which this program stood still [us]; chosen as the age
 above which no state is flown on. It asks the autopilot for the time five times a second."""
 
@@ -42,7 +42,7 @@ class Contact:
     def wake(self, now: int) -> int:
         """For how long this program stood still until `now` [us], 0 where it did not [us]."""
         gap = now - self._active
-        if gap <= LONGEST_GAP:
+        if gap <= LONGEST_HICCUP:
             return 0
         self._woke = self._active = now
         return gap

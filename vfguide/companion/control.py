@@ -21,7 +21,7 @@ ASKING_PHASES = (Phase.OFFERING, Phase.ASKING, Phase.YIELDING, Phase.RETURNING)
 """Phases in which another mode is asked for, or soon will be."""
 HEARTBEAT_INTERVAL = SECOND
 """Time after which every mode has shown in a heartbeat [us] (MAVLink's heartbeat protocol)."""
-MAX_STRANGERS = 5
+MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 
 
@@ -199,7 +199,7 @@ class Control:
         searching = self.phase is Phase.SEARCHING and said.autopilot != MavAutopilot.INVALID
         text = STRANGER if searching else INTRUDER
         note = text.format(sysid=self._sysid, who=describe(said), flown=flown())
-        if note not in self._strangers and len(self._strangers) < MAX_STRANGERS:
+        if note not in self._strangers and len(self._strangers) < MAX_TOLD:
             self._strangers.add(note)
             self.notes.append(note)
 

@@ -2,7 +2,7 @@
 
 The companion takes control only when asked to, gives it back when stopped, and never takes
 it again after somebody else changed the mode. What it could not do itself, and what the autopilot's
-failsafe did, is nobody's wish: after that it waits for the operator to choose.
+failsafe did, nobody decided: after that it waits for the operator to choose.
 """
 
 from enum import Enum, auto

@@ -4,9 +4,10 @@ import math
 from typing import Any, NamedTuple
 
 from vfguide.autopilots.makes import ASSUMED
+from vfguide.companion.date import Date, date_after
 from vfguide.estimation.local_frame import Measurement
-from vfguide.geometry.units import DEG_E7, MM, MS, US
-from vfguide.link.boot_time import elapsed
+from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
     GpsGlobalOrigin,
@@ -23,9 +24,6 @@ STALE = 0.5
 on without an airspeed."""
 WIND_STALE = 5.0
 """Age above which the autopilot's wind is not used, but estimated [s]; chosen."""
-FIRST_DATE = 946_684_800_000_000
-"""Earliest date that counts as one, the year 2000 [us since 1970]; chosen, since clocks that were
-never set are earlier."""
 UNKNOWN = (math.nan, math.nan, math.nan)
 """A wind that was not measured, not a number [m/s]."""
 
@@ -42,15 +40,22 @@ class Knowledge(NamedTuple):
     hud: VfrHud | None = None
     """Calibrated airspeed and altitude."""
     hud_time: int = 0
-    """time_boot_ms of the attitude that was newest when the airspeed arrived [ms]."""
+    """Time of the attitude that was newest when the airspeed arrived [ms]."""
     wind: WindCov | None = None
     """Wind as the autopilot estimates it."""
     wind_time: int = 0
-    """time_boot_ms of the attitude that was newest when the wind arrived [ms]."""
-    date: SystemTime | None = None
+    """Time of the attitude that was newest when the wind arrived [ms]."""
+    date: Date | None = None
     """The date, and when it was so."""
+    clock: BootClock | None = None
+    """The time of the autopilot, by its attitudes; all times here are this clock's."""
     projection: int = int(ASSUMED.projection)
     """The `Projection` of the autopilot's local frame."""
+
+    @property
+    def time_ms(self) -> int:
+        """Time of the newest attitude [ms], 0 before the first."""
+        return 0 if self.clock is None else self.clock.time_ms
 
 
 _PLACES: dict[type[Message], int] = {
@@ -67,19 +72,33 @@ _TIMES: dict[type[Message], int] = {
     WindCov: Knowledge._fields.index("wind_time"),
 }
 """The number of the field with the time of a message that contains none."""
+_CLOCK = Knowledge._fields.index("clock")
 OBSERVED = tuple(_PLACES)
 """The kinds of messages from which a measurement is made."""
 
 
-def observe(known: Knowledge, message: Message) -> Knowledge:
-    """The knowledge after `message`; unchanged after an implausible one."""
+def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
+    """The knowledge after `message`, which arrives at `now` [us].
+
+    An implausible message changes nothing, nor does a late one, nor an attitude heard before.
+    """
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
+    if isinstance(message, SystemTime):
+        return known._replace(date=date_after(known.date, message, known.clock))
     after: list[Any] = list(known)
     after[place] = message
-    if known.attitude is not None and (time_place := _TIMES.get(type(message))):
-        after[time_place] = known.attitude.time_boot_ms
+    if isinstance(message, AttitudeQuaternion):
+        after[_CLOCK] = clock = moved_on(known.clock, message.time_boot_ms, now)
+        if clock is None:
+            return known
+    elif isinstance(message, LocalPositionNed):
+        before = known.position
+        if before is not None and is_late(before.time_boot_ms, message.time_boot_ms):
+            return known
+    elif known.attitude is not None and (time_place := _TIMES.get(type(message))):
+        after[time_place] = known.time_ms
     return Knowledge._make(after)
 
 
@@ -95,36 +114,23 @@ def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
     ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
     if abs(ahead) > STALE:
         return None
-    wind, now = known.wind, attitude.time_boot_ms
-    if wind is not None and abs(elapsed(known.wind_time, now)) > WIND_STALE:
+    wind, now = known.wind, known.time_ms
+    if wind is not None and (now - known.wind_time) * MS > WIND_STALE:
         wind = None
     return Measurement(
-        attitude.time_boot_ms * MS,
+        now * MS,
         (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
         (position.x, position.y, position.z),
         (position.vx, position.vy, position.vz),
         ahead,
         (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
-        hud.airspeed if abs(elapsed(known.hud_time, now)) <= STALE else math.nan,
+        hud.airspeed if (now - known.hud_time) * MS <= STALE else math.nan,
         hud.alt,
         UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
         (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
         lead,
         known.projection,
     )
-
-
-def obstacle_time(known: Knowledge, epoch: int, began_ms: int) -> float:
-    """Time on the clock of the obstacles at the newest attitude [s].
-
-    It counts from `epoch` [us since 1970] where the autopilot knows the date, else from its time
-    `began_ms` since boot, when the companion began.
-    """
-    now = 0 if known.attitude is None else known.attitude.time_boot_ms
-    date = known.date
-    if date is None or date.time_unix_usec < FIRST_DATE:
-        return elapsed(began_ms, now)
-    return (date.time_unix_usec - epoch) * US + elapsed(date.time_boot_ms, now)
 
 
 def lacking(known: Knowledge) -> str | None:

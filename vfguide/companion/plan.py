@@ -9,11 +9,15 @@ from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
 from vfguide.airspace.keep_out import NO_FENCE, KeepOutZones
-from vfguide.geometry.rows import Row
+from vfguide.field.obstacle import PlacedObstacle
+from vfguide.geometry.rows import Row, getter
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import FLIGHT, Law
 from vfguide.loop.legs import Goal, Legs, leg_rows
 from vfguide.surveillance.report import SMALL_AIRCRAFT, Volume
+
+velocity_of_row = getter(PlacedObstacle, "v_n")
+"""The velocity of an obstacle, from its row."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +51,10 @@ class Plan:
     """The fence as keep-out zones of the route search."""
     epoch: int = 0
     """Date of time zero on the clock of the obstacles [us since 1970]."""
+    has_start_time: bool = False
+    """Whether that date was chosen, so that moving obstacles are there by the date alone."""
+    longest: float = 300.0
+    """Longest time that the flight may take [s]."""
     volume: Volume = SMALL_AIRCRAFT
     """Volume to keep out of around other aircraft."""
     own_icao: int = 0
@@ -63,6 +71,12 @@ class Plan:
     """The aircraft with those gains."""
     vehicle_row: Row = field(init=False, compare=False)
     """The row of that vehicle."""
+
+    @property
+    def moves(self) -> bool:
+        """Whether obstacles move, so that it matters when they are where."""
+        rows = () if self.hazards is None else self.hazards.obstacles
+        return any(any(velocity_of_row(row)) for row in rows)
 
     @property
     def is_assured(self) -> bool:

@@ -21,7 +21,7 @@ from vfguide.companion.annunciations import (
 from vfguide.companion.doubt_annunciations import doubt_notes, unfit
 from vfguide.companion.hazard_annunciations import HazardAnnunciator
 from vfguide.companion.identification_flight import IdentificationFlight
-from vfguide.companion.knowledge import STALE, Knowledge, heard, obstacle_time
+from vfguide.companion.knowledge import Knowledge, heard
 from vfguide.companion.loop_report import (
     Noted,
     air_report,
@@ -34,13 +34,14 @@ from vfguide.companion.loop_report import (
     number_of_resets,
     trusts_sensor_of_row,
 )
+from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.companion.plan import Plan
 from vfguide.estimation.air_state import AirReport
 from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
 from vfguide.geometry.rows import Row
+from vfguide.geometry.units import MS
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import crossing
-from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.loop.attempts import no_attempts
 from vfguide.loop.rows import step_measured
@@ -92,8 +93,8 @@ class Route:
         """Why what the autopilot tells cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan)
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
+        self._obstacle_clock = ObstacleClock(plan)
         self._stepped: int | None = None
-        self._began = 0
         self._follows = False
         self._jumped = False
 
@@ -121,13 +122,17 @@ class Route:
         Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
         the present goal begins anew.
         """
-        if known.attitude is None or not self._due(known.attitude.time_boot_ms):
+        if known.attitude is None or not self._due(known.time_ms):
+            return None
+        self.notes += self._obstacle_clock.notes(known)
+        if self.objection(known) is not None:
             return None
         state = heard(known, delay + HELD_PERIODS / self.plan.rate)
         if state is None:
             return None
-        t = obstacle_time(known, self.plan.epoch, self._began)
-        now_ms = known.attitude.time_boot_ms
+        if follows:
+            self._obstacle_clock.settle(known)
+        t, now_ms = self._obstacle_clock.time(known), known.time_ms
         if self._surveillance.is_due(now_ms):
             ownship = place_state(state, self.plan.origin)
             self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
@@ -171,7 +176,11 @@ class Route:
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
         """Take a report of another aircraft; without an attitude its time is unknown."""
         if known.attitude is not None:
-            self._surveillance.hear(said, known.attitude.time_boot_ms)
+            self._surveillance.hear(said, known.time_ms)
+
+    def objection(self, known: Knowledge) -> str | None:
+        """Why the autopilot must not begin to follow, None: it may."""
+        return self._obstacle_clock.objection(known)
 
     def take_jump(self) -> bool:
         """Whether there was a position reset since the last call."""
@@ -229,13 +238,9 @@ class Route:
         self._state = row_of_state(begin_leg(s, 0, no_attempts()))
         self.notes += (*notes, route_note(0, after))
 
-    def _due(self, time_boot_ms: int) -> bool:
-        """Whether the next step is due at the autopilot's time; one far back starts anew."""
-        if self._stepped is None:
-            self._began = time_boot_ms
-        else:
-            since = elapsed(self._stepped, time_boot_ms)
-            if -STALE < since < DUE_SHARE / self.plan.rate:
-                return False
-        self._stepped = time_boot_ms
+    def _due(self, now_ms: int) -> bool:
+        """Whether the next step is due at the autopilot's time [ms]."""
+        if self._stepped is not None and (now_ms - self._stepped) * MS < DUE_SHARE / self.plan.rate:
+            return False
+        self._stepped = now_ms
         return True

@@ -1,12 +1,71 @@
-"""The clock of an autopilot on MAVLink: milliseconds since it booted."""
+"""The clock of an autopilot on MAVLink: milliseconds since it booted.
+
+The counter rolls over, begins anew when the autopilot restarts, and messages come twice, late or
+with a wrong one. `BootClock` is the one place where it becomes a time that never goes back.
+"""
+
+from typing import NamedTuple
 
 from vfguide.geometry.units import MS
 
 ROLLOVER = 2**32
 """Number of milliseconds after which time_boot_ms begins again, 49.7 days."""
+LATE_TIME = 2000
+"""Time by which a message may be late and is only ignored [ms]; chosen. One that is from longer ago
+tells that the counter began anew."""
+AHEAD = 2000
+"""Time by which the counter may get ahead of our own clock from one message to the next [ms];
+chosen, since what waited on the way comes at once."""
+US_PER_MS = 1000
+"""Number of microseconds in a millisecond, a ratio."""
+
+
+def counted(before_ms: int, after_ms: int) -> int:
+    """Time from one time_boot_ms to another [ms], also across the rollover."""
+    half = ROLLOVER // 2
+    return (after_ms - before_ms + half) % ROLLOVER - half
 
 
 def elapsed(before_ms: int, after_ms: int) -> float:
     """Time from one time_boot_ms to another [s], also across the rollover."""
-    half = ROLLOVER // 2
-    return ((after_ms - before_ms + half) % ROLLOVER - half) * MS
+    return counted(before_ms, after_ms) * MS
+
+
+class BootClock(NamedTuple):
+    """A time made of the counter, which never goes back and never runs ahead of our own clock."""
+
+    counter: int
+    """The newest time_boot_ms [ms]."""
+    time_ms: int
+    """The time then: the counter without its rollovers and leaps [ms]."""
+    heard: int
+    """Time when it was heard on our own clock [us]."""
+    leaps: int = 0
+    """How often the counter has leapt."""
+    leap: float = 0.0
+    """By how much it leapt last [s]."""
+
+    def at(self, boot_ms: int) -> int:
+        """The time at another time_boot_ms [ms]."""
+        return self.time_ms + counted(self.counter, boot_ms)
+
+
+def is_late(before_ms: int, after_ms: int) -> bool:
+    """Whether a message with the time_boot_ms `after_ms` is older than one with `before_ms`."""
+    return -LATE_TIME < counted(before_ms, after_ms) < 0
+
+
+def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | None:
+    """The clock after a message that says `boot_ms` and arrives at `now` [us] on our own clock.
+
+    None: the message is one that was heard before, or late. Where the counter leaps, the time goes
+    on by our own clock.
+    """
+    if clock is None:
+        return BootClock(boot_ms, boot_ms, now)
+    step, own = counted(clock.counter, boot_ms), max(now - clock.heard, 0) // US_PER_MS
+    if -LATE_TIME < step <= 0:
+        return None
+    if 0 < step <= own + AHEAD:
+        return BootClock(boot_ms, clock.time_ms + step, now, clock.leaps, clock.leap)
+    return BootClock(boot_ms, clock.time_ms + own, now, clock.leaps + 1, (step - own) * MS)

@@ -52,6 +52,8 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         hazard_names(loaded.scenario),
         keep_out_zones_of(loaded.scenario.fence),
         start_us(loaded.scenario),
+        loaded.scenario.start_time != Scenario.model_fields["start_time"].default,
+        loaded.scenario.duration_s,
         volume_from(loaded.scenario.avoidance),
         int(vehicle.icao or "0", 16),
         LAWS_BY_NAME[loaded.scenario.law],
