@@ -8,6 +8,8 @@ each flight with a seed of its own. Printed are the standard deviations of the a
 along the path, v across it and w down [m/s], behind them those of the standard; and the spectra
 of all flights of an aircraft at a height over Dryden's, the least and the largest of all octaves
 that are known well enough: from --cycles independent cycles on, up to a 14th of the sampling rate.
+Gusts along the path last for seconds to a minute: with the options above their standard deviations
+are known to 5 to 8 %.
 """
 
 import argparse
@@ -38,8 +40,8 @@ HEIGHTS = (50.0, 200.0, 450.0, 800.0)
 LEVELS = (Turbulence.LIGHT, Turbulence.MODERATE, Turbulence.SEVERE)
 EVERY = 4
 """Steps of the plant between two samples."""
-SEGMENTS = 24
-"""Segments into which a record is cut for its spectrum."""
+RESOLUTION = 16
+"""Lines of the spectrum below the lowest octave: what leaks out of them is below 1 % there."""
 
 
 class Aircraft(NamedTuple):
@@ -121,8 +123,9 @@ def octaves(case: Case, records: list[Vectors], cycles: int) -> Iterator[float]:
     along, across, down = (s.sigma, s.length), (s.sigma, s.length), (s.sigma_w, s.length_w)
     first, last = cycles / (count * len(records) * dt), 0.072 / dt
     edges = last / 2.0 ** np.arange(int(np.log2(last / first)), -1, -1)
+    size = min(count, round(RESOLUTION / (first * dt)))
     for k, (sigma, length) in enumerate((along, across, down)):
-        spectra = [welch(r[:, k], 1.0 / dt, nperseg=count // SEGMENTS) for r in records]
+        spectra = [welch(r[:, k], 1.0 / dt, nperseg=size) for r in records]
         frequency, found = np.mean(spectra, axis=0)
         rate = 2.0 * np.pi / case.aircraft.airspeed
         expected = sigma**2 * length * rate * spectrum(length * rate * frequency, k == 0)

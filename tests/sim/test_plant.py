@@ -10,6 +10,7 @@ from sim_flights import (
     ALTITUDE,
     CESSNA,
     GROUND,
+    MODELS,
     airborne,
     airframe,
     fly,
@@ -20,11 +21,13 @@ from sim_flights import (
 
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model, Start, Weather
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.signals import Controls, Inner
+from vfguide.sim.trim import trim
 from vfguide.sim.turbulence import GustyAir, Turbulence
 
 pytestmark = pytest.mark.slow
@@ -191,6 +194,20 @@ def test_gusts_are_those_of_the_height_above_the_ground(ground, height):
         over_ground = before.altitude - ground
         v_air_n = tuple((before.v_n - mean).tolist())
         gust_n = air.fly(v_air_n, over_ground, STEP)
+        assert after.wind_n == pytest.approx(mean + gust_n, abs=1e-5)
+        before = after
+
+
+@pytest.mark.parametrize(("name", "airspeed"), [("easystar", 10.5), ("c172p", 50.0)])
+def test_gusts_are_the_same_for_every_aircraft(name, airspeed):
+    model, mean = MODELS[name], np.array([3.0, 4.0, 0.0])
+    condition = trim(Bench(model, ALTITUDE), airspeed)
+    plant = Plant(model, start(condition), gusty(3, Turbulence.SEVERE), GROUND)
+    air, before = GustyAir(Turbulence.SEVERE, 3), plant.truth()
+    for _ in range(200):
+        plant.advance(condition.controls)
+        after = plant.truth()
+        gust_n = air.fly(tuple((before.v_n - mean).tolist()), before.altitude - GROUND, STEP)
         assert after.wind_n == pytest.approx(mean + gust_n, abs=1e-5)
         before = after
 

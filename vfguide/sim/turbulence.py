@@ -26,7 +26,7 @@ from vfguide.geometry.units import FT, KT
 from vfguide.geometry.vector import Vec3, norm
 from vfguide.sim.normals import normals
 
-LOWEST = 10.0 * FT
+LEAST_HEIGHT = 10.0 * FT
 """Least height above ground of the low-altitude forms [m] (MIL-F-8785C, figures 10 and 11)."""
 LOW_ALTITUDE = 1000.0 * FT
 """Height above ground up to which the low-altitude forms hold [m] (MIL-F-8785C, 3.7.3)."""
@@ -34,11 +34,11 @@ MEDIUM_ALTITUDE = 2000.0 * FT
 """Height above ground from which the medium-altitude forms hold [m] (MIL-F-8785C, 3.7.2)."""
 MEDIUM_LENGTH = 1750.0 * FT
 """Scale length of all components in the medium-altitude forms [m] (MIL-F-8785C, 3.7.2.1)."""
-SLOWEST = 1.0
+SLEAST_HEIGHT = 1.0
 """Airspeed with which an aircraft meets new air at least [m/s]; chosen, so that the air changes
 round one that stands still in it."""
 UNCHANGED = 1e-9
-"""Distance over scale length below which nothing new is met (no unit); chosen above rounding."""
+"""Ratio of distance to scale length below which nothing new is met; chosen above rounding."""
 
 
 def in_feet(*values: float) -> tuple[float, ...]:
@@ -115,7 +115,7 @@ def low_altitude(turbulence: Turbulence, height: float) -> Scales:
     sigma_w = 0.1 W20, sigma_u = sigma_v = sigma_w / (0.177 + 0.000823 h)^0.4,
     L_w = h, L_u = L_v = h / (0.177 + 0.000823 h)^1.2.
     """
-    height = max(height, LOWEST)
+    height = max(height, LEAST_HEIGHT)
     ratio = 0.177 + 0.000823 * height / FT
     sigma_w = 0.1 * turbulence.value.wind_at_20_ft
     return Scales(sigma_w / ratio**0.4, height / ratio**1.2, sigma_w, height)
@@ -202,7 +202,7 @@ def flown_on(gusts: Gusts, v_air_n: Vec3, dt: float, scales: Scales, noise: Nois
         scales: those of this height.
         noise: what is new in the air.
     """
-    distance = max(norm(v_air_n), SLOWEST) * dt
+    distance = max(norm(v_air_n), SLEAST_HEIGHT) * dt
     x, (ahead_n, ahead_e) = distance / scales.length, direction(v_air_n)
     u = along_path(ahead_n * gusts.north + ahead_e * gusts.east, x, noise.along)
     v_before = Stages(ahead_n * gusts.east - ahead_e * gusts.north, gusts.second)
