@@ -19,8 +19,9 @@ from vfguide.link.enums import MavCmd
 from vfguide.sim.autopilot.flight_mode import Mode
 from vfguide.sim.autopilot.loiter_circle import BANK_SHARE, HOLD_RADIUS, largest_bank, radius_in
 from vfguide.sim.bench import Bench
-from vfguide.sim.condition import FlightCondition, Start, Turbulence, Weather
+from vfguide.sim.condition import FlightCondition, Start, Weather
 from vfguide.sim.trim import TrimError, trim
+from vfguide.sim.turbulence import Turbulence
 from vfguide.sim.vehicle import Setup, Vehicle
 
 pytestmark = pytest.mark.slow

@@ -10,6 +10,7 @@ from sim_flights import (
     ALTITUDE,
     CESSNA,
     GROUND,
+    MODELS,
     airborne,
     airframe,
     fly,
@@ -19,12 +20,15 @@ from sim_flights import (
 )
 
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import DEG, FT
-from vfguide.sim.condition import FlightCondition, Model, Start, Turbulence, Weather
+from vfguide.geometry.units import DEG
+from vfguide.sim.bench import Bench
+from vfguide.sim.condition import FlightCondition, Model, Start, Weather
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.inner_loop.inner_loop import inner_loop
-from vfguide.sim.plant import Plant
+from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.signals import Controls, Inner
+from vfguide.sim.trim import trim
+from vfguide.sim.turbulence import GustyAir, Turbulence
 
 pytestmark = pytest.mark.slow
 
@@ -177,36 +181,42 @@ def test_inner_is_part_of_the_truth():
     )
 
 
-def rms_of_gusts(level: Turbulence, altitude: float) -> np.ndarray:
-    """North, east, down, 150 m above ground, from a few flights [m/s]."""
-    place = Start(47.4 * DEG, 8.5 * DEG, altitude, 0.0, steady())
-    squares = []
-    for seed in range(8):
-        plant = Plant(AEROSONDE, place, Weather((3.0, 4.0, 0.0), level, seed), altitude - 150.0)
-        # The filters start from rest and take some of their 20 s to fill.
-        truths = fly(plant, CALM_RATES, 60.0, every=50)[40:]
-        squares += [(np.array(t.wind_n) - (3.0, 4.0, 0.0)) ** 2 for t in truths]
-    return np.sqrt(np.mean(squares, axis=0))
+@pytest.mark.parametrize("ground", [0.0, GROUND, 3000.0])
+@pytest.mark.parametrize("height", [150.0, 450.0])
+def test_gusts_are_those_of_the_height_above_the_ground(ground, height):
+    """Each step the air is the mean wind and the gust of the place into which it has flown."""
+    place = Start(47.4 * DEG, 8.5 * DEG, ground + height, 0.4, steady())
+    plant = Plant(AEROSONDE, place, gusty(7), ground)
+    air, mean = GustyAir(Turbulence.MODERATE, 7), np.array([3.0, 4.0, 0.0])
+    before = plant.truth()
+    assert before.wind_n == pytest.approx(mean + air.gust_at(height), abs=1e-6)
+    for after in fly(plant, (0.2, 0.05, 0.1), 2.0)[1:]:
+        over_ground = before.altitude - ground
+        v_air_n = tuple((before.v_n - mean).tolist())
+        gust_n = air.fly(v_air_n, over_ground, STEP)
+        assert after.wind_n == pytest.approx(mean + gust_n, abs=1e-5)
+        before = after
 
 
-@pytest.mark.parametrize(
-    ("level", "wind_at_20_ft"), [(Turbulence.LIGHT, 7.72), (Turbulence.SEVERE, 23.15)]
-)
-def test_gusts_near_the_sea_are_as_strong_as_the_specification_says(level, wind_at_20_ft):
-    # MIL-F-8785C below 1000 ft, at h = 492 ft: sigma_w = 0.1 W20,
-    # sigma_u = sigma_v = sigma_w / (0.177 + 0.000823 h)^0.4.
-    sigma_w = 0.1 * wind_at_20_ft
-    sigma_u = sigma_w / (0.177 + 0.000823 * 492.0) ** 0.4
-    found = rms_of_gusts(level, 150.0)
-    assert found == pytest.approx([sigma_u, sigma_u, sigma_w], rel=0.3)
+@pytest.mark.parametrize(("name", "airspeed"), [("easystar", 10.5), ("c172p", 50.0)])
+def test_gusts_are_the_same_for_every_aircraft(name, airspeed):
+    model, mean = MODELS[name], np.array([3.0, 4.0, 0.0])
+    condition = trim(Bench(model, ALTITUDE), airspeed)
+    plant = Plant(model, start(condition), gusty(3, Turbulence.SEVERE), GROUND)
+    air, before = GustyAir(Turbulence.SEVERE, 3), plant.truth()
+    for _ in range(200):
+        plant.advance(condition.controls)
+        after = plant.truth()
+        gust_n = air.fly(tuple((before.v_n - mean).tolist()), before.altitude - GROUND, STEP)
+        assert after.wind_n == pytest.approx(mean + gust_n, abs=1e-5)
+        before = after
 
 
-@pytest.mark.parametrize(
-    ("level", "sigma_fps"), [(Turbulence.LIGHT, 7.0), (Turbulence.MODERATE, 9.8)]
-)
-def test_gusts_over_high_ground_are_those_of_the_height_above_the_sea(level, sigma_fps):
-    # Above 2000 ft the specification goes by probability, 10^-3 and 10^-4: its figure 7.
-    assert rms_of_gusts(level, 638.0) == pytest.approx(3 * [FT * sigma_fps], rel=0.3)
+def test_a_flight_starts_in_equilibrium_with_the_gusts():
+    plant = airborne(yaw=2.0, weather=gusty(5, Turbulence.SEVERE))
+    assert np.abs(plant.truth().wind_n - np.array([3.0, 4.0, 0.0])).max() > 0.5
+    assert plant.truth().airspeed == pytest.approx(25.0, abs=1e-9)
+    assert np.ravel(plant.accelerations()) == pytest.approx(np.zeros(6), abs=0.005)
 
 
 def test_calm_air_has_no_gusts():

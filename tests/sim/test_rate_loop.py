@@ -17,13 +17,14 @@ from sim_flights import (
 )
 
 from vfguide.geometry.units import DEG
-from vfguide.sim.condition import Start, Turbulence, Weather
+from vfguide.sim.condition import Start, Weather
 from vfguide.sim.inner_loop.airframe_model import identify
 from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.inner_loop.rate_loop import INTEGRAL_MAX, rate_loop
 from vfguide.sim.inner_loop.thrust_map import throttle_for
 from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.signals import Controls, Inner
+from vfguide.sim.turbulence import Turbulence
 
 CRUISE_AIR = Inner(0.0, 0.0, 0.0, 0.055, 0.0, airspeed=25.0, density=1.15)
 FRESH = (0.0, 0.0, 0.0)

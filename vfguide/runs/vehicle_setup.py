@@ -15,11 +15,12 @@ from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.bench import Bench
-from vfguide.sim.condition import Start, Turbulence, Weather
+from vfguide.sim.condition import Start, Weather
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.inner_loop.airframe_model import AirframeModelError
 from vfguide.sim.traffic import Transponder
 from vfguide.sim.trim import TrimError, trim
+from vfguide.sim.turbulence import Turbulence
 from vfguide.sim.vehicle import Setup
 from vfguide.sim.vehicle import Vehicle as SimVehicle
 

@@ -3,12 +3,11 @@
 import hashlib
 import math
 from dataclasses import dataclass, field
-from enum import Enum
 from pathlib import Path
 
-from vfguide.geometry.units import KT
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.signals import Controls
+from vfguide.sim.turbulence import Turbulence
 
 
 @dataclass(frozen=True)
@@ -91,28 +90,15 @@ class Start:
     condition: FlightCondition
 
 
-class Turbulence(Enum):
-    """Intensity of turbulence by MIL-F-8785C (Dryden): wind at 20 ft [m/s], and JSBSim's index.
-
-    The index is that of the probability of exceedance. The wind counts below 1000 ft, the index
-    above 2000 ft, both in between. JSBSim takes these
-    heights above the sea, not above ground: over high ground its gusts are stronger.
-    """
-
-    NONE = (0.0, 0)
-    LIGHT = (15.0 * KT, 3)
-    MODERATE = (30.0 * KT, 4)
-    SEVERE = (45.0 * KT, 6)
-
-
 @dataclass(frozen=True)
 class Weather:
-    """Wind and gusts; equal seeds give equal gusts. Winds are where they blow toward, NED."""
+    """Wind and gusts. Winds are where they blow toward, NED."""
 
     wind_n: Vec3 = (0.0, 0.0, 0.0)
     """The wind [m/s], at the beginning and at the height of the shear if it changes."""
     turbulence: Turbulence = Turbulence.NONE
     seed: int = 0
+    """Seed of the gusts."""
     changes: tuple[tuple[float, Vec3], ...] = ()
     """Times [s], ascending, and winds [m/s]: linear from one to the next, the last one stays."""
     shear_n: Vec3 = (0.0, 0.0, 0.0)

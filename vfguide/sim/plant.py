@@ -7,24 +7,20 @@ import numpy as np
 
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
-from vfguide.geometry.vector import Mat3, Vec3, add, matvec, transpose
-from vfguide.sim.condition import Model, Start, Turbulence, Weather
+from vfguide.geometry.vector import Mat3, Vec3, add, matvec, sub, transpose
+from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
 from vfguide.sim.signals import ControlTuple, InnerTuple
 from vfguide.sim.truth import Truth
+from vfguide.sim.turbulence import GustyAir, Turbulence
 
 STEP = 1.0 / 200.0
 """Default time step of the simulation [s]; chosen, 200 Hz."""
 
-_TUSTIN = 4
-"""JSBSim's number for MIL-F-8785C gusts discretised by Tustin's rule."""
 _SETTLING_RUNS = 3
 """Runs with the clock stopped: by the third, every function has seen what the others give."""
 _EVERY_ENGINE = -1
 _RETRACTED = 0.0
-_SEEDS = 2**31
-"""JSBSim keeps its seed in a signed integer of 32 bits."""
-
 Getter = Callable[[], float]
 
 
@@ -67,9 +63,10 @@ class Plant:
         self._bind_inner()
         self._bind_truth()
         self._bind_bench()
-        self._weather = weather if weather.varies else None
-        self.place(start, weather.wind_at(0.0, start.altitude - ground_altitude))
-        self._stir(weather)
+        self._weather = weather
+        self._gusts = gusty_air(weather)
+        self._air_changes = weather.varies or self._gusts is not None
+        self.place(start, self._first_wind(start.altitude - ground_altitude))
         if not np.isfinite(self.accelerations()).all():
             raise model_error(model, "accelerations are not finite at the start")
 
@@ -85,8 +82,8 @@ class Plant:
             ModelError: the model fails in flight.
         """
         self._command(controls)
-        if self._weather is not None:
-            self._set_wind(self._weather.wind_at(self.time, FT * self._height()))
+        if self._air_changes:
+            self._set_wind(self._next_wind(FT * self._height()))
         try:
             self._run()
         except JsbsimError as error:
@@ -137,8 +134,8 @@ class Plant:
     def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
         """Put the aeroplane into `start`, servos and motor in steady state, time standing still.
 
-        For trim and identification. A flight needs a fresh plant: what the gusts and the
-        integrators remember is not wiped here.
+        For trim and identification. A flight needs a fresh plant: what gusts and integrators
+        remember is not wiped here.
         """
         self._place_at(start)
         self._move(start, wind_n)
@@ -190,6 +187,18 @@ class Plant:
         for axis, speed in zip(("north", "east", "down"), wind_n, strict=True):
             self._fdm[f"atmosphere/wind-{axis}-fps"] = speed / FT
 
+    def _first_wind(self, height: float) -> Vec3:
+        """The wind at the start with its gusts: the aeroplane begins in equilibrium with both."""
+        wind_n = self._weather.wind_at(0.0, height)
+        return add(wind_n, self._gusts.gust_at(height)) if self._gusts else wind_n
+
+    def _next_wind(self, height: float) -> Vec3:
+        """The wind of this step with its gusts, in the air into which the aeroplane has flown."""
+        wind_n = self._weather.wind_at(self.time, height)
+        if self._gusts is None:
+            return wind_n
+        return add(wind_n, self._gusts.fly(sub(self._v_n(), wind_n), height, self._dt))
+
     def _settle(self, controls: ControlTuple) -> None:
         """Bring servos, motor and engines to what `controls` command, the clock standing."""
         fdm, propulsion = self._fdm, self._fdm.get_propulsion()
@@ -206,16 +215,6 @@ class Plant:
                 propulsion.get_steady_state()
         fdm.resume_integration()
         fdm.set_trim_status(False)
-
-    def _stir(self, weather: Weather) -> None:
-        if weather.turbulence is Turbulence.NONE:
-            return
-        fdm = self._fdm
-        wind_at_20_ft, severity = weather.turbulence.value
-        fdm["simulation/randomseed"] = weather.seed % _SEEDS
-        fdm["atmosphere/turb-type"] = _TUSTIN
-        fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = wind_at_20_ft / FT
-        fdm["atmosphere/turbulence/milspec/severity"] = severity
 
     def _command(self, controls: ControlTuple) -> None:
         aileron, elevator, rudder, throttle = controls
@@ -281,3 +280,10 @@ class Plant:
     def _vector_getter(self, names: list[str], unit: float) -> Callable[[], Vec3]:
         x, y, z = map(self._getter, names)
         return lambda: (unit * x(), unit * y(), unit * z())
+
+
+def gusty_air(weather: Weather) -> GustyAir | None:
+    """The gusts of a weather, if it has any."""
+    if weather.turbulence is Turbulence.NONE:
+        return None
+    return GustyAir(weather.turbulence, weather.seed)

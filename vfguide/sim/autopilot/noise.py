@@ -5,14 +5,11 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import NamedTuple
 
-import numpy as np
-
 from vfguide.geometry.vector import Vec3
 from vfguide.sim.autopilot.instruments import Errors
+from vfguide.sim.normals import normals
 from vfguide.sim.signals import InnerTuple
 
-BLOCK = 4096
-"""Number of random numbers that are drawn at once, since one at a time costs a microsecond."""
 VELOCITY_TIME = 1.0
 """Time constant of the errors of velocity [s]; chosen as that of a filter that blends GNSS and
 inertial measurements."""
@@ -48,13 +45,6 @@ class Errs(NamedTuple):
     """Error of the true airspeed [m/s]."""
     wind_n: Vec3
     """Error of the wind, NED [m/s]."""
-
-
-def normals(seed: int) -> Iterator[float]:
-    """Standard normal numbers without end."""
-    rng = np.random.Generator(np.random.PCG64(seed))
-    while True:
-        yield from rng.standard_normal(BLOCK).tolist()
 
 
 class Drift:
