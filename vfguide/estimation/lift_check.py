@@ -6,7 +6,6 @@ vertical wind does too, and as an acceleration along the path that thrust, drag 
 give, which errors of the model do too.
 """
 
-import math
 from typing import NamedTuple
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
@@ -28,7 +27,7 @@ degrees in level flight; chosen above what sideslip in gusts gives."""
 LATERAL_GUST = 7.0
 """Gust from the side whose force is allowed for as well [m/s]; chosen as four standard deviations
 in moderate turbulence."""
-PITCH_ERROR_LIMIT = 10.0 * DEG
+PITCH_ERROR_LIMIT = 12.0 * DEG
 """Error of the pitch that lift and acceleration both show above which the pitch is wrong [rad];
 chosen above what gusts and errors of the model give together."""
 LIFT_FAULT_TIME = 0.5
@@ -89,7 +88,8 @@ def follow_lift(
     off = angle_of_attack(R, sub(state.v_n, state.wind_n)) - by_lift
     alpha_error = s.alpha_error + blend * (off - s.alpha_error)
     path_error = s.path_error + blend * (beyond / G0 - s.path_error)
-    pitch_error = math.sqrt(max(alpha_error * path_error, 0.0))
+    agree = alpha_error * path_error > 0.0
+    pitch_error = min(abs(alpha_error), abs(path_error)) if agree else 0.0
     gust = SIDE_FORCE_RATIO * G0 * speed * LATERAL_GUST / aircraft.alpha_load
     ratio = max(abs(side) / max(SIDE_FORCE_LIMIT, gust), pitch_error / PITCH_ERROR_LIMIT)
     time = s.time + ratio**2 * dt if ratio > 1.0 else 0.0
