@@ -23,6 +23,7 @@ def field(
     """
     import json
 
+    from vfguide.cli.console import deliver
     from vfguide.scenario.field_points import fields_at, read_points
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import vehicle_of
@@ -30,7 +31,7 @@ def field(
     loaded = load_scenario(scenario)
     each = vehicle_of(loaded.scenario, vehicle)
     fields = fields_at(loaded, each, read_points(points), law or loaded.scenario.law)
-    typer.echo(json.dumps([each._asdict() for each in fields], indent=1, allow_nan=False))
+    deliver(json.dumps([each._asdict() for each in fields], indent=1, allow_nan=False))
 
 
 def add_to(app: typer.Typer) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD, INTERRUPTED
+from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.results.result import Result
@@ -31,9 +31,9 @@ def run(
 
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
-    from vfguide.cli.console import warn
+    from vfguide.cli.console import complain, warn
     from vfguide.cli.flight_display import FlightDisplay, print_result
-    from vfguide.cli.signals import Signals
+    from vfguide.cli.signals import REQUESTS
     from vfguide.runs.run import run_scenario
     from vfguide.scenario.load import load_scenario
 
@@ -42,15 +42,16 @@ def run(
     warn(loaded.warnings)
     folder = out or default_folder(loaded.scenario.name)
     again = shlex.join(["vfguide", "run", scenario, *(f"--set={change}" for change in changes)])
-    with Signals() as signals, FlightDisplay(loaded.scenario) as display:
+    with FlightDisplay(loaded.scenario) as display:
         done = run_scenario(
-            loaded, folder, display, signals.wanted, again, realtime=realtime, report=report
+            loaded, folder, display, REQUESTS, again, realtime=realtime, report=report
         )
     print_result(done.result, folder)
+    if done.interrupted:
+        complain(REQUESTS.ending.words)
+        raise typer.Exit(REQUESTS.ending.status)
     if view and report:
         typer.launch(str(folder / "report.html"))
-    if done.interrupted:
-        raise typer.Exit(INTERRUPTED)
     raise typer.Exit(status_of(done.result))
 
 

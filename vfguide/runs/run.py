@@ -1,6 +1,6 @@
 """A run: a scenario is flown, judged and reported, all in one folder."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from vfguide.link.tlog import TlogError
 from vfguide.report.report import write_report
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge, write_result
-from vfguide.runs.lockstep import Ending, Progress, fly_scenario
+from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario
 from vfguide.runs.models import require_models
 from vfguide.scenario.load import LoadedScenario
 
@@ -29,13 +29,15 @@ def run_scenario(
     loaded: LoadedScenario,
     folder: Path,
     progress: Progress,
-    stopped: Callable[[], bool],
+    requests: Requests,
     command: str,
     *,
     realtime: bool = False,
     report: bool = True,
 ) -> Run:
     """Fly a scenario and write everything that contract and user expect to `folder`.
+
+    A flight that the user stopped is judged, but not drawn: drawing takes seconds.
 
     Raises:
         InputError: the folder is not empty, cannot be written or is full, or an aircraft's
@@ -45,12 +47,12 @@ def run_scenario(
     prepare_folder(folder)
     try:
         loaded.write_resolved(folder / "scenario.toml")
-        flight = fly_scenario(loaded, folder, progress, stopped, realtime=realtime)
+        flight = fly_scenario(loaded, folder, progress, requests, realtime=realtime)
         early = (flight.ending.value,) if flight.ending in EARLY else ()
         result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
         write_result(result, folder / "result.json")
         write_identified(loaded, flight.records, folder)
-        if report:
+        if report and flight.ending is not Ending.STOPPED:
             write_report(folder, loaded, flight.records, result, command)
     except (OSError, TlogError) as error:
         raise InputError(f"{folder}: cannot be written: {error}") from error
