@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from vfguide import __version__
-from vfguide.cli import bench, check, field, fly, replay, run, sim
+from vfguide.cli import bench, check, field, fly, replay, run, sim, warm
 
 app = typer.Typer(
     name="vfguide",
@@ -25,6 +25,7 @@ check.add_to(app)
 field.add_to(app)
 replay.add_to(app)
 bench.add_to(app)
+warm.add_to(app)
 
 
 def show_version(wanted: bool) -> None:

@@ -17,9 +17,11 @@ def bench(
 
     from rich.table import Table
 
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import deliver, out
     from vfguide.runs.bench import measure
 
+    COMPILING.stage("what is measured")
     figures = asdict(measure())
     if json:
         deliver(dumps(figures, indent=2))

@@ -35,6 +35,7 @@ def fly(
 
     Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
     """
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import complain
     from vfguide.cli.signals import REQUESTS, Ending
     from vfguide.companion.companion import Companion
@@ -46,6 +47,7 @@ def fly(
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
 
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
     loaded.require_flight_law()
@@ -54,6 +56,7 @@ def fly(
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))
         path = log_path(log, loaded.scenario.name, vehicle)
         flight_log = stack.enter_context(closing(FlightLog(open_log(path, path != log, loaded))))
+        COMPILING.stage("the control loop")
         warm_up(plan)
         session = Session(Companion(vehicle, plan, engage=engage), flight_log.write)
         say(f"waiting for the autopilot of vehicle {vehicle} at {connect}; log: {path}")
@@ -96,10 +99,16 @@ def open_transport(text: str, sysid: int) -> "Transport":
 
 
 def log_path(wish: Path | None, name: str, sysid: int) -> Path:
-    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder."""
+    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder.
+
+    Raises:
+        InputError: a folder is needed that cannot be made.
+    """
+    from vfguide.files.new_folder import new_folder
+
     if wish is not None and wish.suffix == ".tlog":
         return wish
-    folder = wish or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
+    folder = wish or new_folder(f"fly-{name}-{sysid}")
     return folder / f"vehicle-{sysid}.tlog"
 
 

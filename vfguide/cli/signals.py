@@ -10,8 +10,9 @@ import signal
 import threading
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from types import FrameType, TracebackType
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 from vfguide.cli.exit_status import INTERRUPTED
 
@@ -22,7 +23,8 @@ GRACE = 0.3
 within a second."""
 
 
-class Ending(NamedTuple):
+@dataclass(frozen=True)
+class Ending:
     """How a command ends that is asked to outside a loop that looks for it."""
 
     status: int

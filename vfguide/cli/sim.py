@@ -37,6 +37,7 @@ def sim(
 
     All are airborne, armed and in hold. Example: vfguide sim first-flight
     """
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import complain, out
     from vfguide.cli.signals import REQUESTS
     from vfguide.files.errors import InputError
@@ -47,12 +48,14 @@ def sim(
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
 
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
     require_models(loaded)
     with ExitStack() as stack:
         sockets = open_sockets(loaded.scenario, stack)
         observe = truth_writer(log, stack)
+        COMPILING.stage("the simulator")
         stations = [
             station_of(loaded, vehicle, *each)
             for vehicle, each in zip(loaded.scenario.vehicles, sockets, strict=True)

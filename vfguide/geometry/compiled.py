@@ -88,6 +88,11 @@ def compiled(function: Callable[P, T]) -> Callable[P, T]:
     return cast("Callable[P, T]", EntryPoint(function, function))
 
 
+def is_kept(function: object) -> bool:
+    """Whether the machine code of what numba compiles is kept from one start to the next."""
+    return isinstance(getattr(function, "_cache", None), MachineCode)
+
+
 def compiled_source(
     function: Callable[P, T], source: Callable[..., Any] | None = None
 ) -> Callable[P, T]:

@@ -14,7 +14,7 @@ from vfguide.runs.fleet import Ending, Fleet, Flown
 from vfguide.runs.logs import Logs
 from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.runs.warm_up import warm_up
+from vfguide.runs.warm_up import Tell, tell_nobody, warm_up
 from vfguide.scenario.load import LoadedScenario
 from vfguide.sim.traffic import TIME_TOLERANCE
 
@@ -73,6 +73,7 @@ def fly_scenario(
     folder: Path,
     progress: Progress = ignore_progress,
     requests: Requests | None = None,
+    tell: Tell = tell_nobody,
     *,
     realtime: bool = False,
     steps: Steps = STEPS,
@@ -84,6 +85,7 @@ def fly_scenario(
         folder: where the logs go.
         progress: called after every update.
         requests: to end, looked for before every update; None: nobody asks.
+        tell: told what is compiled.
         realtime: whether to fly no faster than real time.
         steps: the compiled steps of each update.
 
@@ -91,7 +93,7 @@ def fly_scenario(
         InputError: an aircraft's model cannot be flown.
         TlogError: a log cannot be written.
     """
-    warm_up(loaded)
+    warm_up(loaded, tell)
     requests = requests or NoRequests()
     with ExitStack() as stack:
         fleet = fleet_of(loaded, Logs(folder, stack), steps)
