@@ -39,7 +39,7 @@ def replay(
     from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import out as console
     from vfguide.cli.console import warn
-    from vfguide.link.tlog import TlogWriter
+    from vfguide.link.tlog import TlogWriter, UsableTimes
     from vfguide.replay.compare import Replay
     from vfguide.runs.run import prepared
     from vfguide.scenario.load import load_scenario
@@ -51,14 +51,18 @@ def replay(
     loaded.require_mavlink()
     sysid = vehicle if vehicle is not None else only_vehicle(log, reader)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, sysid))
+    times = UsableTimes(reader)
     with ExitStack() as stack:
         record = ignore
         if out is not None:
             prepared(out)
             record = stack.enter_context(TlogWriter(out / f"vehicle-{sysid}.tlog")).write
         COMPILING.stage("the control loop")
-        found = Replay(sysid, plan, record).compare(reader)
+        found = Replay(sysid, plan, record).compare(times)
     warn(flaws_of(log, reader))
+    if times.wrong:
+        frames = f"{times.wrong} frame{'s'[: times.wrong > 1]}"
+        warn([f"{log}: {frames} with a time that cannot be, taken as that of the one before"])
     require_setpoints(log, sysid, found)
     console.print(f"vehicle {sysid}: {found.recorded} setpoints recorded, {found.replayed} now")
     if found.difference is None:
@@ -119,9 +123,6 @@ def flaws_of(path: Path, reader: "TlogReader") -> list[str]:
         places = "a place" if len(damage) == 1 else f"{len(damage)} places"
         where = f"{reader.junk_bytes} bytes in {places}, the first at byte {damage[0].at}"
         flaws.append(f"{path}: damaged, no record in {where}")
-    if reader.wrong_times:
-        count = f"{reader.wrong_times} frame{'s'[: reader.wrong_times > 1]}"
-        flaws.append(f"{path}: {count} with a time that cannot be, taken as that of the one before")
     if reader.steps_back:
         flaws.append(f"{path}: its times go back, {reader.steps_back} times")
     return flaws

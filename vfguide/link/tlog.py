@@ -159,7 +159,7 @@ class TlogReader:
     """The records of a log, as (time [us since 1970], frame); can be iterated again and again.
 
     A damaged place costs the records that it hits and no other one. A frame behind it whose own
-    time is missing has that of the frame before, and so has one whose time cannot be.
+    time is missing has that of the frame before.
     """
 
     def __init__(self, data: bytes) -> None:
@@ -170,8 +170,6 @@ class TlogReader:
         """Frames left out since the dialect does not have their message."""
         self.damage: list[Damage] = []
         """Places of no record, a last record that was cut off among them."""
-        self.wrong_times = 0
-        """Frames whose time is beyond LAST_TIME."""
         self.steps_back = 0
         """Frames that are older than the one before."""
 
@@ -193,7 +191,7 @@ class TlogReader:
         return sum(each.bytes for each in self.damage)
 
     def __iter__(self) -> Iterator[tuple[int, Frame]]:
-        self.frames = self.unknown = self.wrong_times = self.steps_back = 0
+        self.frames = self.unknown = self.steps_back = 0
         self.damage = []
         time_us = 0
         end = 0  # of the record before
@@ -245,8 +243,24 @@ class TlogReader:
         if start < end + _TIME_BYTES:
             return last_us
         (time_us,) = _TIME.unpack_from(self._data, start - _TIME_BYTES)
-        if time_us > LAST_TIME:
-            self.wrong_times += 1
-            return last_us
         damaged = start > end + _TIME_BYTES and end > 0
         return last_us if damaged and abs(time_us - last_us) > _DAY_US else time_us
+
+
+class UsableTimes:
+    """The records of a log; a time that cannot be is that of the frame before."""
+
+    def __init__(self, log: TlogReader) -> None:
+        self._log = log
+        self.wrong = 0
+        """Frames whose time is beyond LAST_TIME."""
+
+    def __iter__(self) -> Iterator[tuple[int, Frame]]:
+        self.wrong = 0
+        last_us = 0
+        for time_us, frame in self._log:
+            if time_us > LAST_TIME:
+                self.wrong += 1
+            else:
+                last_us = time_us
+            yield last_us, frame
