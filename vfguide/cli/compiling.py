@@ -24,7 +24,7 @@ class Compiling:
         """Say that machine code is missing; once a stage."""
         if self._stage:
             what, self._stage = self._stage, ""
-            err.print(f"vfguide: compiling {what}; this is done once, and may take a minute or two")
+            err.print(f"vfguide: compiling {what}; this may take a minute or two")
 
     def _listen(self) -> None:
         """Hear from numba what it compiles; functions that are never kept take no time."""
@@ -49,4 +49,4 @@ class Compiling:
 
 
 COMPILING = Compiling()
-"""Of this process, in which numba compiles one thing at a time."""
+"""What this process tells: there is one numba in it."""

@@ -117,7 +117,7 @@ class Requests:
 
 
 REQUESTS = Requests()
-"""Those to this process, of which there is one."""
+"""What this process is asked: there is one table of signals in it."""
 
 
 def wanted_signals() -> list[signal.Signals]:

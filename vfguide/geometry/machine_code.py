@@ -62,7 +62,7 @@ class MachineCode(FunctionCache):
         return str(self._folder)
 
     def flush(self) -> None:
-        """Numba's wish to forget everything, which nothing here has."""
+        """Numba's request to forget everything, which nothing here makes."""
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The function as it was compiled for a signature; None: it has to be compiled."""
