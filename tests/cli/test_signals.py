@@ -55,9 +55,8 @@ def test_while_everything_is_compiled(tmp_path, command, number):
     time.sleep({signal.SIGINT: 0.0, signal.SIGTERM: 0.9, signal.SIGHUP: 2.3}[number])
     sent = time.monotonic()
     process.send_signal(number)
-    text = process.stdout.read()
-    status = process.wait(30)
+    text = process.communicate(timeout=30)[0]
     assert time.monotonic() - sent < 1.0
     expected, words = ENDS[command]
-    assert (status, text.splitlines()[-1]) == (expected, words)
+    assert (process.returncode, text.splitlines()[-1]) == (expected, words)
     assert "Traceback" not in text
