@@ -11,7 +11,7 @@ import select
 import sys
 import threading
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from queue import Queue
 from typing import TextIO, cast
 
@@ -121,10 +121,6 @@ def put_out(stream: TextIO, data: bytes) -> None:
 @contextmanager
 def tolerant_streams() -> Generator[tuple[TolerantStream, TolerantStream]]:
     """Put such streams in the place of standard output and error while it lasts."""
-    before = sys.stdout, sys.stderr
-    out, err = map(TolerantStream, before)
-    sys.stdout, sys.stderr = cast("TextIO", out), cast("TextIO", err)
-    try:
+    out, err = map(TolerantStream, (sys.stdout, sys.stderr))
+    with redirect_stdout(cast("TextIO", out)), redirect_stderr(cast("TextIO", err)):
         yield out, err
-    finally:
-        sys.stdout, sys.stderr = before
