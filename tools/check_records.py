@@ -18,7 +18,7 @@ One line for each violation on standard output; the exit status is 1 if there is
    - tables of records, declared as `Table` of `vfguide.geometry.rows`, along their first axis:
      `table[0]` is the row of a record, `table[1:]` a table; `table[0, 3]` is refused.
 
-2. No attribute of a module is set or deleted.
+2. No attribute of a module is set or deleted, but for `HOOKS`, which Python has to be set.
 3. No function is built of the code of another (`FunctionType`, `CodeType`).
 
 The types are pyright's: a copy of the sources, in which the rule's expressions are wrapped into
@@ -55,6 +55,8 @@ INDEX = "dtype[signedinteger[_32Bit | _64Bit]]"
 """What numpy's searches give: arrays of indices (`np.intp`)."""
 LONGEST = 3
 """How many numbers a tuple may have that is a vector."""
+HOOKS = ("warnings.showwarning", "sys.unraisablehook")
+"""What Python's documentation says a program may replace by a function of its own."""
 BUILDERS = ("FunctionType", "CodeType")
 LIKE = "LikeThings"
 LIKE_CLASS = f'''
@@ -150,6 +152,8 @@ class Asker(ast.NodeTransformer):
                 node.value = self.asked(node.value, text, True, axes)
             case ast.Attribute(value=ast.Name(id="self" | "cls")):
                 pass  # what declares the attributes of a class must stay
+            case ast.Attribute(ctx=ast.Store()) if text in HOOKS:
+                pass
             case ast.Attribute(ctx=ast.Store() | ast.Del()):
                 node.value = self.asked(node.value, text, False)
             case ast.Call(func=ast.Name(id="setattr" | "delattr"), args=[base, *rest]):

@@ -15,7 +15,7 @@ from pymavlink.dialects.v20 import all as dialect
 
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import Attitude, Heartbeat
-from vfguide.link.tlog import TlogError, TlogReader, TlogWriter
+from vfguide.link.tlog import LAST_TIME, TlogError, TlogReader, TlogWriter, UsableTimes
 
 RECORDED = sorted((Path(__file__).parents[3] / "shared" / "logs").glob("*.tlog"))
 
@@ -250,3 +250,23 @@ def test_closing_twice_does_no_harm(tmp_path):
     log = TlogWriter(tmp_path / "flight.tlog")
     log.close()
     log.close()
+
+
+def test_a_time_that_cannot_be_is_that_of_the_frame_before():
+    raw = Encoder(1, 1).encode(Heartbeat(1, 12, 0, 0, 4))
+    times = (5, LAST_TIME + 1, 2**64 - 1, 7, LAST_TIME)
+    reader = TlogReader(as_bytes([(time_us, raw) for time_us in times]))
+    usable = UsableTimes(reader)
+    assert [time_us for time_us, _ in usable] == [5, 5, 5, 7, LAST_TIME]
+    assert usable.wrong == 2
+
+
+def test_damage_is_known_by_place_and_size():
+    raw = Encoder(1, 1).encode(Heartbeat(1, 12, 0, 0, 4))
+    whole = as_bytes([(1, raw)])
+    reader = TlogReader(whole + bytes(30) + whole + whole[:9])
+    assert len(list(reader)) == 2
+    assert [(each.at, each.bytes) for each in reader.damage] == [
+        (len(whole), 30),
+        (2 * len(whole) + 30, 9),
+    ]

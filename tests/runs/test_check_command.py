@@ -5,7 +5,7 @@ from pathlib import Path
 from scenario_samples import MINIMAL, box
 from typer.testing import CliRunner
 
-from vfguide.cli.main import app
+from vfguide.cli.app import app
 
 
 def test_check_prints_warnings_and_is_content(tmp_path: Path) -> None:

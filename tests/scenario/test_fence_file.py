@@ -25,6 +25,11 @@ from vfguide.scenario.load import load_scenario
             "lowest_m = 100\nhighest_m = 90",
             r"highest_m.*not above lowest_m",
         ),
+        (
+            '[[fence.zone]]\nkind = "include"\n'
+            "polygon_m = [[-900, -900], [900, 900], [900, -900], [-900, 900]]",
+            "its sides 1 and 3 cross or touch",
+        ),
         ("[fence]\nfloor_m = 100\nceiling_m = 50", "ceiling_m.*not above floor_m"),
         ("[fence]\nfloor_m = 5000", "below the fence, allowed above fence.floor_m = 5000"),
         ("[fence]\nceiling_m = 1", "above the fence, allowed below fence.ceiling_m = 1"),

@@ -17,12 +17,14 @@ def bench(
 
     from rich.table import Table
 
-    from vfguide.cli.console import out
+    from vfguide.cli.compiling import COMPILING
+    from vfguide.cli.console import deliver, out
     from vfguide.runs.bench import measure
 
+    COMPILING.stage("what is measured")
     figures = asdict(measure())
     if json:
-        typer.echo(dumps(figures, indent=2))
+        deliver(dumps(figures, indent=2))
         return
     table = Table("figure", "value")
     for name, value in figures.items():

@@ -23,14 +23,18 @@ def field(
     """
     import json
 
+    from vfguide.cli.compiling import COMPILING
+    from vfguide.cli.console import deliver
     from vfguide.scenario.field_points import fields_at, read_points
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import vehicle_of
 
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     each = vehicle_of(loaded.scenario, vehicle)
+    COMPILING.stage("the field")
     fields = fields_at(loaded, each, read_points(points), law or loaded.scenario.law)
-    typer.echo(json.dumps([each._asdict() for each in fields], indent=1, allow_nan=False))
+    deliver(json.dumps([each._asdict() for each in fields], indent=1, allow_nan=False))
 
 
 def add_to(app: typer.Typer) -> None:

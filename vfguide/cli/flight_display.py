@@ -8,7 +8,7 @@ from typing import Self
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from vfguide.cli.console import err, out
+from vfguide.cli.console import err, out, shown
 from vfguide.results.closest import closest
 from vfguide.results.result import Result
 from vfguide.runs.fleet import Flown
@@ -23,7 +23,7 @@ class FlightDisplay:
 
     def __init__(self, scenario: Scenario) -> None:
         self._progress = Progress(
-            TextColumn("{task.description}"),
+            TextColumn("{task.description}", markup=False),
             BarColumn(),
             TextColumn("{task.completed:.0f} of at most {task.total:.0f} s  {task.fields[state]}"),
             TimeElapsedColumn(),
@@ -32,7 +32,7 @@ class FlightDisplay:
             disable=not err.is_terminal,
         )
         self._task = self._progress.add_task(
-            scenario.name, total=scenario.duration_s, state="preparing"
+            shown(scenario.name), total=scenario.duration_s, state="preparing"
         )
         self._next = 0.0
 

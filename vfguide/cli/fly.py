@@ -35,8 +35,9 @@ def fly(
 
     Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
     """
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import complain
-    from vfguide.cli.signals import Signals
+    from vfguide.cli.signals import REQUESTS, Ending
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
     from vfguide.daemon.clock import Clock
@@ -46,26 +47,31 @@ def fly(
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
 
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
     loaded.require_flight_law()
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
-    with Signals() as signals, ExitStack() as stack:
+    with ExitStack() as stack:
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))
         path = log_path(log, loaded.scenario.name, vehicle)
         flight_log = stack.enter_context(closing(FlightLog(open_log(path, path != log, loaded))))
+        COMPILING.stage("the control loop")
         warm_up(plan)
         session = Session(Companion(vehicle, plan, engage=engage), flight_log.write)
         say(f"waiting for the autopilot of vehicle {vehicle} at {connect}; log: {path}")
         say("Ctrl-C hands over and ends")
         save = partial(save_identified, loaded, vehicle, folder=path.parent)
         daemon = Daemon(session, transport, flight_log, Clock(), say, save)
-        outcome = daemon.run(lambda: signals.count)
+        stack.enter_context(REQUESTS)
+        outcome = daemon.run(lambda: REQUESTS.count)
+        status = GOOD if outcome is Outcome.HANDED_OVER else BAD
+        REQUESTS.ending = Ending(status, "ended")
     if outcome is Outcome.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
     if outcome is Outcome.CUT_SHORT:
         complain("ended at once: the autopilot has not confirmed its hold")
-    raise typer.Exit(GOOD if outcome is Outcome.HANDED_OVER else BAD)
+    raise typer.Exit(status)
 
 
 def say(line: str) -> None:
@@ -93,10 +99,16 @@ def open_transport(text: str, sysid: int) -> "Transport":
 
 
 def log_path(asked: Path | None, name: str, sysid: int) -> Path:
-    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder."""
+    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder.
+
+    Raises:
+        InputError: a folder is needed that cannot be made.
+    """
+    from vfguide.files.new_folder import new_folder
+
     if asked is not None and asked.suffix == ".tlog":
         return asked
-    folder = asked or Path("runs") / f"fly-{name}-{sysid}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
+    folder = asked or new_folder(f"fly-{name}-{sysid}")
     return folder / f"vehicle-{sysid}.tlog"
 
 
@@ -112,7 +124,7 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
     folder, scenario = path.parent, path.with_name("scenario.toml")
     if not in_folder:
         return new_log(path)
-    if scenario.exists() and scenario.read_text() != loaded.scenario.to_toml():
+    if scenario.exists() and scenario.read_text("utf-8") != loaded.scenario.to_toml():
         raise InputError(f"--log {folder}: a log of another scenario, allowed is a new folder")
     log = new_log(path)
     try:

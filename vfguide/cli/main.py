@@ -1,60 +1,76 @@
-"""The command `vfguide`: what users type.
+"""The program `vfguide`: its streams, its signals, and how it ends.
 
-The modules of the commands import the program only when a command runs: `--help` answers at once.
+Everything else is imported when these are in order, so that nothing that is printed can end it,
+and Ctrl-C ends it from the first moment.
 """
 
+import logging
+import os
 import sys
-from typing import Annotated
+from collections.abc import Iterable
+from functools import partial
+from typing import NoReturn
 
-import typer
+from vfguide.cli.exit_status import BAD_INPUT, GOOD
+from vfguide.cli.signals import INTERRUPTION, REQUESTS, Ended, Ending
+from vfguide.cli.streams import TolerantStream, tolerant_streams
 
-from vfguide import __version__
-from vfguide.cli import bench, check, field, fly, replay, run, sim
-from vfguide.cli.console import complain
-from vfguide.cli.exit_status import BAD_INPUT, INTERRUPTED
-
-app = typer.Typer(
-    name="vfguide",
-    help="Vector-field guidance of fixed-wing aircraft: goal poses to MAVLink body-rate setpoints.",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-run.add_to(app)
-sim.add_to(app)
-fly.add_to(app)
-check.add_to(app)
-field.add_to(app)
-replay.add_to(app)
-bench.add_to(app)
+LAST_WORDS = 0.3
+"""Longest time that a program waits for its reader after it was asked to end [s]; chosen."""
 
 
-def show_version(wanted: bool) -> None:
-    """Print the version and leave."""
-    if wanted:
-        typer.echo(f"vfguide {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def options(
-    version: Annotated[
-        bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show version.")
-    ] = False,
-) -> None:
-    """Options of every command."""
+ENDINGS = {
+    "fly": Ending(GOOD, "ended before anything was sent"),
+    "sim": Ending(GOOD, "ended before the flight"),
+}
+"""How commands end that are asked to before their loop looks for it; the others are interrupted."""
 
 
 def main() -> None:
     """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
+    with tolerant_streams() as streams:
+        ending = ENDINGS.get(next(iter(sys.argv[1:]), ""), INTERRUPTION)
+        with REQUESTS.heard(ending, partial(end_at_once, streams)):
+            try:
+                status = run_command()
+                for stream in streams:
+                    stream.drain(LAST_WORDS if REQUESTS.wanted() else None)
+            except (Exception, Ended):
+                if not REQUESTS.raised:
+                    raise
+                REQUESTS.claim_end()
+                end_at_once(streams, REQUESTS.ending)
+    sys.exit(status)
+
+
+def end_at_once(streams: Iterable[TolerantStream], ending: Ending) -> NoReturn:
+    """End the process, with its last words; taking it down in good order may take a second."""
+    sys.stderr.write(f"vfguide: {ending.words}\n")
+    for stream in streams:
+        stream.drain(LAST_WORDS)
+    os._exit(ending.status)
+
+
+def run_command() -> int:
+    """Run a command; the exit status of those that end of themselves."""
+    from vfguide.cli.app import app
+    from vfguide.cli.console import complain, tell_warnings
     from vfguide.files.errors import InputError
 
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns of a cache of its own
+    tell_warnings()
+    sys.unraisablehook = tell_unless_ending
     try:
         app()
     except InputError as error:
         complain(str(error))
-        sys.exit(BAD_INPUT)
-    except KeyboardInterrupt:
-        complain("interrupted")
-        sys.exit(INTERRUPTED)
+        return BAD_INPUT
+    except SystemExit as ended:
+        return ended.code if isinstance(ended.code, int) else 0
+    return 0
+
+
+def tell_unless_ending(unraisable: "sys.UnraisableHookArgs") -> None:
+    """Tell of an exception that nothing can take, but not of those that a request leads to."""
+    if not REQUESTS.raised:
+        sys.__unraisablehook__(unraisable)

@@ -36,24 +36,33 @@ def replay(
     """
     from contextlib import ExitStack
 
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import out as console
-    from vfguide.link.tlog import TlogWriter
+    from vfguide.cli.console import warn
+    from vfguide.link.tlog import TlogWriter, UsableTimes
     from vfguide.replay.compare import Replay
-    from vfguide.runs.run import prepare_folder
+    from vfguide.runs.run import prepared
     from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
 
     reader = open_log(log)
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario or str(log.parent / "scenario.toml"), set_ or [])
     loaded.require_mavlink()
     sysid = vehicle if vehicle is not None else only_vehicle(log, reader)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, sysid))
+    times = UsableTimes(reader)
     with ExitStack() as stack:
         record = ignore
         if out is not None:
-            prepare_folder(out)
+            prepared(out)
             record = stack.enter_context(TlogWriter(out / f"vehicle-{sysid}.tlog")).write
-        found = Replay(sysid, plan, record).compare(reader)
+        COMPILING.stage("the control loop")
+        found = Replay(sysid, plan, record).compare(times)
+    warn(flaws_of(log, reader))
+    if times.wrong:
+        frames = f"{times.wrong} frame{'s'[: times.wrong > 1]}"
+        warn([f"{log}: {frames} with a time that cannot be, taken as that of the one before"])
     require_setpoints(log, sysid, found)
     console.print(f"vehicle {sysid}: {found.recorded} setpoints recorded, {found.replayed} now")
     if found.difference is None:
@@ -95,12 +104,28 @@ def only_vehicle(path: Path, reader: "TlogReader") -> int:
     from vfguide.replay.compare import companions_in
 
     companions = companions_in(reader)
+    if not reader.frames:
+        raise InputError(f"{path}: no MAVLink frame in its {reader.junk_bytes} bytes")
     if not companions:
-        raise InputError(f"{path}: no companion speaks in it, so there is nothing to compare")
+        flaws = "".join(f"; {each}" for each in flaws_of(path, reader))
+        reason = "no companion speaks in it, so there is nothing to compare"
+        raise InputError(f"{path}: {reason}{flaws}")
     if len(companions) > 1:
         known = ", ".join(map(str, companions))
         raise InputError(f"{path}: several companions speak in it, choose --vehicle from {known}")
     return companions[0]
+
+
+def flaws_of(path: Path, reader: "TlogReader") -> list[str]:
+    """What is wrong with a log that was read, in words."""
+    flaws: list[str] = []
+    if damage := reader.damage:
+        places = "a place" if len(damage) == 1 else f"{len(damage)} places"
+        where = f"{reader.junk_bytes} bytes in {places}, the first at byte {damage[0].at}"
+        flaws.append(f"{path}: damaged, no record in {where}")
+    if reader.steps_back:
+        flaws.append(f"{path}: its times go back, {reader.steps_back} times")
+    return flaws
 
 
 def require_setpoints(path: Path, sysid: int, found: "Comparison") -> None:

@@ -1,13 +1,12 @@
 """`vfguide run`."""
 
 import shlex
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD, INTERRUPTED
+from vfguide.cli.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.results.result import Result
@@ -31,32 +30,29 @@ def run(
 
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
-    from vfguide.cli.console import warn
+    from vfguide.cli.compiling import COMPILING
+    from vfguide.cli.console import complain, warn
     from vfguide.cli.flight_display import FlightDisplay, print_result
-    from vfguide.cli.signals import Signals
+    from vfguide.cli.signals import REQUESTS
     from vfguide.runs.run import run_scenario
     from vfguide.scenario.load import load_scenario
 
     changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario, changes)
     warn(loaded.warnings)
-    folder = out or default_folder(loaded.scenario.name)
     again = shlex.join(["vfguide", "run", scenario, *(f"--set={change}" for change in changes)])
-    with Signals() as signals, FlightDisplay(loaded.scenario) as display:
+    with FlightDisplay(loaded.scenario) as display:
         done = run_scenario(
-            loaded, folder, display, signals.wanted, again, realtime=realtime, report=report
+            loaded, out, display, REQUESTS, again, COMPILING.stage, realtime=realtime, report=report
         )
-    print_result(done.result, folder)
-    if view and report:
-        typer.launch(str(folder / "report.html"))
+    print_result(done.result, done.folder)
     if done.interrupted:
-        raise typer.Exit(INTERRUPTED)
+        complain(REQUESTS.ending.words)
+        raise typer.Exit(REQUESTS.ending.status)
+    if view and report:
+        typer.launch(str(done.folder / "report.html"))
     raise typer.Exit(status_of(done.result))
-
-
-def default_folder(name: str) -> Path:
-    """The default folder of results, runs/NAME-UTC with the date and time of now."""
-    return Path("runs") / f"{name}-{datetime.now(UTC):%Y%m%dT%H%M%SZ}"
 
 
 def status_of(result: "Result") -> int:

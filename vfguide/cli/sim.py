@@ -37,8 +37,9 @@ def sim(
 
     All are airborne, armed and in hold. Example: vfguide sim first-flight
     """
+    from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import complain, out
-    from vfguide.cli.signals import Signals
+    from vfguide.cli.signals import REQUESTS
     from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError
     from vfguide.runs.models import require_models
@@ -47,12 +48,14 @@ def sim(
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
 
+    COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
     require_models(loaded)
-    with Signals() as signals, ExitStack() as stack:
+    with ExitStack() as stack:
         sockets = open_sockets(loaded.scenario, stack)
         observe = truth_writer(log, stack)
+        COMPILING.stage("the simulator")
         stations = [
             station_of(loaded, vehicle, *each)
             for vehicle, each in zip(loaded.scenario.vehicles, sockets, strict=True)
@@ -63,8 +66,9 @@ def sim(
         out.print(f"flying at {speed:g} x real time; Ctrl-C ends it")
         steps = steps_between_updates(loaded.scenario.guidance.rate_hz)
         flight = RealtimeFlight(stations, speed, steps, observe, complain)
+        stack.enter_context(REQUESTS)
         try:
-            flight.run(signals.wanted)
+            flight.run(REQUESTS.wanted)
         except TlogError as error:
             raise InputError(str(error)) from error
         out.print(f"ended after {flight.sim_s:.1f} s, {lateness(flight.pace)}")

@@ -18,4 +18,6 @@ def connect(url: Url, sysid: int) -> Transport:
         case NetworkUrl(transport=Kind.UDPOUT):
             return call(url, sysid)
         case _:
-            raise ConnectError(f"{url}: not supported yet, allowed are udpin: and udpout:")
+            raise ConnectError(
+                f"{url}: not supported yet, allowed are udpin:HOST:PORT and udpout:HOST:PORT"
+            )

@@ -15,14 +15,20 @@ class FlightLog:
         """What the operator should read; the caller takes it away."""
         self._writer: TlogWriter | None = writer
         self._flushed = 0
+        self._left_out = 0
 
     def write(self, time_us: int, raw: bytes) -> None:
-        """Add one frame with its time [us since 1970]; it may stay in memory for a while."""
+        """Add one frame with its time [us since 1970]; it may stay in memory for a while.
+
+        A frame with a time that no log can hold is left out.
+        """
         if self._writer is not None:
             try:
                 self._writer.write(time_us, raw)
             except TlogError as error:
                 self._give_up(error)
+            except ValueError as error:
+                self._leave_out(error)
 
     def flush(self, now: int) -> None:
         """Put into the file what has waited for long enough at `now` [us]."""
@@ -41,6 +47,12 @@ class FlightLog:
                 self._writer.close()
         except TlogError as error:
             self._give_up(error)
+
+    def _leave_out(self, error: ValueError) -> None:
+        """Tell of the first frame that is left out."""
+        self._left_out += 1
+        if self._left_out == 1:
+            self.warnings.append(f"not in the log: {error}; the flight goes on")
 
     def _give_up(self, error: TlogError) -> None:
         self._writer = None

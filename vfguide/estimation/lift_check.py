@@ -24,9 +24,9 @@ a second."""
 SIDE_FORCE_LIMIT = 2.8
 """Specific force across the fuselage above which the roll is wrong [m/s^2]: a roll error of 17
 degrees in level flight; chosen above what sideslip in gusts gives."""
-LATERAL_GUST = 7.0
-"""Gust from the side whose force is allowed for as well [m/s]; chosen as four standard deviations
-in moderate turbulence."""
+LATERAL_GUST = 9.0
+"""Gust from the side whose force is allowed for as well [m/s]; chosen above three standard
+deviations in severe turbulence."""
 PITCH_ERROR_LIMIT = 12.0 * DEG
 """Error of the pitch that lift and acceleration both show above which the pitch is wrong [rad];
 chosen above what gusts and errors of the model give together."""

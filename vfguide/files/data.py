@@ -1,15 +1,20 @@
 """Where scenarios and aircraft are found: the user's own files first, then the shipped ones."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
+from heapq import nlargest
 from pathlib import Path
 
 from vfguide.files.errors import InputError
 
 PACKAGE = Path(__file__).parent.parent
 """Folder of the package `vfguide`."""
+
+ALIKE = 0.6
+"""Least likeness of two names of which one may be meant for the other, a ratio of difflib's;
+chosen, its own default."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +57,7 @@ def find_scenario(name_or_path: str | Path) -> Path:
     if name in names:
         return data_folder() / "scenarios" / f"{name}.toml"
     raise InputError(
-        f"{name_or_path}: no such file and no shipped scenario{close_match(name, names)}; "
+        f"{name_or_path}: no such file and no shipped scenario{close_matches(name, names)}; "
         f"shipped: {', '.join(names)}"
     )
 
@@ -81,6 +86,19 @@ def close_match(wrong: str, right: Iterable[str]) -> str:
     """A hint to put after the name `wrong`, `, did you mean X?`; empty if nothing is similar."""
     matches = get_close_matches(wrong, list(right), n=1)
     return f", did you mean {matches[0]}?" if matches else ""
+
+
+def close_matches(wrong: str, right: Sequence[str]) -> str:
+    """The same of up to three names, the nearest first, with or without their folders."""
+    likeness = {
+        name: max(
+            SequenceMatcher(None, wrong.lower(), part).ratio()
+            for part in (name, name.split("/")[-1])
+        )
+        for name in right
+    }
+    near = nlargest(3, (name for name in right if likeness[name] >= ALIKE), likeness.__getitem__)
+    return f", did you mean {' or '.join(near)}?" if near else ""
 
 
 def _files(root: Path, name: str) -> AircraftFiles | None:

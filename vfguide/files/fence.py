@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, Field
 from vfguide.airspace.fence import Zone
 from vfguide.files.source import Location, Source
 from vfguide.files.toml_types import Table, above, between, rule_broken, word
+from vfguide.geometry.crossing_sides import crossing_sides
 
 Height = Annotated[float, between(-500, 10_000)]
 
@@ -65,6 +66,10 @@ def check_zones(fence: Fence, source: Source) -> None:
             raise source.error(at, "a circle needs centre_m and radius_m, a polygon neither")
         if zone.polygon_m is not None and len(zone.polygon_m) < 3:
             rule = "too few corners, allowed at least three"
+            raise source.error((*at, "polygon_m"), rule, zone.polygon_m)
+        if zone.polygon_m is not None and (sides := crossing_sides(zone.polygon_m)):
+            first, second = sides
+            rule = f"its sides {first} and {second} cross or touch, counted from 1"
             raise source.error((*at, "polygon_m"), rule, zone.polygon_m)
         if _upside_down(zone.lowest_m, zone.highest_m):
             raise source.error((*at, "highest_m"), "not above lowest_m", zone.highest_m)

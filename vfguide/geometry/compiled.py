@@ -5,24 +5,23 @@ own, nor the code that takes Python objects apart. A function that Python calls 
 machine code is cached on disk with all its parts in it. Only what is called so is compiled so,
 which takes a third less time than numba's own way of making every function complete.
 
-numba caches machine code by the time stamp of the file that holds the function, not of
-the files it calls into. Here the cache folder is named after the text of every compiled
-module, so that a change in one makes all the cached machine code stale at once.
+The cache folder is named after the text of every compiled module, so that a change in one makes
+all the cached machine code stale at once, for a function holds those that it calls.
 """
 
-import fcntl
 import hashlib
 import os
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
-from numba.core import config, types
+from numba.core import types
 from numba.core.registry import CPUDispatcher
 from numba.extending import typeof_impl
+
+from vfguide.geometry.machine_code import MachineCode
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -37,29 +36,41 @@ def cache_folder() -> Path:
         text = source.read_bytes()
         if b"geometry.compiled import" in text or b"NamedTuple" in text:
             digest.update(text)
-    home = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    return Path(home) / "vfguide" / digest.hexdigest()[:16]
+    return cache_home() / "vfguide" / digest.hexdigest()[:16]
+
+
+def cache_home() -> Path:
+    """Where programs keep what they can make anew; without a home, a path that cannot be made."""
+    if named := os.environ.get("XDG_CACHE_HOME"):
+        return Path(named)
+    try:
+        return Path.home() / ".cache"
+    except RuntimeError:
+        return Path(os.devnull, ".cache")
 
 
 class EntryPoint(CPUDispatcher):
     """A function compiled for calls from Python, and the same as a part of its callers."""
 
-    def __init__(self, function: Callable[..., Any], *, cached: bool) -> None:
-        """Nothing is compiled before the first call."""
+    def __init__(self, function: Callable[..., Any], source: Callable[..., Any] | None) -> None:
+        """Nothing is compiled before the first call.
+
+        Args:
+            function: to compile.
+            source: the function whose file holds its text; None: its machine code is not kept.
+        """
         super().__init__(function, targetoptions={"nopython": True, "no_cfunc_wrapper": True})
-        self.cached = cached
-        if cached:
-            with _caching_in(cache_folder()):
-                self.enable_caching()
+        self.source = source
+        if source is not None:
+            self._cache = MachineCode(function, source, cache_folder(), "whole")
 
     @cached_property
     def part(self) -> Any:
         """What compiled code calls; Python must not."""
         njit: Any = numba.njit
         part = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(self.py_func)
-        if self.cached:
-            with _caching_in(cache_folder() / "parts"):
-                part.enable_caching()
+        if self.source is not None:
+            part._cache = MachineCode(self.py_func, self.source, cache_folder(), "part")
         return part
 
 
@@ -74,50 +85,19 @@ def compiled(function: Callable[P, T]) -> Callable[P, T]:
 
     It must not call itself.
     """
-    return cast("Callable[P, T]", EntryPoint(function, cached=True))
+    return cast("Callable[P, T]", EntryPoint(function, function))
 
 
-def compiled_source(function: Callable[P, T]) -> Callable[P, T]:
-    """The same for a function without a file, whose machine code cannot be cached."""
-    return cast("Callable[P, T]", EntryPoint(function, cached=False))
+def is_kept(function: object) -> bool:
+    """Whether the machine code of what numba compiles is kept from one start to the next."""
+    return isinstance(getattr(function, "_cache", None), MachineCode)
 
 
-def over_points(signature: str, layout: str) -> Callable[[Callable[..., None]], Callable[..., Any]]:
-    """Compile a kernel into a NumPy ufunc that runs over the leading axes of arrays.
+def compiled_source(
+    function: Callable[P, T], source: Callable[..., Any] | None = None
+) -> Callable[P, T]:
+    """The same for a function without a file, whose machine code is not cached.
 
-    `signature` and `layout` are numba's, as in ``"(float64[:], float64[:])", "(n)->(n)"``.
+    With a `source`, the function that it is made from and that has a file, it is.
     """
-
-    def decorate(kernel: Callable[..., None]) -> Callable[..., Any]:
-        with _one_process_at_a_time(), _caching_in(cache_folder()):
-            ufunc = numba.guvectorize([signature], layout, nopython=True, cache=True)(kernel)
-        return cast("Callable[..., Any]", ufunc)
-
-    return decorate
-
-
-@contextmanager
-def _one_process_at_a_time() -> Generator[None]:
-    """Hold the lock of the cache folder.
-
-    numba keeps a kernel and the loop around it in two files, and names the one in the other by
-    a number that each process counts for itself. Files of two processes that compile at the
-    same time do not fit together: the first call would end the program.
-    """
-    folder = cache_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    with (folder / "lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
-
-
-@contextmanager
-def _caching_in(folder: Path) -> Generator[None]:
-    """Have numba cache in a folder what is decorated meanwhile."""
-    settings = cast("Any", config)
-    before = settings.CACHE_DIR
-    settings.CACHE_DIR = str(folder)
-    try:
-        yield
-    finally:
-        settings.CACHE_DIR = before
+    return cast("Callable[P, T]", EntryPoint(function, source))

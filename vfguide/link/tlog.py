@@ -6,6 +6,7 @@ The time counts microseconds since 1970.
 import os
 import struct
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -16,6 +17,9 @@ _TIME = struct.Struct(">Q")
 _TIME_BYTES = 8
 _MAGICS = (b"\xfd", b"\xfe")
 _DAY_US = 86_400_000_000
+LAST_TIME = 2**63 // 1000 - 1
+"""Latest time of a frame [us since 1970], in the year 2262: MAVLink's TIMESYNC counts nanoseconds
+in 64 bits with a sign."""
 
 
 class TlogError(Exception):
@@ -141,6 +145,16 @@ class TlogWriter:
         self.close()
 
 
+@dataclass(frozen=True)
+class Damage:
+    """Bytes of no record."""
+
+    at: int
+    """Place of the first one, from 0."""
+    bytes: int
+    """How many they are."""
+
+
 class TlogReader:
     """The records of a log, as (time [us since 1970], frame); can be iterated again and again.
 
@@ -154,8 +168,10 @@ class TlogReader:
         """Frames read so far."""
         self.unknown = 0
         """Frames left out since the dialect does not have their message."""
-        self.junk_bytes = 0
-        """Bytes of no record, a last record that was cut off among them."""
+        self.damage: list[Damage] = []
+        """Places of no record, a last record that was cut off among them."""
+        self.steps_back = 0
+        """Frames that are older than the one before."""
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -169,21 +185,32 @@ class TlogReader:
         except OSError as error:
             raise TlogError(path, error) from error
 
+    @property
+    def junk_bytes(self) -> int:
+        """Bytes of no record."""
+        return sum(each.bytes for each in self.damage)
+
     def __iter__(self) -> Iterator[tuple[int, Frame]]:
-        self.frames = self.unknown = self.junk_bytes = 0
+        self.frames = self.unknown = self.steps_back = 0
+        self.damage = []
         time_us = 0
         end = 0  # of the record before
         while (start := self._next(end)) is not None:
             found = frame_at(self._data, start)
             if isinstance(found, Frame):
                 self.frames += 1
-                time_us = self._time(end, start, time_us)
+                last_us, time_us = time_us, self._time(end, start, time_us)
+                self.steps_back += time_us < last_us
                 yield time_us, found
             else:
                 self.unknown += 1
-            self.junk_bytes += max(0, start - _TIME_BYTES - end)
+            self._note_damage(end, start - _TIME_BYTES)
             end = start + frame_length(self._data, start)
-        self.junk_bytes += len(self._data) - end
+        self._note_damage(end, len(self._data))
+
+    def _note_damage(self, begin: int, end: int) -> None:
+        if end > begin:
+            self.damage.append(Damage(begin, end - begin))
 
     def _next(self, end: int) -> int | None:
         """Where the next frame begins, true or of an unknown message; None: nowhere."""
@@ -218,3 +245,22 @@ class TlogReader:
         (time_us,) = _TIME.unpack_from(self._data, start - _TIME_BYTES)
         damaged = start > end + _TIME_BYTES and end > 0
         return last_us if damaged and abs(time_us - last_us) > _DAY_US else time_us
+
+
+class UsableTimes:
+    """The records of a log; a time that cannot be is that of the frame before."""
+
+    def __init__(self, log: TlogReader) -> None:
+        self._log = log
+        self.wrong = 0
+        """Frames whose time is beyond LAST_TIME."""
+
+    def __iter__(self) -> Iterator[tuple[int, Frame]]:
+        self.wrong = 0
+        last_us = 0
+        for time_us, frame in self._log:
+            if time_us > LAST_TIME:
+                self.wrong += 1
+            else:
+                last_us = time_us
+            yield last_us, frame

@@ -9,9 +9,9 @@ class UrlError(ValueError):
 
     def __init__(self, text: str, reason: str) -> None:
         super().__init__(
-            f"{text!r}: {reason}. Allowed: udpin:HOST:PORT (listen there), udpout:HOST:PORT,"
-            " tcp:HOST:PORT (send there), serial:DEVICE:BAUD,"
-            " for example udpin:127.0.0.1:14540 or serial:/dev/ttyACM0:57600"
+            f"{text!r}: {reason}. Allowed: udpin:HOST:PORT (listen there), udpout:HOST:PORT"
+            " (send there), for example udpin:127.0.0.1:14540;"
+            " not yet: tcp:HOST:PORT, serial:DEVICE:BAUD"
         )
 
 
@@ -63,17 +63,26 @@ def parse_url(text: str) -> Url:
         UrlError: the text is none of the forms.
     """
     scheme, _, rest = text.partition(":")
-    place, _, number = rest.rpartition(":")
     if scheme == "serial":
-        return _serial(text, place, number)
+        return _serial(text, *_parts(text, rest, "device", "baud rate"))
     if scheme in list(Transport):
-        return _network(text, Transport(scheme), place, number)
+        return _network(text, Transport(scheme), *_parts(text, rest, "host", "port"))
     raise UrlError(text, f"{scheme!r} is no way to reach an autopilot")
 
 
+def _parts(text: str, rest: str, place: str, number: str) -> tuple[str, str]:
+    """Place and number behind the scheme, by whose names they are missed."""
+    before, colon, after = rest.rpartition(":")
+    if colon and not rest.endswith("]"):
+        if not before:
+            raise UrlError(text, f"the {place} is missing")
+        return before, after
+    if not rest:
+        raise UrlError(text, f"the {place} and the {number} are missing")
+    raise UrlError(text, f"the {place if rest.isdigit() else number} is missing")
+
+
 def _serial(text: str, device: str, number: str) -> SerialUrl:
-    if not device:
-        raise UrlError(text, "the device is missing")
     baud = _positive(number)
     if baud is None:
         raise UrlError(text, "the baud rate must be a whole number above 0")

@@ -2,9 +2,11 @@
 
 import time
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
+from types import TracebackType
+from typing import Protocol
 
 from vfguide.results.record import FlightRecord
 from vfguide.runs.aeroplanes import Aeroplanes
@@ -12,7 +14,7 @@ from vfguide.runs.fleet import Ending, Fleet, Flown
 from vfguide.runs.logs import Logs
 from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.runs.warm_up import warm_up
+from vfguide.runs.warm_up import Tell, tell_nobody, warm_up
 from vfguide.scenario.load import LoadedScenario
 from vfguide.sim.traffic import TIME_TOLERANCE
 
@@ -40,16 +42,38 @@ def ignore_progress(_: float, __: Sequence[Flown]) -> None:
     """A progress that does nothing."""
 
 
-def never() -> bool:
-    """The answer of a flight that is never stopped."""
-    return False
+class Requests(Protocol):
+    """The user's requests to end; entered while a loop looks for them."""
+
+    def wanted(self) -> bool:
+        """Whether the user wants an end."""
+        ...
+
+    def __enter__(self) -> object: ...
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+        /,
+    ) -> None: ...
+
+
+class NoRequests(nullcontext[None]):
+    """Of a flight that nobody stops."""
+
+    def wanted(self) -> bool:
+        """Never."""
+        return False
 
 
 def fly_scenario(
     loaded: LoadedScenario,
     folder: Path,
     progress: Progress = ignore_progress,
-    stopped: Callable[[], bool] = never,
+    requests: Requests | None = None,
+    tell: Tell = tell_nobody,
     *,
     realtime: bool = False,
     steps: Steps = STEPS,
@@ -60,7 +84,8 @@ def fly_scenario(
         loaded: the scenario.
         folder: where the logs go.
         progress: called after every update.
-        stopped: called before every update; the flight ends where it is true.
+        requests: to end, looked for before every update; None: nobody asks.
+        tell: told what is compiled.
         realtime: whether to fly no faster than real time.
         steps: the compiled steps of each update.
 
@@ -68,12 +93,14 @@ def fly_scenario(
         InputError: an aircraft's model cannot be flown.
         TlogError: a log cannot be written.
     """
-    warm_up(loaded)
+    warm_up(loaded, tell)
+    requests = requests or NoRequests()
     with ExitStack() as stack:
         fleet = fleet_of(loaded, Logs(folder, stack), steps)
         lockstep = Lockstep(fleet, loaded.scenario.duration_s)
+        stack.enter_context(requests)
         started = time.perf_counter()
-        while (ending := Ending.STOPPED if stopped() else lockstep.ending) is None:
+        while (ending := Ending.STOPPED if requests.wanted() else lockstep.ending) is None:
             lockstep.advance()
             progress(lockstep.sim_s, fleet.members)
             if realtime:

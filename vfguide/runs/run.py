@@ -1,16 +1,18 @@
 """A run: a scenario is flown, judged and reported, all in one folder."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from vfguide.files.errors import InputError
+from vfguide.files.new_folder import new_folder
 from vfguide.link.tlog import TlogError
 from vfguide.report.report import write_report
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge, write_result
-from vfguide.runs.lockstep import Ending, Progress, fly_scenario
+from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario
 from vfguide.runs.models import require_models
+from vfguide.runs.warm_up import Tell, tell_nobody
 from vfguide.scenario.load import LoadedScenario
 
 EARLY = frozenset({Ending.TIME, Ending.STOPPED})
@@ -21,40 +23,47 @@ EARLY = frozenset({Ending.TIME, Ending.STOPPED})
 class Run:
     """A run that is over."""
 
+    folder: Path
+    """Where everything was written."""
     result: Result
     interrupted: bool
 
 
 def run_scenario(
     loaded: LoadedScenario,
-    folder: Path,
+    wanted: Path | None,
     progress: Progress,
-    stopped: Callable[[], bool],
+    requests: Requests,
     command: str,
+    tell: Tell = tell_nobody,
     *,
     realtime: bool = False,
     report: bool = True,
 ) -> Run:
-    """Fly a scenario and write everything that contract and user expect to `folder`.
+    """Fly a scenario and write everything that contract and user expect to a folder.
+
+    That is the `wanted` one, or a new one below `runs`.
+
+    A flight that the user stopped is judged, but not drawn: drawing takes seconds.
 
     Raises:
         InputError: the folder is not empty, cannot be written or is full, or an aircraft's
             model cannot be flown.
     """
     require_models(loaded)
-    prepare_folder(folder)
+    folder = prepared(wanted) if wanted else new_folder(loaded.scenario.name)
     try:
         loaded.write_resolved(folder / "scenario.toml")
-        flight = fly_scenario(loaded, folder, progress, stopped, realtime=realtime)
+        flight = fly_scenario(loaded, folder, progress, requests, tell, realtime=realtime)
         early = (flight.ending.value,) if flight.ending in EARLY else ()
         result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
         write_result(result, folder / "result.json")
         write_identified(loaded, flight.records, folder)
-        if report:
+        if report and flight.ending is not Ending.STOPPED:
             write_report(folder, loaded, flight.records, result, command)
     except (OSError, TlogError) as error:
         raise InputError(f"{folder}: cannot be written: {error}") from error
-    return Run(result, flight.ending is Ending.STOPPED)
+    return Run(folder, result, flight.ending is Ending.STOPPED)
 
 
 def write_identified(loaded: LoadedScenario, records: Sequence[FlightRecord], folder: Path) -> None:
@@ -64,7 +73,7 @@ def write_identified(loaded: LoadedScenario, records: Sequence[FlightRecord], fo
             loaded.write_identified(record.vehicle, record.identified, folder)
 
 
-def prepare_folder(folder: Path) -> None:
+def prepared(folder: Path) -> Path:
     """Make the folder of the results; an empty one will do.
 
     Raises:
@@ -78,3 +87,4 @@ def prepare_folder(folder: Path) -> None:
         raise InputError(f"--out {folder}: cannot be made: {reason}") from error
     if full:
         raise InputError(f"--out {folder}: not empty, allowed is a new or an empty folder")
+    return folder

@@ -1,0 +1,60 @@
+"""Everything compiled ahead: all that the commands do is done once, with the shipped scenarios."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from vfguide.daemon.warm_up import warm_up as warm_up_companion
+from vfguide.files.data import shipped_scenarios
+from vfguide.geometry.rows import table_of
+from vfguide.geometry.vector import ZERO
+from vfguide.runs.lockstep import NoRequests, ignore_progress
+from vfguide.runs.run import run_scenario
+from vfguide.runs.vehicle_setup import simulate
+from vfguide.scenario.field_points import Point, fields_at
+from vfguide.scenario.load import load_scenario
+from vfguide.scenario.plans import plan_of
+from vfguide.sim.realtime import warm_up as warm_up_simulator
+
+FIELD_SCENARIO = "first-flight"
+"""The shipped scenario whose field is evaluated in both laws."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A part of what the commands do."""
+
+    name: str
+    do: Callable[[], None]
+
+
+def everything() -> Sequence[Stage]:
+    """All that the commands do, in stages."""
+    flights = [Stage(name, partial(_fly, name)) for name in shipped_scenarios()]
+    return (*flights, Stage("sim and fly", _fly_live), Stage("field", _evaluate))
+
+
+def _fly(name: str) -> None:
+    """Fly a shipped scenario, judge and draw it, and leave nothing."""
+    with TemporaryDirectory(prefix="vfguide-warm-") as folder:
+        wanted = Path(folder, "run")
+        run_scenario(load_scenario(name), wanted, ignore_progress, NoRequests(), "")
+
+
+def _fly_live() -> None:
+    """What `vfguide sim` and `vfguide fly` do before their clocks run."""
+    for name in ("first-flight", "towers", "traffic"):
+        loaded = load_scenario(name)
+        warm_up_simulator(simulate(loaded, loaded.scenario.vehicles[0]))
+        warm_up_companion(plan_of(loaded, loaded.scenario.vehicles[0]))
+
+
+def _evaluate() -> None:
+    """The field of a vehicle at its start, in both laws."""
+    loaded = load_scenario(FIELD_SCENARIO)
+    vehicle = loaded.scenario.vehicles[0]
+    points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
+    for law in ("paper", "flight"):
+        fields_at(loaded, vehicle, points, law)
