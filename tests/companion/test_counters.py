@@ -20,14 +20,14 @@ HOURS = 2 * 3_600_000
 
 
 def instant(k, boot_ms):
-    """All that the autopilot tells at one instant; its wind falls, its airspeed grows."""
-    north = -9.0 + 0.03 * k
+    """All that the autopilot tells at one instant: its wind falls, and so does its airspeed."""
+    north = -3.0 + 0.01 * k
     origin, position, hud, attitude = state(boot_ms, 0.5 * k)
     return [
         WindCov(0, north, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
         origin,
         position,
-        hud._replace(airspeed=25.0 - 0.01 * k),
+        hud._replace(airspeed=28.0 - 0.01 * k),
         attitude,
     ]
 
@@ -40,7 +40,9 @@ def flown(told):
         if k % 25 == 0:
             talk.hear(heartbeat(Px4Mode.HOLD if k < 25 else Px4Mode.OFFBOARD))
         for counter in told(k, FIRST + 20 * k):
-            talk.hear(*instant(k, counter))
+            messages = instant(k, counter)
+            # What comes before the first attitude has no time of its own.
+            talk.hear(*(messages[::-1] if k == 0 else messages))
     return talk
 
 

@@ -9,6 +9,7 @@ from loop_rows import OBSTACLES, flown, numbered
 
 from vfguide.control.control import fresh_control
 from vfguide.estimation.air_state import ACCELERATION_BIAS, AIRSPEED
+from vfguide.estimation.consistency import fresh_consistency
 from vfguide.estimation.estimation import fresh_estimation
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row, leaves, place, row_of, width
@@ -27,6 +28,7 @@ from vfguide.loop.state import (
     row_of_state,
     state_of_row,
     take_over,
+    watching,
     write_state,
 )
 from vfguide.planning.route import fresh_route
@@ -102,12 +104,14 @@ def test_a_goal_that_is_left_counts_as_given_up():
     assert not changed(after, begin_leg(s, s.mission.goal + 1, attempts))
 
 
-def test_when_the_autopilot_begins_to_follow_only_mission_and_air_are_remembered():
+def test_when_the_autopilot_begins_to_follow_mission_air_and_doubts_are_remembered():
     s = flown()
     after = take_over(s)
     assert are_same(after.mission, s.mission)
     assert are_same(after.estimation.air, s.estimation.air)
-    assert are_same(after.estimation, fresh_estimation()._replace(air=s.estimation.air))
+    air, doubts = s.estimation.air, s.estimation.consistency
+    kept = fresh_estimation()._replace(air=air, consistency=doubts)
+    assert are_same(after.estimation, kept)
     assert are_same(after.planning, fresh_route())
     assert after.guidance == fresh_guidance()
     assert are_same(after.control, fresh_control())
@@ -115,6 +119,14 @@ def test_when_the_autopilot_begins_to_follow_only_mission_and_air_are_remembered
     assert are_same(after.assurance, s.assurance), "an escape goes on"
     assert after.thrust == s.thrust
     assert are_same(after.detection, s.detection)
+
+
+def test_while_the_autopilot_does_not_follow_only_doubts_are_remembered():
+    s = flown()
+    seen = s._replace(estimation=s.estimation._replace(time=9.0, consistency=fresh_consistency()))
+    kept = state_of_row(watching(row_of_state(s), row_of_state(seen)))
+    estimation = s.estimation._replace(consistency=fresh_consistency())
+    assert are_same(kept, s._replace(estimation=estimation))
 
 
 def test_another_mission_begins_at_its_first_goal():

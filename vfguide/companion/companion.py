@@ -36,8 +36,8 @@ from vfguide.loop.rows import step_measured
 ORIGIN_RETRY = SECOND
 """Time after which the origin of the local frame is asked for again [us]; chosen."""
 UNFIT_TIME = 10 * SECOND
-"""Time after which a state that could not be flown on may be flown on again, if the operator wishes
-[us]; chosen."""
+"""Time after which a state that could not be flown on is tried again, if the operator chooses the
+follow mode [us]; chosen."""
 SILENCE_TIMEOUT = SECOND
 """Time without a setpoint after which the operator is told why [us]; chosen."""
 HANDLED = frozenset(

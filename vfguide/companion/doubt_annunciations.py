@@ -37,7 +37,7 @@ BELIEVED = "the {what} told by the autopilot is believed again"
 """Note of a doubt that has ended."""
 TILTED = "roll or pitch told by the autopilot contradict its body rates or the lift"
 """Reason for silence where roll or pitch are doubted."""
-LASTING = "the {what} told by the autopilot has contradicted the rest for {time:.0f} s"
+LASTS = "the {what} told by the autopilot has contradicted the rest for {time:.0f} s"
 """Reason for silence where a doubt lasts."""
 
 
@@ -58,5 +58,5 @@ def unfit(doubts: Doubts) -> str | None:
         return TILTED
     for name in ("yaw", "velocity"):
         if getattr(doubts, name) > LONGEST_DOUBT:
-            return LASTING.format(what=WORDS[name].what, time=LONGEST_DOUBT)
+            return LASTS.format(what=WORDS[name].what, time=LONGEST_DOUBT)
     return None

@@ -159,9 +159,7 @@ class Route:
         self._tell_doubts(before, after)
         self._state = after if follows else watching(before, after)
         if follows:
-            if has_news(before, after):
-                self.notes += air_notes(before, after, plan)
-                self._jumped |= number_of_resets(after) != number_of_resets(before)
+            self._tell_news(before, after)
             self.notes += self._annunciator.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._identification is not None:
@@ -190,6 +188,12 @@ class Route:
     def pause(self) -> None:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
+
+    def _tell_news(self, before: Row, after: Row) -> None:
+        """Tell of what a step has changed in air, position and progress."""
+        if has_news(before, after):
+            self.notes += air_notes(before, after, self.plan)
+            self._jumped |= number_of_resets(after) != number_of_resets(before)
 
     def _tell_doubts(self, before: Row, after: Row) -> None:
         """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""

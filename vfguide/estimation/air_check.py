@@ -12,7 +12,7 @@ from vfguide.geometry.angles import wrap
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import ZERO, Vec3
 
 FAST_TIME = 0.7
 """Time constant with which large errors of the wind triangle are smoothed [s]; chosen, so that they
@@ -58,7 +58,7 @@ class AirCheck(NamedTuple):
     is_first: bool
     """Whether nothing was measured yet."""
     wind_n: Vec3
-    """Wind that was told last, NED [m/s]; not numbers if none was."""
+    """Wind that was told last, NED [m/s]."""
     ahead: float
     """Cosine of the sideslip, smoothed."""
     right: float
@@ -86,8 +86,7 @@ with_airspeed_doubt = replacing(AirCheck, "airspeed_doubt", "airspeed_agrees")
 @compiled
 def first_check() -> AirCheck:
     """The check before the first wind triangle."""
-    nan = math.nan
-    return AirCheck(True, (nan, nan, nan), 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return AirCheck(True, ZERO, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
@@ -130,9 +129,10 @@ def is_wrong(s: AirCheck) -> bool:
 
 
 @compiled
-def has_jumped(before_n: Vec3, wind_n: Vec3) -> bool:
+def has_jumped(s: AirCheck, wind_n: Vec3) -> bool:
     """Whether the told wind, NED [m/s], has jumped from one message to the next."""
-    return math.hypot(wind_n[0] - before_n[0], wind_n[1] - before_n[1]) > WIND_JUMP
+    change = math.hypot(wind_n[0] - s.wind_n[0], wind_n[1] - s.wind_n[1])
+    return change > WIND_JUMP and not s.is_first
 
 
 @compiled

@@ -200,7 +200,7 @@ def check_air(
         return attitude, s
     if s.wind_doubt > 0.0:
         return attitude, follow_wind_doubt(s, m.wind_n, state.wind_n, dt)
-    if has_jumped(s.wind_n, m.wind_n):
+    if has_jumped(s, m.wind_n):
         return attitude, doubting_wind(s, dt)
     return judged(attitude, smoothed_triangle(s, seen, m.wind_n, dt), seen, state, m, air, dt)
 

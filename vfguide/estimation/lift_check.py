@@ -46,6 +46,8 @@ class LiftCheck(NamedTuple):
     path_error: float
     """Acceleration along the path beyond the modelled one, over gravity, smoothed: the pitch error
     that would explain it [rad]."""
+    age: float
+    """Time since the first velocity [s]."""
     time: float
     """Time for which one of them has been above its limit, times the square of how many times above
     it [s]: gross errors are found sooner."""
@@ -57,14 +59,14 @@ with_velocity = replacing(LiftCheck, "v_n")
 @compiled
 def first_lift(v_n: Vec3) -> LiftCheck:
     """The check after one velocity over ground, NED [m/s]: nothing is known yet."""
-    return LiftCheck(v_n, 0.0, 0.0, 0.0, 0.0)
+    return LiftCheck(v_n, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
 def follow_lift(
     s: LiftCheck, v_n: Vec3, state: FlightState, thrust: float, aircraft: Performance, dt: float
 ) -> LiftCheck:
-    """The check `dt` [s] later.
+    """The check `dt` [s] later; younger than LIFT_TIME it has the means.
 
     Args:
         s: the check at the step before.
@@ -82,7 +84,8 @@ def follow_lift(
     by_lift = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed)
     flight = modelled_flight(R, speed, thrust, 0.0, aircraft)
     beyond = dot(force_n, flight.d_n) + G0 * flight.d_n[2] - flight.acceleration
-    blend = dt / (LIFT_TIME + dt)
+    age = s.age + dt
+    blend = dt / min(age, LIFT_TIME + dt)
     across = dot(force_n, (R[0][1], R[1][1], R[2][1]))
     side = s.side_force + blend * (across - s.side_force)
     off = angle_of_attack(R, sub(state.v_n, state.wind_n)) - by_lift
@@ -93,4 +96,4 @@ def follow_lift(
     gust = SIDE_FORCE_RATIO * G0 * speed * LATERAL_GUST / aircraft.alpha_load
     ratio = max(abs(side) / max(SIDE_FORCE_LIMIT, gust), pitch_error / PITCH_ERROR_LIMIT)
     time = s.time + ratio**2 * dt if ratio > 1.0 else 0.0
-    return LiftCheck(v_n, side, alpha_error, path_error, time)
+    return LiftCheck(v_n, side, alpha_error, path_error, age, time)

@@ -57,7 +57,8 @@ def velocity_jumps(before_n: Vec3, v_n: Vec3, dt: float) -> bool:
 def follow_velocity(s: VelocityCheck, p_n: Vec3, v_n: Vec3, dt: float) -> VelocityCheck:
     """The check `dt` [s] later, with the next position [m] and velocity [m/s], NED.
 
-    Younger than CORRECTION_TIME, the correction is the mean of all errors.
+    Younger than CORRECTION_TIME, the correction is the mean of all errors, and the noise of the
+    position is larger in it.
     """
     correction, age = s.correction_n, s.age + dt
     if velocity_jumps(s.v_n, v_n, dt):
@@ -66,7 +67,7 @@ def follow_velocity(s: VelocityCheck, p_n: Vec3, v_n: Vec3, dt: float) -> Veloci
     if norm(beyond) < POSITION_JUMP:
         error = sub(scale(1.0 / dt, beyond), correction)
         correction = add(correction, scale(dt / min(age, CORRECTION_TIME), error))
-    limit = VELOCITY_AGREES if s.is_doubted else VELOCITY_ERROR
+    limit = (VELOCITY_AGREES if s.is_doubted else VELOCITY_ERROR) * max(1.0, CORRECTION_TIME / age)
     return VelocityCheck(p_n, v_n, correction, age, norm(correction) > limit)
 
 

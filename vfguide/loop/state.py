@@ -13,7 +13,7 @@ from vfguide.assurance.assurance import AssuranceState, fresh_assurance
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.air_state import without_model_error
 from vfguide.estimation.estimation import EstimationState, fresh_estimation
-from vfguide.geometry.rows import Row, flattener, place, python_reader, reader, width, writer
+from vfguide.geometry.rows import Row, flattener, python_reader, reader, width, writer
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
 from vfguide.loop.attempts import Attempts, at_next, no_attempts
 from vfguide.loop.mission import MissionState, fresh_mission
@@ -41,8 +41,6 @@ state_of_row = python_reader(LoopState)
 """The same as `read_state` in Python; its arrays are views of the row."""
 STATE_WIDTH = width(LoopState)
 """Number of floats in the row of a `LoopState`; one more for each obstacle follows."""
-CONSISTENCY = place(LoopState, "estimation.consistency")
-"""Where the doubts are in the row."""
 _numbers = flattener(LoopState)
 
 
@@ -82,10 +80,10 @@ def leave_goal(s: LoopState) -> LoopState:
 
 
 def watching(before: Row, after: Row) -> Row:
-    """The row of a state while the autopilot does not follow: doubts alone are kept of a step."""
-    row = before.copy()
-    row[CONSISTENCY] = after[CONSISTENCY]
-    return row
+    """The row of a state while the autopilot does not follow: of a step only doubts are kept."""
+    s, estimation = state_of_row(before), state_of_row(after).estimation
+    kept = s.estimation._replace(consistency=estimation.consistency)
+    return row_of_state(s._replace(estimation=kept))
 
 
 def take_over(s: LoopState) -> LoopState:
