@@ -6,6 +6,7 @@ vertical wind does too, and as an acceleration along the path that thrust, drag 
 give, which errors of the model do too.
 """
 
+import math
 from typing import NamedTuple
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
@@ -30,6 +31,9 @@ deviations in severe turbulence."""
 PITCH_ERROR_LIMIT = 12.0 * DEG
 """Error of the pitch that lift and acceleration both show above which the pitch is wrong [rad];
 chosen above what gusts and errors of the model give together."""
+VERTICAL_GUST = 8.0
+"""Vertical wind beyond which the lift alone shows a wrong pitch [m/s]; chosen above that of
+thermals."""
 LIFT_FAULT_TIME = 0.5
 """Time above a limit after which roll or pitch are wrong [s]; chosen, so that gusts pass."""
 
@@ -94,6 +98,11 @@ def follow_lift(
     agree = alpha_error * path_error > 0.0
     pitch_error = min(abs(alpha_error), abs(path_error)) if agree else 0.0
     gust = SIDE_FORCE_RATIO * G0 * speed * LATERAL_GUST / aircraft.alpha_load
-    ratio = max(abs(side) / max(SIDE_FORCE_LIMIT, gust), pitch_error / PITCH_ERROR_LIMIT)
+    alone = PITCH_ERROR_LIMIT + math.asin(min(1.0, VERTICAL_GUST / speed))
+    ratio = max(
+        abs(side) / max(SIDE_FORCE_LIMIT, gust),
+        pitch_error / PITCH_ERROR_LIMIT,
+        abs(alpha_error) / alone,
+    )
     time = s.time + ratio**2 * dt if ratio > 1.0 else 0.0
     return LiftCheck(v_n, side, alpha_error, path_error, age, time)
