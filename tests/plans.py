@@ -25,6 +25,7 @@ FIRST_FLIGHT = Plan(
     gains=Gains(25.0, bank_max=50.0 * DEG),
     hazard_names=("",),
     epoch=1_767_225_600_000_000,
+    longest=120.0,
 )
 AMONG_TOWERS = replace(
     FIRST_FLIGHT,
@@ -44,4 +45,5 @@ TEST_FLIGHT = replace(
     FIRST_FLIGHT,
     goals=(Goal((0.0, 0.0, -150.0), 90.0 * DEG, 0.0, 1.0, 2.0 * DEG),),
     identify=True,
+    longest=300.0,
 )

@@ -33,6 +33,10 @@ def arguments_of(command, sysid):
     }[command]
 
 
+HEARING_HANGUPS = ("env", "--default-signal=HUP")
+"""Tests may run below `nohup`, where SIGHUP is ignored."""
+
+
 @pytest.mark.parametrize("command", ENDS)
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_while_everything_is_compiled(tmp_path, command, number):
@@ -42,21 +46,23 @@ def test_while_everything_is_compiled(tmp_path, command, number):
         f'name = "one"\n[[vehicle]]\nid = {sysid}\nposition_m = [-300, 0, -120]\n'
         "[[vehicle.goal]]\nposition_m = [0, 0, -120]\nheading_deg = 0\n"
     )
-    process = subprocess.Popen(
-        [*VFGUIDE, *arguments_of(command, sysid)],
+    with subprocess.Popen(
+        [*HEARING_HANGUPS, *VFGUIDE, *arguments_of(command, sysid)],
         cwd=tmp_path,
         env={**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
-    )
-    line = process.stdout.readline()
-    assert "compiling" in line
-    time.sleep({signal.SIGINT: 0.0, signal.SIGTERM: 0.9, signal.SIGHUP: 2.3}[number])
-    sent = time.monotonic()
-    process.send_signal(number)
-    text = process.communicate(timeout=30)[0]
-    assert time.monotonic() - sent < 1.0
+    ) as process:
+        try:
+            assert "compiling" in process.stdout.readline()
+            time.sleep({signal.SIGINT: 0.0, signal.SIGTERM: 0.9, signal.SIGHUP: 2.3}[number])
+            sent = time.monotonic()
+            process.send_signal(number)
+            text = process.communicate(timeout=30)[0]
+            assert time.monotonic() - sent < 1.0
+        finally:
+            process.kill()
     expected, words = ENDS[command]
     assert (process.returncode, text.splitlines()[-1]) == (expected, words)
     assert "Traceback" not in text
