@@ -4,6 +4,7 @@ from plans import FIRST_FLIGHT
 
 from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.companion.companion import Companion
+from vfguide.companion.engagement import Phase
 from vfguide.companion.plan import Plan
 from vfguide.companion.route import Route
 from vfguide.geometry.units import DEG_E7, MM
@@ -118,3 +119,12 @@ def modes_asked(messages: list) -> list[int]:
         if isinstance(m, CommandLong) and m.command == MavCmd.DO_SET_MODE:
             asked += [mode for mode in Px4Mode if main_and_sub(mode) == (m.param2, m.param3)]
     return asked
+
+
+def flying(**options) -> Conversation:
+    """A companion whose setpoints are followed."""
+    talk = Conversation(**options)
+    talk.fly(1.0)
+    talk.fly(1.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+    return talk

@@ -35,6 +35,8 @@ def arguments_of(command, sysid):
 
 HEARING_HANGUPS = ("env", "--default-signal=HUP")
 """Tests may run below `nohup`, where SIGHUP is ignored."""
+MOMENTS = {signal.SIGINT: 0.0, signal.SIGTERM: 0.9, signal.SIGHUP: 2.3}
+"""Times after the beginning of the compilation when each is sent [s]: in different stages of it."""
 
 
 @pytest.mark.parametrize("command", ENDS)
@@ -56,7 +58,7 @@ def test_while_everything_is_compiled(tmp_path, command, number):
     ) as process:
         try:
             assert "compiling" in process.stdout.readline()
-            time.sleep({signal.SIGINT: 0.0, signal.SIGTERM: 0.9, signal.SIGHUP: 2.3}[number])
+            time.sleep(MOMENTS[number])
             sent = time.monotonic()
             process.send_signal(number)
             text = process.communicate(timeout=30)[0]

@@ -4,7 +4,16 @@ import math
 from random import Random
 
 import pytest
-from conversations import SECOND, Conversation, heartbeat, modes_asked, plan, setpoints, state
+from conversations import (
+    SECOND,
+    Conversation,
+    flying,
+    heartbeat,
+    modes_asked,
+    plan,
+    setpoints,
+    state,
+)
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -22,14 +31,6 @@ from vfguide.link.messages import (
 )
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
-
-
-def flying(**options):
-    talk = Conversation(**options)
-    talk.fly(1.0)
-    talk.fly(1.0, OFFBOARD)
-    assert talk.companion.phase is Phase.FLYING
-    return talk
 
 
 def test_it_says_who_it_is_once_a_second_and_nothing_else_while_nobody_is_heard():

@@ -1,7 +1,15 @@
 """Silence of the autopilot, stalls of this program, and what the autopilot's failsafe does then."""
 
 import pytest
-from conversations import SECOND, TICK, Conversation, heartbeat, modes_asked, setpoints, state
+from conversations import (
+    SECOND,
+    TICK,
+    flying,
+    heartbeat,
+    modes_asked,
+    setpoints,
+    state,
+)
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,14 +25,6 @@ OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 def failsafe(mode):
     """A heartbeat of an autopilot whose failsafe has chosen a mode."""
     return Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, mode, MavState.CRITICAL)
-
-
-def flying(**options):
-    talk = Conversation(**options)
-    talk.fly(1.0)
-    talk.fly(1.0, OFFBOARD)
-    assert talk.companion.phase is Phase.FLYING
-    return talk
 
 
 def stall(talk, seconds, mode=OFFBOARD):

@@ -35,7 +35,7 @@ class TolerantStream(io.TextIOBase):
         self._writer: threading.Thread | None = None
 
     @property
-    def encoding(self) -> str:  # type: ignore[override]
+    def encoding(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]
         """That of the stream behind."""
         return self._encoding
 
