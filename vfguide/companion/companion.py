@@ -5,11 +5,12 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import SENT_AGAIN, STOOD_STILL, TOO_SLOW, origin_notes
+from vfguide.companion.annunciations import SENT_AGAIN, STOOD_STILL, TOO_SLOW
 from vfguide.companion.contact import Contact
 from vfguide.companion.control import Control
 from vfguide.companion.engagement import FINAL_PHASES, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
+from vfguide.companion.place import PlaceWatch
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
@@ -22,7 +23,9 @@ from vfguide.link.messages import (
     AttitudeQuaternion,
     CommandAck,
     CurrentMode,
+    GlobalPositionInt,
     GpsGlobalOrigin,
+    GpsRawInt,
     Heartbeat,
     LocalPositionNed,
     Message,
@@ -87,6 +90,7 @@ class Companion:
         self._slow: str | None = None
         self._unfit: str | None = None
         self._unfit_until = 0
+        self._place = PlaceWatch(plan)
         self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
@@ -111,7 +115,7 @@ class Companion:
             self._news += self._time_notes.notes(before, self._known)
         out: list[Message] = []
         match message:  # the most frequent first
-            case LocalPositionNed() | VfrHud() | WindCov():
+            case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
                 return out
             case AttitudeQuaternion():
                 out += self._guide(now, message)
@@ -122,14 +126,14 @@ class Companion:
                 self._contact.hear(now)
             case AdsbVehicle():
                 self.route.hear_traffic(message, self._known)
-            case GpsGlobalOrigin():
-                self._news += origin_notes(before.origin, self._known.origin)
             case CommandAck():
                 self._control.answer(message)
                 if complaint := self._requests.answer(message):
                     self._news.append(complaint)
             case Timesync():
                 self._hear_timesync(now, message)
+            case GpsGlobalOrigin():
+                pass
             case _:
                 return out
         return out + self._housekeeping(now)
@@ -157,11 +161,16 @@ class Companion:
 
     def news(self) -> list[str]:
         """The new notes to the operator, each once."""
-        sources = (self._control.notes, self.route.notes, self._news)
+        sources = (self._control.notes, self._place.notes, self.route.notes, self._news)
         told = [note for notes in sources for note in notes]
         for notes in sources:
             notes.clear()
         return told
+
+    @property
+    def _needs_origin(self) -> bool:
+        """Whether the origin of the local frame is unknown, or may have been a wrong one."""
+        return self._known.origin is None or self._place.is_wrong
 
     def _watch_link(self, now: int) -> None:
         """Record that the link to the autopilot is lost."""
@@ -193,7 +202,8 @@ class Companion:
     def _weigh(self, now: int) -> None:
         """Record at `now` [us] whether anything keeps the companion from guiding."""
         unfit = self._unfit if now < self._unfit_until else None
-        self._control.hinder(now, self._slow or unfit)
+        place = self._place.hindrance(follows=self._control.is_followed)
+        self._control.hinder(now, self._slow or unfit or place)
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
@@ -210,6 +220,7 @@ class Companion:
             self._sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
+            self._place = PlaceWatch(self.route.plan)
             self._weigh(now)
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
@@ -223,7 +234,7 @@ class Companion:
         if self.phase is Phase.SEARCHING or self.phase in FINAL_PHASES:
             return out
         self._weigh(now)
-        if self._known.origin is None and now - self._origin_asked >= ORIGIN_RETRY:
+        if self._needs_origin and now - self._origin_asked >= ORIGIN_RETRY:
             self._origin_asked = now
             self._requests.ask([request_origin(self.sysid)])
         self._tell_why_silent(now)
@@ -236,12 +247,14 @@ class Companion:
 
     def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
         """The setpoint for the state at a new attitude."""
+        known = self._place.checked(self._known, follows=self._control.is_followed)
+        self._weigh(now)
         if not self._control.may_send:
             self.route.pause()
             return []
         if self._contact.waited(now):
             return []
-        setpoint = self.route.guide(self._known, self._control.follows, self._round_trip.delay)
+        setpoint = self.route.guide(known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
             return []
         if self.route.unfit is not None:

@@ -21,6 +21,9 @@ ASKING_PHASES = (Phase.OFFERING, Phase.ASKING, Phase.YIELDING, Phase.RETURNING)
 """Phases in which another mode is asked for, or soon will be."""
 HEARTBEAT_INTERVAL = SECOND
 """Time after which every mode has shown in a heartbeat [us] (MAVLink's heartbeat protocol)."""
+OFFER_GAP = 500_000
+"""Longest time between two setpoints of one offer [us]; chosen as half the time after which PX4
+misses them."""
 MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 
@@ -50,12 +53,18 @@ class Control:
         self._hold_from = 0
         self._strangers: set[str] = set()
         self._offered: int | None = None
+        self._offered_last = 0
         self._request = self._ask_for(self.autopilot.follow_mode)
 
     @property
     def may_send(self) -> bool:
         """Whether setpoints may go out."""
         return self.phase in SENDING and self._hindrance is None
+
+    @property
+    def is_followed(self) -> bool:
+        """Whether the autopilot follows setpoints, and they are ours."""
+        return self.follows and self.phase in SENDING
 
     def is_vehicle(self, said: Heartbeat) -> bool:
         """Whether a heartbeat is that of the vehicle's autopilot; the operator is told of others.
@@ -138,8 +147,9 @@ class Control:
 
     def offer(self, now: int) -> None:
         """A setpoint goes out at `now` [us]."""
-        if self._offered is None:
+        if self._offered is None or now - self._offered_last > OFFER_GAP:
             self._offered = now
+        self._offered_last = now
 
     def request(self, now: int) -> CommandLong | None:
         """The mode change to ask for at `now` [us], if any."""
@@ -147,13 +157,21 @@ class Control:
             return self._request_hold(now)
         if self.phase not in ASKING_PHASES:
             return None
-        offered = self._offered is not None and now - self._offered >= self.autopilot.offer
-        if self.phase is Phase.OFFERING and self.engage and offered:
+        if self.phase is Phase.OFFERING and self.engage and self._has_offered(now):
             self.happen(Event.FOLLOWING_ASKED)
         if self.phase is Phase.ASKING and self._request.in_vain(now):
             name = self.autopilot.follow_mode.name
             self._leave_choice(f"the autopilot accepted {name} and does not fly it")
         return None if self.phase is Phase.OFFERING else self._request.due(now)
+
+    def _has_offered(self, now: int) -> bool:
+        """Whether setpoints go out at `now` [us], and have for as long as the autopilot asks."""
+        return (
+            self._hindrance is None
+            and self._offered is not None
+            and now - self._offered_last <= OFFER_GAP
+            and now - self._offered >= self.autopilot.offer
+        )
 
     def _request_hold(self, now: int) -> CommandLong | None:
         """Hold while it cannot guide, where the autopilot still follows or would do so by itself.

@@ -10,14 +10,16 @@ from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
+    GlobalPositionInt,
     GpsGlobalOrigin,
+    GpsRawInt,
     LocalPositionNed,
     Message,
     SystemTime,
     VfrHud,
     WindCov,
 )
-from vfguide.link.plausibility import is_plausible
+from vfguide.link.plausibility import is_plausible, undulation_of
 
 STALE = 0.5
 """Age above which a position, an attitude or an airspeed is not used [s]; chosen. The flight goes
@@ -51,6 +53,10 @@ class Knowledge(NamedTuple):
     """The time of the autopilot, by its attitudes; all times here are this clock's."""
     projection: int = int(ASSUMED.projection)
     """The `Projection` of the autopilot's local frame."""
+    place: GlobalPositionInt | None = None
+    """Latitude and longitude of the vehicle."""
+    undulation: float | None = None
+    """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
 
     @property
     def time_ms(self) -> int:
@@ -65,8 +71,10 @@ _PLACES: dict[type[Message], int] = {
     VfrHud: Knowledge._fields.index("hud"),
     WindCov: Knowledge._fields.index("wind"),
     SystemTime: Knowledge._fields.index("date"),
+    GlobalPositionInt: Knowledge._fields.index("place"),
+    GpsRawInt: Knowledge._fields.index("undulation"),
 }
-"""The number of the field of each kind of message."""
+"""The number of the field that each kind of message changes."""
 _TIMES: dict[type[Message], int] = {
     VfrHud: Knowledge._fields.index("hud_time"),
     WindCov: Knowledge._fields.index("wind_time"),
@@ -87,6 +95,8 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
         return known
     if isinstance(message, SystemTime):
         return known._replace(date=date_after(known.date, message, known.clock))
+    if isinstance(message, GpsRawInt):
+        return known._replace(undulation=undulation_of(message))
     after: list[Any] = list(known)
     after[place] = message
     if isinstance(message, AttitudeQuaternion):

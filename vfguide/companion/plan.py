@@ -25,8 +25,8 @@ class Plan:
     """The goals of one vehicle, and how to fly to them."""
 
     origin: Vec3
-    """Latitude, longitude [rad] and height above the ellipsoid [m] where the tangent plane of the
-    goals' coordinates, north-east-down, touches."""
+    """Latitude, longitude [rad] and altitude above mean sea level [m] where the tangent plane of
+    the goals' coordinates, north-east-down, touches."""
     goals: tuple[Goal, ...]
     """The goals in the order in which they are flown to."""
     loiter_side: float

@@ -8,14 +8,19 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, geodetic_to_ned, tangent_plane
 from vfguide.geometry.projection import geodetic_of
 from vfguide.geometry.rows import replacing
-from vfguide.geometry.so3 import exp, from_quaternion
+from vfguide.geometry.so3 import IDENTITY, exp, from_quaternion
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale
+from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, norm, scale
 
 Quaternion = tuple[float, float, float, float]
 LEAST_BANK_COSINE = 0.5
 """Least cosine of the bank with which the turn is predicted, 60 degrees; chosen, since the load
 factor of a level turn grows without bound."""
+
+
+FARTHEST_LEVEL = 1e6
+"""Distance from the plan above which the vehicle's level plane is taken for the plan's [m]; chosen.
+A flight so far away is not begun, so that it is a glitch, which must not tilt the attitude."""
 
 
 class Measurement(NamedTuple):
@@ -61,10 +66,11 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
     p = add(m.p_l, add(scale(m.ahead + 0.5 * m.lead, m.v_l), scale(0.5 * m.lead, v_then)))
     lat, lon = geodetic_of(m.projection, m.origin[0], m.origin[1], p[0], p[1])
     plane = tangent_plane(origin[0], origin[1], origin[2])
-    R_nl = R_level(plane, lat, lon)
+    p_n = geodetic_to_ned(plane, lat, lon, m.origin[2] - p[2])
+    R_nl = R_level(plane, lat, lon) if norm(p_n) < FARTHEST_LEVEL else IDENTITY
     return FlightState(
         m.time,
-        geodetic_to_ned(plane, lat, lon, m.origin[2] - p[2]),
+        p_n,
         matvec(R_nl, v_then),
         matmul(R_nl, R_lb),
         true_airspeed(m.calibrated, isa_density(m.altitude)),

@@ -24,6 +24,7 @@ from vfguide.surveillance.report import SMALL_AIRCRAFT
 Latitude = Annotated[float, between(-89, 89)]
 Longitude = Annotated[float, between(-180, 180)]
 Altitude = Annotated[float, between(-500, 10_000)]
+Undulation = Annotated[float, between(-120, 120)]
 Speed = Annotated[float, above(0, 150)]
 WindSpeed = Annotated[float, between(0, 50)]
 Delay = Annotated[float, between(0, 2000)]
@@ -66,12 +67,14 @@ AirspeedFault = Annotated[
 
 
 class Origin(Table):
-    """Where the scenario frame, NED, touches the WGS-84 ellipsoid or hovers above it."""
+    """Where the scenario frame, NED, touches a level surface."""
 
     latitude_deg: Latitude = 47.397742
     longitude_deg: Longitude = 8.545594
     altitude_m: Altitude = 488.0
-    """Above the ellipsoid; also the height of the flat ground."""
+    """Above mean sea level; also the height of the flat ground."""
+    undulation_m: Undulation = 0.0
+    """Height of mean sea level above the WGS-84 ellipsoid."""
 
 
 class WindChange(Table):

@@ -1,7 +1,9 @@
 """WGS-84: geodetic coordinates, the earth-centred frame and tangent planes.
 
 Frames: `e` earth-centred earth-fixed, `n` north-east-down of a tangent plane, `l` north-east-down
-at the vehicle. Latitude and longitude are in radians, altitude in metres above the ellipsoid.
+at the vehicle. Latitude and longitude are in radians, altitude in metres above the ellipsoid. Where
+all altitudes are above mean sea level instead, positions in a tangent plane are the same but for
+their scale, undulation / earth radius: 16 mm a km at the most.
 """
 
 import math

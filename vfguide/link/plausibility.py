@@ -5,11 +5,13 @@ from collections.abc import Callable
 from typing import Any
 
 from vfguide.geometry.units import CM_S, DEG_E7, MM
-from vfguide.link.enums import AdsbFlags
+from vfguide.link.enums import AdsbFlags, GpsFixType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
+    GlobalPositionInt,
     GpsGlobalOrigin,
+    GpsRawInt,
     LocalPositionNed,
     Message,
     VfrHud,
@@ -30,6 +32,9 @@ SPIN = 50.0
 """Largest plausible body rate [rad/s]; chosen."""
 MAX_CLIMB = 100.0
 """Largest plausible vertical speed of another aircraft [m/s]; chosen."""
+LARGEST_UNDULATION = 120.0
+"""Largest plausible height of mean sea level above or below the ellipsoid [m]; the geoid EGM96 is
+within -107 to 86 m."""
 FULL_CIRCLE = 36_000
 """Number of headings in a full circle of ADSB_VEHICLE [0.01 deg]."""
 ADDRESSES = 2**24
@@ -67,6 +72,25 @@ def _origin(said: GpsGlobalOrigin) -> bool:
     return abs(latitude) <= 0.5 * math.pi and LOWEST < altitude < HIGHEST
 
 
+def _place(said: GlobalPositionInt) -> bool:
+    latitude, altitude = said.lat * DEG_E7, said.alt * MM
+    return abs(latitude) <= 0.5 * math.pi and LOWEST < altitude < HIGHEST
+
+
+def _satellites(said: GpsRawInt) -> bool:
+    """Plausible altitudes; 0 above the ellipsoid is what a sender without that field says."""
+    return (
+        said.fix_type >= GpsFixType.GPS_FIX_TYPE_3D_FIX
+        and said.alt_ellipsoid != 0
+        and abs(undulation_of(said)) <= LARGEST_UNDULATION
+    )
+
+
+def undulation_of(said: GpsRawInt) -> float:
+    """Height of mean sea level above the ellipsoid [m], where the message is plausible."""
+    return (said.alt_ellipsoid - said.alt) * MM
+
+
 def _traffic(said: AdsbVehicle) -> bool:
     """Fields that its flags do not call valid may hold anything."""
     flags = said.flags
@@ -90,6 +114,8 @@ _CHECKS: dict[type[Message], Callable[[Any], bool]] = {
     VfrHud: _hud,
     WindCov: _wind,
     GpsGlobalOrigin: _origin,
+    GlobalPositionInt: _place,
+    GpsRawInt: _satellites,
     AdsbVehicle: _traffic,
 }
 

@@ -93,7 +93,7 @@ class FlightRecord:
     wind_n: Vectors
     """(n, 3) the direction the air moves toward, gusts included."""
     altitude: Series
-    """(n,) above the ellipsoid."""
+    """(n,) above mean sea level."""
     height_above_ground: Series
     """(n,)."""
     setpoints: int

@@ -9,9 +9,17 @@ from vfguide.sim.autopilot.motor import Motor
 
 
 def instruments_from(
-    sensors: Sensors | None, autopilot: Autopilot, seed: int, rate_seed: int
+    sensors: Sensors | None, autopilot: Autopilot, seed: int, rate_seed: int, undulation: float
 ) -> Instruments:
-    """What one autopilot measures with; the seeds are those of its two random streams."""
+    """What one autopilot measures with.
+
+    Args:
+        sensors: sizes of the errors; None: it knows its state exactly.
+        autopilot: what fails when.
+        seed: seed of the errors of its estimate.
+        rate_seed: seed of the errors of its body rates.
+        undulation: height of mean sea level above the ellipsoid [m].
+    """
     fails = autopilot.airspeed_fails_at_s
     resets = (Reset(each.time_s, each.position_m, each.origin_m) for each in autopilot.reset)
     return Instruments(
@@ -22,6 +30,7 @@ def instruments_from(
         AirspeedFault(autopilot.airspeed_fault),
         autopilot.wind_message,
         tuple(sorted(resets, key=lambda reset: reset.time)),
+        undulation,
     )
 
 

@@ -21,7 +21,7 @@ MAX_INT32 = 2**31 - 1
 
 
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
-    """The truth at the date `now` [us since 1970]; the altitude is above the ellipsoid."""
+    """The truth at the date `now` [us since 1970]; the altitude is above mean sea level."""
     place = (truth.latitude, truth.longitude, truth.altitude)
     air = (truth.airspeed, truth.density)
     q_nb = quaternion_from_euler(truth.roll, truth.pitch, truth.yaw)

@@ -65,6 +65,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
             scenario.autopilot,
             random_seed(scenario.seed, vehicle.id, STATE_ERRORS),
             random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
+            scenario.origin.undulation_m,
         ),
         motor_from(scenario.autopilot),
         transponders_of(scenario),

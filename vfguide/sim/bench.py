@@ -14,7 +14,7 @@ _LATITUDE = 45.0 * DEG
 
 
 class Bench:
-    """`model` at `altitude` [m] above the ellipsoid, which sets the density of the air.
+    """`model` at `altitude` [m] above mean sea level, which sets the density of the air.
 
     JSBSim keeps rounding errors of one condition into the next: the same questions in the same
     order have identical answers, in another order they may differ in the last digit.

@@ -84,7 +84,7 @@ class Start:
     longitude: float
     """Longitude [rad]."""
     altitude: float
-    """Height above the WGS-84 ellipsoid [m]."""
+    """Altitude above mean sea level [m]."""
     yaw: float
     """Yaw [rad]."""
     condition: FlightCondition

@@ -53,7 +53,7 @@ class Sighting(NamedTuple):
     longitude: float
     """Longitude [rad]."""
     altitude: float
-    """Height above the WGS-84 ellipsoid [m]."""
+    """Altitude above mean sea level [m]."""
     v_l: Vec3
     """Velocity v_x R e_x, north-east-down where the body is [m/s]."""
     q_lb: tuple[float, float, float, float]

@@ -38,7 +38,7 @@ class Plant:
 
     Each plant is a JSBSim instance of its own, made afresh: equal arguments and controls give
     bit-identical flights, whatever else has run in the process. The ground is level at
-    `ground_altitude` [m] above the ellipsoid. `dt` is the time step [s].
+    `ground_altitude` [m] above mean sea level. `dt` is the time step [s].
 
     Raises:
         ModelError: the model is missing, unreadable or broken.

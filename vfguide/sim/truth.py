@@ -15,7 +15,7 @@ class Truth(NamedTuple):
     longitude: float
     """Longitude [rad]."""
     altitude: float
-    """Height above the WGS-84 ellipsoid [m]."""
+    """Altitude above mean sea level [m]."""
     v_n: Vec3
     """Velocity over ground, north-east-down at the vehicle [m/s]."""
     roll: float

@@ -39,7 +39,7 @@ class Setup:
     start: Start
     weather: Weather
     ground_altitude: float
-    """Height of the ground above the ellipsoid [m]."""
+    """Altitude of the ground above mean sea level [m]."""
     instruments: Instruments = EXACT
     """What the autopilot measures with."""
     motor: Motor = SOUND

@@ -161,6 +161,7 @@ class Autopilot:
             True,
             self.setpoint if self.mode is Mode.OFFBOARD else None,
             Controls(*self._controls).throttle,
+            self._estimator.undulation,
         )
 
     def take_setpoint(self, setpoint: SetAttitudeTarget) -> None:

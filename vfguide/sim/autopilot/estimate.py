@@ -27,7 +27,7 @@ class Estimate(NamedTuple):
     longitude: float
     """Longitude [rad]."""
     altitude: float
-    """Altitude [m]; above mean sea level and above the ellipsoid are the same here."""
+    """Altitude above mean sea level [m]."""
     p_l: Vec3
     """Position in the local frame, NED from its origin [m]."""
     v_n: Vec3
@@ -52,7 +52,7 @@ class Origin(NamedTuple):
     longitude: float
     """Longitude [rad]."""
     altitude: float
-    """Altitude [m]."""
+    """Altitude above mean sea level [m]."""
 
 
 @compiled
@@ -88,6 +88,8 @@ class Estimator:
         """Where the autopilot started."""
         self.error = NO_ERRORS
         """Told minus true, at the latest update; of the position without its resets."""
+        self.undulation = instruments.undulation
+        """Height of mean sea level above the ellipsoid [m]."""
         self._instruments = instruments
         self._resets = list(instruments.resets)
         self._offset_n: Vec3 = (0.0, 0.0, 0.0)

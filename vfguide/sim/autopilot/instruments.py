@@ -77,6 +77,8 @@ class Instruments(NamedTuple):
     """Whether it sends WIND_COV."""
     resets: tuple[Reset, ...] = ()
     """Jumps of what it believes, in the order of time."""
+    undulation: float = 0.0
+    """Height of mean sea level above the ellipsoid [m]."""
 
 
 EXACT = Instruments()

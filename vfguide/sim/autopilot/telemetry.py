@@ -94,6 +94,8 @@ class Report(NamedTuple):
     """The setpoint that is flown; None: it flies by itself."""
     throttle: float
     """Throttle that the motor gets, 0 to 1."""
+    undulation: float
+    """Height of mean sea level above the ellipsoid [m]."""
 
 
 def heartbeat(report: Report) -> Heartbeat:
@@ -182,7 +184,7 @@ def gps_raw(report: Report) -> GpsRawInt:
         round(math.hypot(north, east) / CM_S),
         compass(math.atan2(east, north)),
         SATELLITES,
-        round(estimate.altitude / MM),
+        round((estimate.altitude + report.undulation) / MM),
     )
 
 

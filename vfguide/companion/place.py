@@ -1,0 +1,183 @@
+"""Place: whether the vehicle is where its plan is, and whether the autopilot tells one place.
+
+An autopilot without a fix tells an origin of its local frame at 0 N 0 E, and a plan for one field
+is soon loaded at another. Nothing is streamed there. In flight, an estimator may glitch by any
+distance for a few seconds: the flight goes on from the last right place by the velocity that is
+told. A wrong place that lasts ends the flight.
+"""
+
+import math
+
+from vfguide.companion.annunciations import origin_notes
+from vfguide.companion.knowledge import Knowledge, heard
+from vfguide.companion.plan import Plan
+from vfguide.estimation.local_frame import Measurement, place_measured
+from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.geometry.projection import geodetic_of
+from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.geometry.vector import add, norm, scale, sub
+from vfguide.link.boot_time import elapsed
+from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed
+
+PLACE_INTERVAL = 200
+"""Time between two looks at the place in flight [ms]; chosen."""
+LONGEST_GLITCH = 4000
+"""Time for which a wrong place is flown through [ms]; chosen above the 3 s for which estimators
+are known to glitch, and short, since a wrong goal is flown to meanwhile."""
+PLACE_LEAP = 1000.0
+"""Sum of the coordinates of a step of the position above which it is looked at at once [m];
+chosen."""
+LEAST_REACH = 10_000.0
+"""Distance from the nearest goal that any plan may be begun at [m]; chosen."""
+LEAST_CLIMB = 300.0
+"""Height from the nearest goal that any plan may be begun at [m]; chosen."""
+CONTRADICTION = 100.0
+"""Distance between two places told by one autopilot above which they contradict each other [m];
+chosen, PX4's differ by 0.3 m in flight."""
+SAME_TIME = 0.2
+"""Longest time between two places that are compared [s]; chosen, 10 m at 50 m/s."""
+NOT_FOLLOWED = f"{{why}}: not followed unless it lasts {LONGEST_GLITCH * MS:.0f} s"
+"""Note where the place goes wrong in flight."""
+RIGHT_AGAIN = "the place told by the autopilot is right again"
+"""Note where a wrong place was flown through."""
+TOO_FAR = (
+    "the autopilot tells a place {distance:.0f} km from the nearest goal, "
+    "in the time of the plan {reach:.0f} km can be flown"
+)
+"""Reason for silence where the vehicle is not where the plan is."""
+TOO_HIGH = (
+    "the autopilot tells an altitude {distance:.0f} m from the nearest goal's, "
+    "in the time of the plan {reach:.0f} m can be climbed or sunk"
+)
+"""Reason for silence where the vehicle is not at the height of the plan."""
+TWO_PLACES = (
+    "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell a place {distance:.0f} m "
+    "from the one in GLOBAL_POSITION_INT"
+)
+"""Reason for silence where the autopilot tells two places."""
+TWO_ALTITUDES = (
+    "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell an altitude {distance:.0f} m "
+    "from the one in VFR_HUD"
+)
+"""Reason for silence where the autopilot tells two altitudes."""
+
+
+class PlaceWatch:
+    """Compares the place that the autopilot tells with the plan, and with itself."""
+
+    def __init__(self, plan: Plan) -> None:
+        """A watch that has not looked yet."""
+        self.notes: list[str] = []
+        """What the operator should read; the caller takes it away."""
+        self._plan = plan
+        self._looked: int | None = None
+        self._wrong: str | None = None
+        self._since = 0
+        self._origin: GpsGlobalOrigin | None = None
+        self._position: LocalPositionNed | None = None
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether the place is wrong, so that the origin is asked for again."""
+        return self._wrong is not None
+
+    def hindrance(self, *, follows: bool) -> str | None:
+        """Why the place keeps the companion from guiding; None: it does not.
+
+        In flight, where the autopilot `follows`, it has to be wrong for LONGEST_GLITCH.
+        """
+        lasts = self._looked is not None and self._looked - self._since >= LONGEST_GLITCH
+        return self._wrong if lasts or not follows else None
+
+    def checked(self, known: Knowledge, *, follows: bool) -> Knowledge:
+        """What to guide on: a wrong place is replaced by the motion since the last right one.
+
+        In flight, where the autopilot `follows`, a place that moves on is looked at now and then.
+        """
+        if not follows or self._is_due(known):
+            self._look(known, follows=follows)
+        if self._wrong is None:
+            self.notes += origin_notes(self._origin, known.origin)
+            self._origin, self._position = known.origin, known.position
+            return known
+        if self._position is None or known.position is None:
+            return known
+        self._position = moved_on(self._position, known.position)
+        return known._replace(origin=self._origin, position=self._position)
+
+    def _is_due(self, known: Knowledge) -> bool:
+        """Whether it is time to look, or the place does not go on from the last one."""
+        was, now = self._position, known.position
+        if self._wrong is not None or self._looked is None or was is None or now is None:
+            return True
+        leapt = abs(now.x - was.x) + abs(now.y - was.y) + abs(now.z - was.z) > PLACE_LEAP
+        return (
+            leapt
+            or known.origin is not self._origin
+            or known.time_ms - self._looked >= PLACE_INTERVAL
+        )
+
+    def _look(self, known: Knowledge, *, follows: bool) -> None:
+        """Look at the place, and tell where it goes wrong in flight."""
+        self._looked = now = known.time_ms
+        measured = heard(known)
+        if measured is None:
+            return
+        wrong = wrong_place(self._plan, known, measured, follows=follows)
+        if wrong is None or self._wrong is None:
+            self._since = now
+        if follows and (wrong is None) != (self._wrong is None):
+            self.notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
+        self._wrong = wrong
+
+
+def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositionNed:
+    """A position moved on to the time of the one that is told, with the velocity that is told."""
+    dt = max(elapsed(position.time_boot_ms, told.time_boot_ms), 0.0)
+    x, y, z = add((position.x, position.y, position.z), scale(dt, (told.vx, told.vy, told.vz)))
+    return told._replace(x=x, y=y, z=z)
+
+
+def wrong_place(plan: Plan, known: Knowledge, m: Measurement, *, follows: bool) -> str | None:
+    """Why a measurement cannot be that of a vehicle at the place of `plan`; None: it can."""
+    p_n = place_measured(m, plan.origin).p_n
+    distance, reach = min(norm(sub(goal.p_n, p_n)) for goal in plan.goals), reach_of(plan)
+    if not distance <= reach:
+        return TOO_FAR.format(distance=1e-3 * distance, reach=1e-3 * reach)
+    if not follows:
+        height, climb = min(abs(goal.p_n[2] - p_n[2]) for goal in plan.goals), climb_of(plan)
+        if not height <= climb:
+            return TOO_HIGH.format(distance=height, reach=climb)
+    return contradiction(known, m)
+
+
+def contradiction(known: Knowledge, m: Measurement) -> str | None:
+    """In which way the places told by the autopilot contradict each other; None: they do not."""
+    rise = abs(m.altitude - (m.origin[2] - m.p_l[2]))
+    if not rise <= CONTRADICTION:
+        return TWO_ALTITUDES.format(distance=rise)
+    place, position = known.place, known.position
+    if place is None or position is None:
+        return None
+    if abs(elapsed(place.time_boot_ms, position.time_boot_ms)) > SAME_TIME:
+        return None
+    apart = distance_between(place, m)
+    return TWO_PLACES.format(distance=apart) if not apart <= CONTRADICTION else None
+
+
+def distance_between(told: GlobalPositionInt, m: Measurement) -> float:
+    """Horizontal distance of a global position from that of the local frame [m]."""
+    lat, lon = geodetic_of(m.projection, m.origin[0], m.origin[1], m.p_l[0], m.p_l[1])
+    plane = tangent_plane(lat, lon, told.alt * MM)
+    return norm(geodetic_to_ned(plane, told.lat * DEG_E7, told.lon * DEG_E7, told.alt * MM))
+
+
+def reach_of(plan: Plan) -> float:
+    """Distance from the nearest goal at which a flight may begin [m]."""
+    return max(LEAST_REACH, plan.gains.airspeed * plan.longest)
+
+
+def climb_of(plan: Plan) -> float:
+    """Height from the nearest goal at which a flight may begin [m]."""
+    angle = max(plan.aircraft.climb_max, plan.aircraft.descent_max)
+    return max(LEAST_CLIMB, plan.gains.airspeed * math.sin(angle) * plan.longest)
