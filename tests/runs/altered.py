@@ -19,15 +19,15 @@ Alter = Callable[[float, object], Sequence[object]]
 """The messages that arrive in place of one that was sent, `time` [s] after the start."""
 
 
-class Altered:
-    """A session whose input is altered between the autopilot and the companion."""
+class Alteration:
+    """What an autopilot sends, decoded, altered and encoded again."""
 
-    def __init__(self, session: Session, alter: Alter):
-        self.session, self.alter = session, alter
-        self.parser, self.began = Parser(), None
+    def __init__(self, alter: Alter):
+        self.alter, self.parser, self.began = alter, Parser(), None
         self.encoders = {}
 
-    def receive(self, now, data):
+    def altered(self, now, data) -> bytes:
+        """The bytes that arrive at `now` [us] in place of `data`."""
         self.began = now if self.began is None else self.began
         altered = b""
         for frame in self.parser.feed(data):
@@ -39,7 +39,17 @@ class Altered:
             encoder = self.encoders.setdefault(who, Encoder(*who))
             told = self.alter((now - self.began) * 1e-6, message)
             altered += b"".join(encoder.encode(each) for each in told)
-        return self.session.receive(now, altered)
+        return altered
+
+
+class Altered:
+    """A session whose input is altered between the autopilot and the companion."""
+
+    def __init__(self, session: Session, alter: Alter):
+        self.session, self.alteration = session, Alteration(alter)
+
+    def receive(self, now, data):
+        return self.session.receive(now, self.alteration.altered(now, data))
 
     def __getattr__(self, name):
         return getattr(self.session, name)
