@@ -19,7 +19,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import tomli_w
@@ -39,6 +39,15 @@ MOST_WIND = 0.48
 Table = dict[str, Any]
 
 
+class Pose(NamedTuple):
+    """A goal: where it is, NED [m], and its course [deg]."""
+
+    north: float
+    east: float
+    down: float
+    course: float
+
+
 @dataclass(frozen=True)
 class Outcome:
     """One flight."""
@@ -56,16 +65,16 @@ class Outcome:
 def world_of(seed: int, number: int) -> Table:
     """World `number`, from (seed, number) alone."""
     rng = np.random.default_rng([seed, number, 16])
-    aircraft = rng.choice(list(AIRCRAFT))
+    aircraft = str(rng.choice(list(AIRCRAFT)))
     speed = AIRCRAFT[aircraft]
     unit = TURN * speed**2 / 9.81 + 20.0
-    goals = route(rng, unit, int(rng.integers(2, 5)))
-    north = min(g["position_m"][0] for g in goals), max(g["position_m"][0] for g in goals)
-    east = min(g["position_m"][1] for g in goals), max(g["position_m"][1] for g in goals)
+    poses = route(rng, unit, int(rng.integers(2, 5)))
+    low = poses[0].down
+    flying = 12.0 * unit / speed + 90.0
     world: Table = {
         "name": f"mixed {number}",
         "seed": number + 1,
-        "duration_s": round(60.0 + 45.0 * len(goals) * (2.0 + 12.0 * unit / speed / 45.0)),
+        "duration_s": round(60.0 + flying * len(poses)),
         "wind": {
             "speed_mps": round(float(rng.uniform(0.0, MOST_WIND)) * speed, 2),
             "from_deg": round(float(rng.uniform(0.0, 360.0)), 1),
@@ -74,74 +83,77 @@ def world_of(seed: int, number: int) -> Table:
         "vehicle": [
             {
                 "id": 1,
-                "aircraft": str(aircraft),
+                "aircraft": aircraft,
                 "airspeed_mps": speed,
-                "position_m": [0.0, 0.0, goals[0]["position_m"][2]],
+                "position_m": [0.0, 0.0, low],
                 "heading_deg": round(float(rng.uniform(0.0, 360.0)), 1),
-                "goal": goals,
+                "goal": [goal_of(pose) for pose in poses],
             }
         ],
-        "obstacle": obstacles(rng, unit, speed, goals),
-        "fence": fence(
-            (min(north[0], 0.0), max(north[1], 0.0)), (min(east[0], 0.0), max(east[1], 0.0)), unit
-        ),
+        "obstacle": obstacles(rng, unit, speed, poses),
+        "fence": fence(poses, unit),
     }
     if rng.random() < 0.5:
         world["sensors"] = {}
     return world
 
 
-def route(rng: Generator, unit: float, number: int) -> list[Table]:
+def route(rng: Generator, unit: float, number: int) -> list[Pose]:
     """Poses some turns apart, each somewhere ahead of the one before."""
-    at, course, goals = np.zeros(2), rng.uniform(0.0, 2.0 * math.pi), []
-    low = -round(float(rng.uniform(120.0, 180.0)), 1)
+    north, east, course = 0.0, 0.0, rng.uniform(0.0, 2.0 * math.pi)
+    low, poses = -round(float(rng.uniform(120.0, 180.0)), 1), list[Pose]()
     for _ in range(number):
-        toward = course + rng.uniform(-1.2, 1.2)
-        at = at + rng.uniform(4.0, 9.0) * unit * np.array([math.cos(toward), math.sin(toward)])
+        toward, far = course + rng.uniform(-1.2, 1.2), rng.uniform(4.0, 9.0) * unit
+        north, east = north + far * math.cos(toward), east + far * math.sin(toward)
         course = toward + rng.uniform(-1.5, 1.5)
         height = low - round(float(rng.uniform(0.0, 0.25)) * unit, 1)
-        goals.append(
-            {
-                "position_m": [round(float(at[0]), 1), round(float(at[1]), 1), height],
-                "heading_deg": round(math.degrees(course) % 360.0, 1),
-                "tolerance_m": 5.0,
-                "tolerance_deg": 10.0,
-            }
-        )
-    return goals
+        poses.append(Pose(round(north, 1), round(east, 1), height, math.degrees(course) % 360.0))
+    return poses
 
 
-def obstacles(rng: Generator, unit: float, speed: float, goals: Sequence[Table]) -> list[Table]:
-    """Bodies that stand and move, clear of the start and the goals for a turn."""
-    kept, places = [], [np.zeros(2), *(np.array(g["position_m"][:2]) for g in goals)]
+def goal_of(pose: Pose) -> Table:
+    """The goal at a pose."""
+    return {
+        "position_m": [pose.north, pose.east, pose.down],
+        "heading_deg": round(pose.course, 1),
+        "tolerance_m": 5.0,
+        "tolerance_deg": 10.0,
+    }
+
+
+def obstacles(rng: Generator, unit: float, speed: float, poses: Sequence[Pose]) -> list[Table]:
+    """Bodies that stand and move, clear of the start and the goals for two turns."""
+    kept, places = [], [np.zeros(2), *(np.array((p.north, p.east)) for p in poses)]
     for _ in range(int(rng.integers(0, 7))):
         k = int(rng.integers(1, len(places)))
+        along = places[k] - places[k - 1]
+        north, east = along / np.linalg.norm(along)
+        across = np.array([east, -north])
         share, aside = rng.uniform(0.2, 0.8), rng.uniform(-1.5, 1.5) * unit
-        way = places[k] - places[k - 1]
-        across = np.array([-way[1], way[0]]) / np.linalg.norm(way)
-        centre = places[k - 1] + share * way + aside * across
+        centre = places[k - 1] + share * along + aside * across
         radius = float(rng.uniform(0.1, 0.7)) * unit
-        if min(np.linalg.norm(centre - p) for p in places) < radius + 2.0 * unit:
-            continue
-        kept.append(standing(rng, centre, radius))
+        if min(np.linalg.norm(centre - place) for place in places) >= radius + 2.0 * unit:
+            kept.append(standing(rng, centre, radius))
     for _ in range(int(rng.integers(0, 3))):
         course, pace = rng.uniform(0.0, 2.0 * math.pi), rng.uniform(0.1, 0.9) * speed
-        meets, when = rng.uniform(0.2, 0.8), rng.uniform(10.0, 60.0)
         velocity = pace * np.array([math.cos(course), math.sin(course)])
-        centre = meets * places[1] - velocity * when
-        if np.linalg.norm(centre) < 6.0 * unit:
-            continue
-        height = goals[0]["position_m"][2]
-        kept.append(
-            {
-                "shape": "sphere",
-                "radius_m": round(float(rng.uniform(10.0, 30.0)), 1),
-                "position_m": [*np.round(centre, 1).tolist(), height],
-                "velocity_mps": [*np.round(velocity, 2).tolist(), 0.0],
-                "visible_from_m": round(max(600.0, 12.0 * unit), 1),
-            }
-        )
+        centre = rng.uniform(0.2, 0.8) * places[1] - velocity * rng.uniform(10.0, 60.0)
+        if np.linalg.norm(centre) >= 6.0 * unit:
+            kept.append(mover(rng, centre, velocity, poses[0].down, unit))
     return kept
+
+
+def mover(
+    rng: Generator, centre: np.ndarray, velocity: np.ndarray, down: float, unit: float
+) -> Table:
+    """A sphere that flies straight on."""
+    return {
+        "shape": "sphere",
+        "radius_m": round(float(rng.uniform(10.0, 30.0)), 1),
+        "position_m": [*np.round(centre, 1).tolist(), down],
+        "velocity_mps": [*np.round(velocity, 2).tolist(), 0.0],
+        "visible_from_m": round(max(600.0, 12.0 * unit), 1),
+    }
 
 
 def standing(rng: Generator, centre: np.ndarray, radius: float) -> Table:
@@ -156,21 +168,22 @@ def standing(rng: Generator, centre: np.ndarray, radius: float) -> Table:
     return {"shape": kind, "size_m": [round(radius, 1), round(1.6 * radius, 1), 300.0], **place}
 
 
-def fence(north: tuple[float, float], east: tuple[float, float], unit: float) -> Table:
-    """A rectangle with room for turns around a route, a floor and a ceiling."""
+def fence(poses: Sequence[Pose], unit: float) -> Table:
+    """A rectangle with room for turns around start and route, a floor and a ceiling."""
     room = 8.0 * unit
-    south, far, west, right = north[0] - room, north[1] + room, east[0] - room, east[1] + room
-    corners = [[south, west], [far, west], [far, right], [south, right]]
-    zone = {"kind": "include", "polygon_m": [[round(x, 1), round(y, 1)] for x, y in corners]}
+    norths, easts = [0.0, *(p.north for p in poses)], [0.0, *(p.east for p in poses)]
+    south, north = round(min(norths) - room, 1), round(max(norths) + room, 1)
+    west, east = round(min(easts) - room, 1), round(max(easts) + room, 1)
+    corners = [[south, west], [north, west], [north, east], [south, east]]
+    zone = {"kind": "include", "polygon_m": corners}
     return {"floor_m": 40.0, "ceiling_m": round(400.0 + unit, 1), "zone": [zone]}
 
 
 def fly(number: int, seed: int, changes: Sequence[str]) -> Outcome:
     """Fly one world."""
-    table = world_of(seed, number)
     with tempfile.TemporaryDirectory() as name:
         path = Path(name) / "world.toml"
-        path.write_text(tomli_w.dumps(table))
+        path.write_text(tomli_w.dumps(world_of(seed, number)))
         loaded = load_scenario(path, changes)
         flight = fly_scenario(loaded, Path(name))
     record = flight.records[0]
@@ -181,8 +194,8 @@ def fly(number: int, seed: int, changes: Sequence[str]) -> Outcome:
     clearances.append(float(record.height_above_ground.min()) - TOUCH)
     return Outcome(
         number,
-        table["vehicle"][0]["aircraft"],
-        table["wind"]["turbulence"],
+        loaded.scenario.vehicles[0].aircraft,
+        loaded.scenario.wind.turbulence,
         len(vehicle.goals),
         sum(goal.reached for goal in vehicle.goals),
         min((c for c in clearances if c is not None), default=math.inf),
