@@ -49,6 +49,7 @@ class Altered:
         self.session, self.alteration = session, Alteration(alter)
 
     def receive(self, now, data):
+        """What the companion answers at `now` [us] to the altered `data`."""
         return self.session.receive(now, self.alteration.altered(now, data))
 
     def __getattr__(self, name):
