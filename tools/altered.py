@@ -49,8 +49,10 @@ class Altered:
         self.session, self.alteration = session, Alteration(alter)
 
     def receive(self, now, data):
-        """What the companion answers at `now` [us] to the altered `data`."""
-        return self.session.receive(now, self.alteration.altered(now, data))
+        """What the companion answers at `now` [us] to the altered `data`, or says by itself."""
+        if altered := self.alteration.altered(now, data):
+            return self.session.receive(now, altered)
+        return self.session.poll(now)
 
     def __getattr__(self, name):
         return getattr(self.session, name)
