@@ -3,6 +3,8 @@
 It says what happened: that they go out is told when one has gone out.
 """
 
+import re
+
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.geometry.units import SECOND
 
@@ -69,4 +71,10 @@ class SetpointAnnunciator:
         """The note of a silence and its reason at `now` [us], where they are new."""
         before, self._why = self._why, why
         self._silent_from, self._is_told = now, False
-        return [] if why == before else [NOT_SENT.format(why=why)]
+        is_new = before is None or without_numbers(why) != without_numbers(before)
+        return [NOT_SENT.format(why=why)] if is_new else []
+
+
+def without_numbers(why: str) -> str:
+    """A reason without its numbers, which change while it stays the same."""
+    return re.sub(r"\d", "", why)
