@@ -114,7 +114,7 @@ def test_its_patience_has_an_end(fly):
 
 def test_a_link_that_is_lost_meanwhile_is_no_confirmation(fly):
     outcome, _, said = fly(FLIES, [0, 0, 0])
-    assert outcome is Outcome.UNCONFIRMED
+    assert outcome is Outcome.UNLINKED
     assert "without a link" in said[-1]
 
 

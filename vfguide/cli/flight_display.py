@@ -111,8 +111,8 @@ def assurance_lines(result: Result) -> list[str]:
             continue
         times = len(each.episodes)
         share = f"{100.0 * (each.acting_share or 0.0):.1f} % of its setpoints"
-        line = f"assurance: vehicle {vehicle.id} escaped {times} time{'s'[: times > 1]}, {share}"
+        line = f"assurance: vehicle {vehicle.id} acted {times} time{'s'[: times > 1]}, in {share}"
         if each.least_bad:
-            line += f"; NOTHING WAS CLEAR for {each.least_bad} of them"
+            line += f"; NOTHING WAS CLEAR in {each.least_bad} setpoints"
         lines.append(line)
     return lines

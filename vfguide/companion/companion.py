@@ -5,16 +5,17 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import SENT_AGAIN, STOOD_STILL, TOO_SLOW
+from vfguide.companion.annunciations import STOOD_STILL, TOO_SLOW, choice_note
 from vfguide.companion.contact import Contact
 from vfguide.companion.control import Control
-from vfguide.companion.engagement import FINAL_PHASES, Phase
+from vfguide.companion.engagement import FINAL_PHASES, SENDING, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.place import PlaceWatch
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
+from vfguide.companion.setpoint_annunciations import SetpointAnnunciator
 from vfguide.companion.setpoints import Setpoints
 from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
@@ -42,8 +43,8 @@ ORIGIN_RETRY = SECOND
 UNFIT_TIME = 10 * SECOND
 """Time after which a state that could not be flown on is tried again, if the operator chooses the
 follow mode [us]; chosen."""
-SILENCE_TIMEOUT = SECOND
-"""Time without a setpoint after which the operator is told why [us]; chosen."""
+NO_ATTITUDE = "no new attitude (ATTITUDE_QUATERNION)"
+"""Reason for silence where nothing is missing but the attitude that a step begins with."""
 HANDLED = frozenset(
     message.MSGID
     for message in (
@@ -86,15 +87,16 @@ class Companion:
         self._requests = Requests()
         self._round_trip = RoundTrip()
         self._time_notes = TimeAnnunciator()
+        self._setpoint_notes = SetpointAnnunciator()
         self._news: list[str] = []
+        self.route.notes = self._control.notes = self._news  # in the order of what happens
         self._slow: str | None = None
         self._unfit: str | None = None
         self._unfit_until = 0
-        self._place = PlaceWatch(plan)
+        self._place = self._new_place_watch()
         self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
-        self._complaint: str | None = None
 
     @property
     def setpoints(self) -> int:
@@ -169,11 +171,13 @@ class Companion:
 
     def news(self) -> list[str]:
         """The new notes to the operator, each once."""
-        sources = (self._control.notes, self._place.notes, self.route.notes, self._news)
-        told = [note for notes in sources for note in notes]
-        for notes in sources:
-            notes.clear()
+        told = self._news.copy()
+        self._news.clear()
         return told
+
+    def _new_place_watch(self) -> PlaceWatch:
+        """A watch over the place that has not looked yet."""
+        return PlaceWatch(self.route.plan, self._news)
 
     @property
     def _needs_origin(self) -> bool:
@@ -200,11 +204,11 @@ class Companion:
 
     def _hear_timesync(self, now: int, message: Timesync) -> None:
         """Take an answer to a question of our own; nothing is guided over too slow a link."""
-        note = self._round_trip.hear(now, message)
-        slow, delay = self._round_trip.is_too_slow, self._round_trip.delay
-        if note and not slow:
-            self._news.append(note)
-        self._slow = TOO_SLOW.format(delay=delay) if slow else None
+        self._round_trip.hear(now, message)
+        if not self._round_trip.is_too_slow:
+            self._slow = None
+        elif self._slow is None:
+            self._slow = TOO_SLOW.format(delay=self._round_trip.delay)
         self._weigh(now)
 
     def _weigh(self, now: int) -> None:
@@ -225,10 +229,10 @@ class Companion:
             self._known = Knowledge(
                 projection=int(autopilot.projection), date=self._known.date, clock=self._known.clock
             )
-            self._setpoints.sent_at = now
+            self._setpoint_notes.find(now)
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
-            self._place = PlaceWatch(self.route.plan)
+            self._place = self._new_place_watch()
             self._weigh(now)
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
@@ -271,6 +275,8 @@ class Companion:
             return []
         if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])
+        self._news += self._setpoint_notes.send(now, self._choice())
+        self._news += self._setpoint_notes.lag(self._round_trip)
         return self._send(now, setpoint)
 
     def _coast(self, now: int) -> list[Message]:
@@ -298,14 +304,19 @@ class Companion:
         status = STATUS.get(self.phase, MavState.STANDBY)
         return Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)
 
+    def _choice(self) -> str:
+        """What the operator reads of who chooses the follow mode."""
+        return choice_note(self.phase, self._control.autopilot, self._control.engage)
+
     def _tell_why_silent(self, now: int) -> None:
-        """Tell why no setpoints go out though they should, and when they do again."""
-        if not self._control.may_send:
-            self._setpoints.sent_at, self._complaint = now, None
-            return
-        silent = now - self._setpoints.sent_at > SILENCE_TIMEOUT
-        objection = lacking(self._known) or self.route.objection(self._known)
-        why = objection or "no new attitude" if silent else None
-        if why != self._complaint:
-            self._complaint = why
-            self._news.append(f"no setpoints: {why}" if why else SENT_AGAIN)
+        """Tell why no setpoints go out though they should."""
+        notes, control = self._setpoint_notes, self._control
+        if self.phase not in SENDING:
+            notes.rest(now)
+        elif control.hindrance is not None:
+            self._news += notes.fail(now, control.hindrance)
+        elif notes.is_silent(now):
+            objection = lacking(self._known) or self.route.objection(self._known)
+            self._news += notes.fail(now, objection or NO_ATTITUDE)
+        if self.phase is Phase.FLYING:
+            notes.follow()

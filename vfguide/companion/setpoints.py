@@ -23,7 +23,7 @@ class Setpoints:
         self.count = 0
         """Number of setpoints sent."""
         self.sent_at = 0
-        """When the last one went out, or was not to go out [us]."""
+        """When the last one went out [us]."""
         self._sysid = sysid
         self._flown: SetAttitudeTarget | None = None
 

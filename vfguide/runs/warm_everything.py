@@ -13,13 +13,14 @@ from vfguide.geometry.vector import ZERO
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.field_points import Point, fields_at
+from vfguide.scenario.field_point import Point
+from vfguide.scenario.field_points import fields_at
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
-FIELD_SCENARIO = "first-flight"
-"""The shipped scenario whose field is evaluated in both laws."""
+FIELD_SCENARIOS = ("first-flight", "towers")
+"""The shipped scenarios whose field is evaluated in both laws: one without obstacles, one with."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +53,10 @@ def _fly_live() -> None:
 
 
 def _evaluate() -> None:
-    """The field of a vehicle at its start, in both laws."""
-    loaded = load_scenario(FIELD_SCENARIO)
-    vehicle = loaded.scenario.vehicles[0]
-    points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
-    for law in ("paper", "flight"):
-        fields_at(loaded, vehicle, points, law)
+    """The field of vehicles at their starts, in both laws."""
+    for name in FIELD_SCENARIOS:
+        loaded = load_scenario(name)
+        vehicle = loaded.scenario.vehicles[0]
+        points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
+        for law in ("paper", "flight"):
+            fields_at(loaded, vehicle, points, law)
