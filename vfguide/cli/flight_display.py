@@ -61,10 +61,12 @@ class FlightDisplay:
 
 def print_result(result: Result, folder: Path) -> None:
     """The figures of every goal, the verdict and where to look."""
-    table = Table("vehicle", "goal", "reached", "time s", "miss m", "course deg", "climb deg")
+    table = Table(
+        "vehicle", "goal", "reached", "time s", "miss m", "told m", "course deg", "climb deg"
+    )
     for vehicle in result.vehicles:
         for number, goal in enumerate(vehicle.goals, start=1):
-            figures = (goal.miss_m, goal.course_error_deg, goal.climb_error_deg)
+            figures = (goal.miss_m, goal.told_miss_m, goal.course_error_deg, goal.climb_error_deg)
             table.add_row(
                 str(vehicle.id),
                 str(number),
