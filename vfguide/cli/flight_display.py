@@ -79,7 +79,7 @@ def print_result(result: Result, folder: Path) -> None:
     out.print(f"{result.sim_s:.1f} s flown in {result.wall_s:.2f} s{factor}")
     if distances := least_distances(result):
         out.print(f"least {', '.join(distances)}")
-    for line in assurance_lines(result):
+    for line in (*traffic_lines(result), *assurance_lines(result)):
         out.print(line)
     for reason in result.reasons:
         out.print(f"  {reason}", style="red")
@@ -102,6 +102,19 @@ def least_distances(result: Result) -> list[str]:
     if result.min_separation_m is not None:
         distances.append(f"separation {result.min_separation_m:.2f} m")
     return distances
+
+
+def traffic_lines(result: Result) -> list[str]:
+    """How near each other aircraft came to the vehicle that it came nearest to, and when."""
+    lines: list[str] = []
+    flown = [[(each, vehicle.id) for each in vehicle.traffic] for vehicle in result.vehicles]
+    for passes in zip(*flown, strict=True):
+        each, vehicle = min(passes, key=lambda its: its[0].closest_m)
+        lines.append(
+            f"traffic: {shown(each.name)} came within {each.closest_m:.0f} m of vehicle {vehicle} "
+            f"after {each.closest_s:.1f} s, {each.min_clearance_m:.0f} m from its volume"
+        )
+    return lines
 
 
 def assurance_lines(result: Result) -> list[str]:
