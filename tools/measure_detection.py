@@ -78,9 +78,10 @@ def moving(rng: np.random.Generator, begin: np.ndarray, end: np.ndarray, speed: 
 
 def distance(table: Table, place: np.ndarray) -> float:
     """Horizontal distance of a place from the surface [m], at least."""
-    size = table.get("size_m", [0.0, 0.0])
-    radius = table.get("radius_m", math.hypot(size[0], size[1]) / 2.0)
-    return float(np.linalg.norm(np.array(table["position_m"][:2]) - place)) - radius
+    length, width, _ = table.get("size_m", (0.0, 0.0, 0.0))
+    radius = table.get("radius_m", math.hypot(length, width) / 2.0)
+    north, east, _ = table["position_m"]
+    return float(np.linalg.norm(np.array((north, east)) - place)) - radius
 
 
 def world(seed: int) -> Table:

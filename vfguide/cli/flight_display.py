@@ -107,9 +107,10 @@ def least_distances(result: Result) -> list[str]:
 def traffic_lines(result: Result) -> list[str]:
     """How near each other aircraft came to the vehicle that it came nearest to, and when."""
     lines: list[str] = []
-    flown = [[(each, vehicle.id) for each in vehicle.traffic] for vehicle in result.vehicles]
-    for passes in zip(*flown, strict=True):
-        each, vehicle = min(passes, key=lambda its: its[0].closest_m)
+    for passes in zip(*(vehicle.traffic for vehicle in result.vehicles), strict=True):
+        distances = [each.closest_m for each in passes]
+        nearest = distances.index(min(distances))
+        each, vehicle = passes[nearest], result.vehicles[nearest].id
         lines.append(
             f"traffic: {shown(each.name)} came within {each.closest_m:.0f} m of vehicle {vehicle} "
             f"after {each.closest_s:.1f} s, {each.min_clearance_m:.0f} m from its volume"

@@ -30,7 +30,7 @@ small airframe."""
 FAR_AWAY = 1e7
 """Coordinate beyond which a flight ends [m]; chosen, because the paper's field leads away on the
 far side of the goal, with a speed that grows with the distance."""
-BELIEVED = ", though its companion announced it as reached, {miss:.1f} m off"
+BELIEVED_ONLY = ", though its companion announced it as reached, {miss:.1f} m off"
 """End of the reason for a goal that was reached in the companion's belief only."""
 
 Range = tuple[float | None, float | None]
@@ -234,7 +234,7 @@ def _missed(vehicle: VehicleResult, legs: Legs) -> list[str]:
             legs.left_behind(index),
         )
         if said is not None and said.outcome is Outcome.REACHED:
-            reason += BELIEVED.format(miss=said.miss)
+            reason += BELIEVED_ONLY.format(miss=said.miss)
         reasons.append(reason)
     return reasons
 

@@ -29,7 +29,7 @@ from vfguide.scenario.obstacles import shape_of
 from vfguide.scenario.resolved import Obstacle, Scenario
 from vfguide.scenario.route_checks import Flies
 
-UPDATES = 3.0
+LATENCY_PERIODS = 3.0
 """Number of guidance periods from an obstacle in range to its first effect; chosen: one to the next
 look, one held setpoint, one of the state that is half a period old at both ends."""
 
@@ -114,9 +114,9 @@ def escape_of(flies: Flies, latency: float) -> Escape:
 
 def half_width_of(shape: Shape) -> float:
     """Largest horizontal distance of a surface from its centre [m], at most."""
-    widest = section_at(shape, widest_at(shape))
-    is_ellipse = widest.p == 1.0 and widest.q == 1.0
-    return max(widest.a, widest.b) if is_ellipse else math.hypot(widest.a, widest.b)
+    section = section_at(shape, widest_at(shape))
+    is_ellipse = section.p == 1.0 and section.q == 1.0
+    return max(section.a, section.b) if is_ellipse else math.hypot(section.a, section.b)
 
 
 def body_of(scenario: Scenario, obstacle: Obstacle) -> Body:
@@ -139,7 +139,9 @@ def needs(
 ) -> Iterator[Need]:
     """The ranges that the vehicles need for some obstacles; `flies` are one of each vehicle."""
     link = scenario.link
-    latency = (link.delay_ms + link.delay_back_ms) * MS + UPDATES / scenario.guidance.rate_hz
+    latency = (
+        link.delay_ms + link.delay_back_ms
+    ) * MS + LATENCY_PERIODS / scenario.guidance.rate_hz
     bodies = [body_of(scenario, each) for each in obstacles]
     for vehicle, each in zip(scenario.vehicles, flies, strict=True):
         escape = escape_of(each, latency)

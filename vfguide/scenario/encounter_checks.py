@@ -45,7 +45,7 @@ def check_encounters(scenario: Scenario, flies: Sequence[Flies], source: Source)
     test flight comes first neither.
     """
     pairs = zip(scenario.vehicles, flies, strict=True)
-    flown = [each for each in pairs if not each[0].identify]
+    flown = [(vehicle, each) for vehicle, each in pairs if not vehicle.identify]
     if scenario.law != "flight" or not scenario.avoidance.between_vehicles or len(flown) < 2:
         return ()
     least, warnings = 2.0 * scenario.avoidance.safety_radius_m, list[str]()
@@ -67,5 +67,5 @@ def encounters(
     predicted = [(vehicle.id, *predict(scenario, vehicle, flies)) for vehicle, flies in flown]
     last = max(circles_from for _, _, circles_from in predicted)
     end = last + math.ceil(AFTER_LAST_GOAL / PREDICTION_STEP) + 1
-    for (one, path, _), (other, its, _) in combinations(predicted, 2):
-        yield one, other, closest_approach(path[:end], its[:end])
+    for (one, path, _), (other, beside, _) in combinations(predicted, 2):
+        yield one, other, closest_approach(path[:end], beside[:end])
