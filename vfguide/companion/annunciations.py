@@ -3,6 +3,7 @@
 from vfguide.aircraft.identification import Identified
 from vfguide.autopilots.autopilot import Autopilot
 from vfguide.companion.engagement import Phase
+from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.companion.loop_report import is_alarmed, number_of_resets
 from vfguide.companion.plan import Plan
 from vfguide.estimation.position_resets import settled
@@ -95,15 +96,14 @@ def route_note(goal: int, plan: Plan) -> str:
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
-def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
-    """Note of a goal that was passed with a `miss` [m], from the rows of `LoopState` around it."""
-    was, now = state_of_row(before).mission, state_of_row(after).mission
-    goal = was.goal + 1
-    if now.attempts.given_up > was.attempts.given_up:
-        return f"goal {goal} missed {times(was.attempts.missed + 1)}: {onward(goal, plan)}"
-    if now.goal == was.goal:
-        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
-    return f"goal {goal} reached, {miss:.1f} m off; {route_note(now.goal, plan)}"
+def passage_note(said: GoalAnnouncement, plan: Plan) -> str:
+    """Note of a goal that was passed."""
+    goal = said.goal + 1
+    if said.outcome is Outcome.GIVEN_UP:
+        return f"goal {goal} missed {times(said.missed + 1)}: {onward(goal, plan)}"
+    if said.outcome is Outcome.MISSED:
+        return f"goal {goal} missed by {said.miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {said.miss:.1f} m off; {route_note(goal, plan)}"
 
 
 def onward(passed: int, plan: Plan) -> str:

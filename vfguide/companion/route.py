@@ -21,6 +21,7 @@ from vfguide.companion.annunciations import (
     wind_notes,
 )
 from vfguide.companion.doubt_annunciations import doubt_notes, unfit
+from vfguide.companion.goal_announcement import GoalAnnouncement, announcement
 from vfguide.companion.hazard_annunciations import HazardAnnunciator
 from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.knowledge import Knowledge, heard
@@ -91,6 +92,8 @@ class Route:
         self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
+        self.announced: list[GoalAnnouncement] = []
+        """The goals that were passed, as it saw them, in the order of time."""
         self.unfit: str | None = None
         """Why what the autopilot tells cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan)
@@ -171,7 +174,8 @@ class Route:
         elif follows:
             self.notes += progress_notes(before, after)
             if math.isfinite(miss):
-                self.notes.append(passage_note(before, after, miss, plan))
+                self.announced.append(announcement(before, after, miss))
+                self.notes.append(passage_note(self.announced[-1], plan))
         return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:

@@ -17,6 +17,8 @@ from vfguide.scenario.field_point import Point
 from vfguide.scenario.field_points import fields_at
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
+from vfguide.scenario.prediction import predict
+from vfguide.scenario.route_checks import Flies
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
 FIELD_SCENARIOS = ("first-flight", "towers")
@@ -34,7 +36,8 @@ class Stage:
 def everything() -> Sequence[Stage]:
     """All that the commands do, in stages."""
     flights = [Stage(name, partial(_fly, name)) for name in shipped_scenarios()]
-    return (*flights, Stage("sim and fly", _fly_live), Stage("field", _evaluate))
+    others = (("sim and fly", _fly_live), ("field", _evaluate), ("vehicles that meet", _predict))
+    return (*flights, *(Stage(*each) for each in others))
 
 
 def _fly(name: str) -> None:
@@ -50,6 +53,14 @@ def _fly_live() -> None:
         loaded = load_scenario(name)
         warm_up_simulator(simulate(loaded, loaded.scenario.vehicles[0]))
         warm_up_companion(plan_of(loaded, loaded.scenario.vehicles[0]))
+
+
+def _predict() -> None:
+    """What `vfguide check` does with several vehicles, with hazards and without."""
+    for name in ("first-flight", "towers"):
+        loaded = load_scenario(name)
+        vehicle = loaded.scenario.vehicles[0]
+        predict(loaded.scenario, vehicle, Flies(loaded.performance(vehicle), loaded.gains(vehicle)))
 
 
 def _evaluate() -> None:

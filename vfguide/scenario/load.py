@@ -18,6 +18,8 @@ from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Source, read_toml
 from vfguide.geometry.units import DEG
 from vfguide.scenario import checks
+from vfguide.scenario.detection_range import check_detection, with_detection_range
+from vfguide.scenario.encounter_checks import check_encounters
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.resolve import aircraft_of, resolve
@@ -126,8 +128,14 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
     flies = [Flies(loaded.performance(each), loaded.gains(each)) for each in scenario.vehicles]
-    warnings = (*checks.told_of_law(scenario), *check_routes(scenario, flies, source))
-    return replace(loaded, warnings=warnings)
+    scenario = with_detection_range(scenario, entry, flies)
+    warnings = (
+        *checks.told_of_law(scenario),
+        *check_detection(scenario, flies, source),
+        *check_routes(scenario, flies, source),
+        *check_encounters(scenario, flies, source),
+    )
+    return replace(loaded, scenario=scenario, warnings=warnings)
 
 
 def check_file(path: Path) -> tuple[str, ...]:
