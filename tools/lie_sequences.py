@@ -183,7 +183,7 @@ def fly_sequence(
                 for lie in lies:
                     age = int(lie.size * len(kept))
                     said = told(said, kept[max(len(kept) - 1 - age, 0)], lie, t)
-                inputs = Inputs(said, said, rates_told(body.omega_b, lies, t), False)
+                inputs = Inputs(said, said, rates_told(body.omega_b, lies, t), False, 0.0)
                 setpoint, left, _ = step(inputs, read_state(row), legs, None, law, of)
                 row = np.empty(len(fresh))
                 write_state(left, row)

@@ -100,7 +100,7 @@ def fly_plan(
         path[k, 0], path[k, 1], path[k, 2] = motion.p_n
         wind, time = (wind_n[k, 0], wind_n[k, 1], wind_n[k, 2]), k * PREDICTION_STEP
         state = state_of(motion, wind, time)
-        inputs = Inputs(state, state, ZERO, True)
+        inputs = Inputs(state, state, ZERO, True, 0.0)
         _, left, outcome = step(inputs, read_state(row), legs, at_time(known, time), guides, flown)
         write_state(left, row)
         if left.mission.goal == len(legs) - 1 and circles_from == len(path):
