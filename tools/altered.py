@@ -50,7 +50,8 @@ class Altered:
 
     def receive(self, now, data):
         """What the companion answers at `now` [us] to the altered `data`."""
-        return self.session.receive(now, self.alteration.altered(now, data))
+        altered = self.alteration.altered(now, data)
+        return self.session.receive(now, altered) if altered else self.session.poll(now)
 
     def __getattr__(self, name):
         return getattr(self.session, name)

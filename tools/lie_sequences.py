@@ -11,10 +11,13 @@ from rate_body import advance, level, load_factor
 
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
+from vfguide.companion.setpoints import COAST_AFTER
+from vfguide.control.coasting import coast
+from vfguide.control.limits import limit_rates
 from vfguide.estimation.estimation import Inputs
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
-from vfguide.geometry.so3 import exp
+from vfguide.geometry.so3 import exp, to_quaternion
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale
 from vfguide.guidance.laws import Law
 from vfguide.loop.legs import Legs
@@ -111,7 +114,7 @@ def is_on(lies: tuple[Lie, Lie, Lie, Lie], kind: int, t: float) -> bool:
     """Whether a lie of a kind is on at a time [s]."""
     found = False
     for lie in lies:
-        found |= lie.kind == kind and lie.begin <= t < min(lie.end, lie.begin + 0.2)
+        found |= lie.kind == kind and lie.begin <= t < min(lie.end, lie.begin + 1.0)
     return found
 
 
@@ -162,11 +165,11 @@ def fly_sequence(
     wind_n = scale(strength * speed, (math.cos(toward), math.sin(toward), 0.0))
     place = (np.random.uniform(-600.0, 600.0), np.random.uniform(-600.0, 600.0), down)
     body = level(place, np.random.uniform(-math.pi, math.pi), speed, of.aircraft)
-    warm = np.random.uniform(0.0, 4.0) if np.random.random() < 0.7 else 0.0
+    warm = np.random.uniform(0.3, 4.0)
     row, wanted_b = fresh, (0.0, 0.0, 0.0)
     kept = [FlightState(0.0, body.p_n, body.air_n, body.R_nb, speed, wind_n)]
     bank, least, most, lost, finite = 0.0, 1.0, 1.0, 0.0, True
-    silent = math.inf
+    silent, heard, flown = math.inf, math.inf, ((1.0, 0.0, 0.0, 0.0), wanted_b)
     while body.time < warm + longest and silent == math.inf:
         t = body.time - warm
         v_n = add(body.air_n, wind_n)
@@ -186,8 +189,14 @@ def fly_sequence(
                 write_state(left, row)
                 wanted_b = setpoint.omega_b
                 finite = finite and math.isfinite(sum(wanted_b) + setpoint.thrust)
+                flown, heard = (to_quaternion(said.R_nb), wanted_b), body.time
                 if left.estimation.consistency.attitude_doubt > 0.0:
                     silent = t
+        elif body.time - heard > COAST_AFTER:
+            age = body.time - heard
+            q_nb, flown_b = flown
+            omega_b, _ = coast(q_nb, flown_b, age, speed, of.gains.bank_max)
+            wanted_b, heard = limit_rates(omega_b, of.aircraft.rate_max), math.inf
         for _ in range(SUBSTEPS):
             body = advance(body, wanted_b, wind_n, of.aircraft, UPDATE / SUBSTEPS)
             load = load_factor(body, of.aircraft)

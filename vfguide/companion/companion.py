@@ -15,6 +15,7 @@ from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
+from vfguide.companion.setpoints import Setpoints
 from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
@@ -77,11 +78,10 @@ class Companion:
             step: of the control loop.
         """
         self.sysid = sysid
-        self.setpoints = 0
-        """Number of setpoints sent."""
         self.route = Route(plan, step)
         """The flight along the plan."""
         self._control = Control(sysid, engage=engage)
+        self._setpoints = Setpoints(sysid)
         self._known = Knowledge()
         self._requests = Requests()
         self._round_trip = RoundTrip()
@@ -94,8 +94,12 @@ class Companion:
         self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
-        self._sent_at = 0
         self._complaint: str | None = None
+
+    @property
+    def setpoints(self) -> int:
+        """Number of setpoints sent."""
+        return self._setpoints.count
 
     @property
     def phase(self) -> Phase:
@@ -118,7 +122,7 @@ class Companion:
             case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
                 return out
             case AttitudeQuaternion():
-                out += self._guide(now, message)
+                out += self._guide(now)
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
@@ -142,17 +146,21 @@ class Companion:
         """What is due at `now` [us since 1970] without anything received."""
         self._wake(now)
         self._watch_link(now)
-        out = self._housekeeping(now)
+        out = self._housekeeping(now) + self._coast(now)
         if out:
             self._contact.act(now)
         return out
 
-    def recall(self, now: int, message: Message) -> None:
-        """Takes one message of its own that a log says went out at `now` [us since 1970]."""
+    def recall(self, now: int, message: Message) -> list[Message]:
+        """Takes one message of its own that a log says went out at `now` [us since 1970].
+
+        Returns the setpoint that is due then without anything received, if it is one.
+        """
         self._wake(now)
         self._contact.act(now)
         if isinstance(message, Timesync):
             self._round_trip.asked(message)
+        return self._coast(now) if isinstance(message, SetAttitudeTarget) else []
 
     def stop(self, now: int) -> list[Message]:
         """The operator ends it at `now` [us since 1970]; returns what hands over, if it flies."""
@@ -217,7 +225,7 @@ class Companion:
             self._known = Knowledge(
                 projection=int(autopilot.projection), date=self._known.date, clock=self._known.clock
             )
-            self._sent_at = now
+            self._setpoints.sent_at = now
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
             self._place = PlaceWatch(self.route.plan)
@@ -245,7 +253,7 @@ class Companion:
             out.append(request)
         return out
 
-    def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
+    def _guide(self, now: int) -> list[Message]:
         """The setpoint for the state at a new attitude."""
         known = self._place.checked(self._known, follows=self._control.is_followed)
         self._weigh(now)
@@ -263,17 +271,27 @@ class Companion:
             return []
         if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])
-        self.setpoints += 1
-        self._sent_at = now
-        self._control.offer(now)
-        return [self._setpoint(attitude.time_boot_ms, setpoint)]
+        return self._send(now, setpoint)
 
-    def _setpoint(self, time_boot_ms: int, setpoint: RateSetpoint) -> SetAttitudeTarget:
-        """SET_ATTITUDE_TARGET; the autopilot's type mask says what of it counts."""
-        (p, q, r), mask = setpoint.omega_b, self._control.autopilot.type_mask
-        return SetAttitudeTarget(
-            time_boot_ms, self.sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
-        )
+    def _coast(self, now: int) -> list[Message]:
+        """One setpoint at `now` [us] where attitudes have stayed away since the last in flight.
+
+        After it the autopilot's own failsafe acts.
+        """
+        setpoint = self._setpoints.coast(now, self._known.attitude, self.route.plan)
+        if setpoint is None:
+            return []
+        is_flown = self._control.is_followed and self._control.may_send
+        out = self._send(now, setpoint) if is_flown else []
+        self._setpoints.end()
+        return out
+
+    def _send(self, now: int, setpoint: RateSetpoint) -> list[Message]:
+        """A setpoint that goes out at `now` [us]."""
+        self._control.offer(now)
+        attitude = self._known.attitude
+        time_boot_ms = 0 if attitude is None else attitude.time_boot_ms
+        return [self._setpoints.send(now, time_boot_ms, setpoint, self._control.autopilot)]
 
     def _own_heartbeat(self) -> Heartbeat:
         """Who we are; CRITICAL while the link to the autopilot is lost."""
@@ -283,9 +301,9 @@ class Companion:
     def _tell_why_silent(self, now: int) -> None:
         """Tell why no setpoints go out though they should, and when they do again."""
         if not self._control.may_send:
-            self._sent_at, self._complaint = now, None
+            self._setpoints.sent_at, self._complaint = now, None
             return
-        silent = now - self._sent_at > SILENCE_TIMEOUT
+        silent = now - self._setpoints.sent_at > SILENCE_TIMEOUT
         objection = lacking(self._known) or self.route.objection(self._known)
         why = objection or "no new attitude" if silent else None
         if why != self._complaint:
