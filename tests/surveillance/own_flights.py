@@ -6,10 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from reported import ORIGIN, moving
 
+from vfguide.surveillance.heights import HeightDatum
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import SMALL_AIRCRAFT, Ownship
 
 STEP = 0.02
+DATUM = HeightDatum(0.0, 0.0)
 OWN = 0xABCDEF
 OTHER = 0x4B1234
 
@@ -64,7 +66,7 @@ def listen(flown, reports, picture=None):
         low, high = bisect.bisect_right(times, t - 0.1), bisect.bisect_right(times, t)
         for arrival, message in reports[low:high]:
             now = flown.own(STEP * round(arrival / STEP))
-            notes += [(t, note) for note in picture.hear(message, now.time_ms, now)]
+            notes += [(t, note) for note in picture.hear(message, now.time_ms, now, DATUM)]
         picture.forget(own.time_ms)
         for each in picture.others(own):
             seen.setdefault(each.icao, []).append(t)

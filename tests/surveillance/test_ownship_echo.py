@@ -23,8 +23,8 @@ from reported import ORIGIN, moving
 
 from vfguide.geometry.units import DEG
 from vfguide.surveillance.own_track import TRACK_TIME, OwnTrack, extended, match, own_at
-from vfguide.surveillance.ownship_echo import LEAST_TURN
 from vfguide.surveillance.picture import OWN_FOUND, OWN_LOST, Picture
+from vfguide.surveillance.recognition import LEAST_TURN
 from vfguide.surveillance.report import SMALL_AIRCRAFT, Ownship
 
 pytestmark = pytest.mark.slow

@@ -12,7 +12,7 @@ from vfguide.field.obstacle import obstacle_rows
 from vfguide.geometry.rows import columns, width
 from vfguide.link.boot_time import ROLLOVER
 from vfguide.link.enums import AdsbFlags
-from vfguide.surveillance.heights import ANY_HEIGHT
+from vfguide.surveillance.heights import ANY_HEIGHT, HeightDatum
 from vfguide.surveillance.picture import LONGEST_SILENCE, MAX_AIRCRAFT, Picture
 from vfguide.surveillance.report import (
     ASSUMED_CLIMB,
@@ -27,7 +27,7 @@ FAR_AWAY = Ownship(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
 
 
 def report(message, now_ms=5000):
-    return report_of(message, now_ms, ORIGIN, SMALL_AIRCRAFT)
+    return report_of(message, now_ms, ORIGIN, SMALL_AIRCRAFT, HeightDatum(undulation=0.0))
 
 
 def test_place_and_velocity_in_the_frame_of_the_plan():

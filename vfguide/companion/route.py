@@ -179,7 +179,7 @@ class Route:
             return
         state, now_ms = heard(known), known.time_ms
         ownship = None if state is None else ownship_of(state, now_ms, self.plan)
-        self.notes += self._surveillance.hear(said, now_ms, ownship)
+        self.notes += self._surveillance.hear(said, now_ms, ownship, known.datum)
 
     def objection(self, known: Knowledge) -> str | None:
         """Why the autopilot must not begin to follow, None: it may."""

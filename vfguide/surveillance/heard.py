@@ -5,7 +5,7 @@ from typing import NamedTuple
 from vfguide.geometry.vector import norm, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.surveillance.derived_velocity import past_reports, with_derived_velocity
-from vfguide.surveillance.ownship_echo import Recognition
+from vfguide.surveillance.recognition import Recognition
 from vfguide.surveillance.report import Report, Volume, placed_at
 
 JUMP_DISTANCE = 300.0

@@ -3,16 +3,16 @@
 Transponders report the pressure altitude of the standard atmosphere (QNE). MAVLink calls the same
 field a height by the pressure of the day (QNH), some senders do convert it, and nothing on the
 wire tells which was done. So a pressure altitude is doubted by the difference of the two, which is
-the ownship's pressure altitude less the own height.
+the ownship's pressure altitude less the own height. Geometric heights are above the ellipsoid.
 """
 
-import math
 from typing import NamedTuple
 
 from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
+from vfguide.link.plausibility import LARGEST_UNDULATION
 
 PRESSURE_ERROR = 20.0
 """Doubt of a height by pressure where weather has no part in it [m]; chosen: errors of two
@@ -29,20 +29,16 @@ TEMPERATURE_SHARE = 0.1
 ANY_HEIGHT = 20_000.0
 """Half height of the volume of an aircraft that reports no altitude [m]; chosen, so that every
 height is in it."""
-UNDULATION = 110.0
-"""Largest undulation, the height of mean sea level above the ellipsoid or below it [m]; EGM2008 has
--107 to 86 m."""
 
 
 class HeightDatum(NamedTuple):
     """How heights that others report relate to heights above mean sea level."""
 
-    pressure_offset: float = math.nan
-    """The ownship's pressure altitude less its height above mean sea level [m]; not a number where
-    the autopilot tells no pressure."""
-    undulation: float = math.nan
-    """Height of mean sea level above the ellipsoid [m]; not a number where it is unknown, then it
-    counts as zero."""
+    pressure_offset: float | None = None
+    """The ownship's pressure altitude less its height above mean sea level [m]; None: the autopilot
+    tells no pressure."""
+    undulation: float | None = None
+    """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not tell it."""
 
 
 UNKNOWN_DATUM = HeightDatum()
@@ -70,7 +66,9 @@ def height_of(said: AdsbVehicle, datum: HeightDatum, own: float) -> Height:
         return Height(own, ANY_HEIGHT)
     told = said.altitude * MM
     if not is_by_pressure(said):
-        return Height(told if math.isnan(datum.undulation) else told - datum.undulation, 0.0)
+        if datum.undulation is None:
+            return Height(told, LARGEST_UNDULATION)
+        return Height(told - datum.undulation, 0.0)
     least, greatest = offsets(datum, told)
     return Height(told - 0.5 * (least + greatest), PRESSURE_ERROR + 0.5 * (greatest - least))
 
@@ -80,7 +78,7 @@ def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
 
     Zero is among them: it may have been converted already.
     """
-    if math.isnan(datum.pressure_offset):
+    if datum.pressure_offset is None:
         return weather(told)
     return min(datum.pressure_offset, 0.0), max(datum.pressure_offset, 0.0)
 
@@ -91,13 +89,13 @@ def weather(altitude: float) -> tuple[float, float]:
     return pressure_altitude(HIGH_QNH) - temperature, pressure_altitude(LOW_QNH) + temperature
 
 
-def pressure_offset(pressure: float, altitude: float) -> float:
+def pressure_offset(pressure: float, altitude: float) -> float | None:
     """Pressure altitude of a pressure [Pa] less the height above mean sea level [m] where it is.
 
-    Not a number where no weather makes it: the sensor is wrong.
+    None where no weather makes it: the sensor is wrong.
     """
     if not pressure > 0.0:  # not-a-number too
-        return math.nan
+        return None
     offset = pressure_altitude(pressure) - altitude
     least, greatest = weather(altitude)
-    return offset if least <= offset <= greatest else math.nan
+    return offset if least <= offset <= greatest else None

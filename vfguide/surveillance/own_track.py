@@ -17,9 +17,9 @@ SAMPLE_INTERVAL = 0.1
 the chord of two samples."""
 TRACK_TIME = 3.5
 """Time that the track reaches back [s]; chosen, since receivers pass reports on up to 3 s late."""
-LONGEST_GAP = 1.5
+TRACK_BREAK_TIME = 1.5
 """Time without a sample after which the track begins anew [s]; chosen."""
-RESET_DISTANCE = 10.0
+TRACK_BREAK_DISTANCE = 10.0
 """Distance of a sample from where the one before leads beyond which the track begins anew [m];
 chosen: the position that the autopilot tells was reset."""
 POSITION_TOLERANCE = 12.0
@@ -67,7 +67,10 @@ def extended(track: OwnTrack, ownship: Ownship) -> OwnTrack:
     if 0.0 <= step < SAMPLE_INTERVAL:
         return track
     leads_to = add(last.p_n, scale(0.5 * step, add(last.v_n, ownship.v_n)))
-    if not 0.0 < step <= LONGEST_GAP or norm(sub(ownship.p_n, leads_to)) > RESET_DISTANCE:
+    if (
+        not 0.0 < step <= TRACK_BREAK_TIME
+        or norm(sub(ownship.p_n, leads_to)) > TRACK_BREAK_DISTANCE
+    ):
         return OwnTrack((ownship,))
     there = [
         one

@@ -8,9 +8,7 @@ elsewhere has to agree for much longer.
 """
 
 import math
-from typing import NamedTuple
 
-from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.link.boot_time import elapsed
 from vfguide.surveillance.own_track import (
@@ -21,30 +19,15 @@ from vfguide.surveillance.own_track import (
     may_precede,
     own_at,
 )
+from vfguide.surveillance.recognition import (
+    LATE_TURN,
+    SPEED_SMOOTHING,
+    SPEED_TOLERANCE,
+    Recognition,
+    is_shown,
+)
 from vfguide.surveillance.report import Ownship, Report
 
-LEAST_REPORTS = 4
-"""Number of successive reports that have to agree; chosen."""
-LEAST_TIME = 3.0
-"""Time from the first to the last of them [s]; chosen."""
-LEAST_TURN = 45.0 * DEG
-"""Turn of the ownship on those parts of its track that late reports agree with [rad]; chosen: an
-aircraft that holds its place behind has left the track by then."""
-LATE_TURN = 20.0 * DEG
-"""Turn of the ownship since it was where a report agrees with it, from which the report shows that
-it is late, and not of an aircraft that turns with the ownship [rad]; chosen: 5 m/s at 15 m/s."""
-LEAST_LATE_TURNS = 3
-"""Number of such reports that do as well as LEAST_TURN; chosen: an aircraft behind that flies
-straight on has left the track by then."""
-LEAST_TIME_IF_SEEN_ELSEWHERE = 60.0
-"""The same time for an address that was seen elsewhere before [s]; chosen."""
-LEAST_TURN_IF_SEEN_ELSEWHERE = 360.0 * DEG
-"""The same turn for such an address [rad]; chosen, a full circle."""
-SPEED_TOLERANCE = 0.6
-"""Mean difference of the speeds over ground within which reports agree [m/s]; chosen: one that
-overtakes, or follows outside in a turn, is faster."""
-SPEED_SMOOTHING = 0.1
-"""Weight of a report in that mean, once there are enough; chosen, ten reports."""
 HEIGHT_TOLERANCE = 25.0
 """Difference of the heights within which reports agree, without the doubt of the reported one [m];
 chosen as twice the error of a satellite receiver's height."""
@@ -52,52 +35,8 @@ CLIMB_TOLERANCE = 4.0
 """Difference of the vertical speeds within which reports agree [m/s]; chosen as that of the
 horizontal ones."""
 CLEAR_MISS = 1.5
-"""Miss of a match beyond which one report shows that it is another aircraft; chosen: for an echo
-six standard deviations of the errors that POSITION_TOLERANCE is for."""
-
-
-class Recognition(NamedTuple):
-    """What the reports of one address have shown."""
-
-    reports: int = 0
-    """Number of successive reports that agreed."""
-    since_ms: int = 0
-    """Arrival of the first of them, as time_boot_ms [ms]."""
-    course: float = 0.0
-    """Course of the ownship where the last one agreed, without leaps [rad]."""
-    least_course: float = 0.0
-    """Least of those courses [rad]."""
-    greatest_course: float = 0.0
-    """Greatest of those courses [rad]."""
-    late_turns: int = 0
-    """Number of them that were late in a turn, as LATE_TURN says."""
-    speed_error: float = 0.0
-    """Mean of the reported speeds less those of the ownship [m/s]."""
-    is_where_told: bool = True
-    """Whether each of them was where the ownship was at the age that it told."""
-    misses: int = 0
-    """Number of successive reports that did not agree."""
-    always_agreed: bool = True
-    """Whether each report that was ever heard agreed."""
-    never_missed: bool = True
-    """Whether none has shown that it does not: it may have been of a time before the track."""
-    was_own: bool = False
-    """Whether it was recognised before."""
-    was_elsewhere: bool = False
-    """Whether it was clearly elsewhere before it was recognised."""
-    is_own: bool = False
-    """Whether it is recognised."""
-
-    @property
-    def is_ignored(self) -> bool:
-        """Whether its reports are not traffic: it is recognised, or new and at the ownship."""
-        is_new = 0 < self.reports <= LEAST_REPORTS and self.always_agreed
-        return self.is_own or (is_new and self.is_where_told)
-
-    @property
-    def turned(self) -> float:
-        """The turn that the reports have shown [rad]."""
-        return self.greatest_course - self.least_course
+"""Miss of a match beyond which one report shows that it is another aircraft, as a ratio to what
+agrees; chosen: for an echo six standard deviations of errors of 3 m in each axis."""
 
 
 def after_report(
@@ -146,18 +85,6 @@ def _agreed(
     if was.is_own and abs(now.speed_error) > SPEED_TOLERANCE:
         return Recognition(always_agreed=False, never_missed=False, was_elsewhere=True)
     return now._replace(is_own=was.is_own or is_shown(now, ownship.time_ms))
-
-
-def is_shown(now: Recognition, now_ms: int) -> bool:
-    """Whether the reports up to `now_ms` [ms] can be of nothing but the ownship."""
-    lasted = elapsed(now.since_ms, now_ms)
-    if now.reports < LEAST_REPORTS or abs(now.speed_error) > SPEED_TOLERANCE:
-        return False
-    if now.was_elsewhere:
-        return lasted >= LEAST_TIME_IF_SEEN_ELSEWHERE and now.turned >= LEAST_TURN_IF_SEEN_ELSEWHERE
-    is_near = now.is_where_told and (now.never_missed or now.was_own)
-    shows_turn = now.turned >= LEAST_TURN or now.late_turns >= LEAST_LATE_TURNS
-    return lasted >= LEAST_TIME and (is_near or shows_turn)
 
 
 def angle_between(v_n: Vec3, w_n: Vec3) -> float:

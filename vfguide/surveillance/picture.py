@@ -4,6 +4,7 @@ from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.surveillance.heard import Heard, taken
+from vfguide.surveillance.height_notes import HeightNotes
 from vfguide.surveillance.heights import UNKNOWN_DATUM, HeightDatum
 from vfguide.surveillance.own_track import OwnTrack, extended
 from vfguide.surveillance.ownship_echo import after_report
@@ -39,6 +40,7 @@ class Picture:
         self._heard: dict[int, Heard] = {}
         self._track = OwnTrack()
         self._told: set[str] = set()
+        self._height_notes = HeightNotes()
         self._told_own: set[int] = set()
         self.refused = 0
         """Number of implausible reports."""
@@ -77,7 +79,10 @@ class Picture:
             self.refused += 1
             return self._once(REFUSED.format(why=refusal(said)))
         self._take(report, ownship)
-        return self._own_notes(report.icao)
+        known, notes = self._heard.get(report.icao), self._own_notes(report.icao)
+        if known is not None and not known.recognition.is_ignored:
+            notes += self._height_notes.notes(said, datum, now_ms)
+        return notes
 
     def _take(self, report: Report, ownship: Ownship | None) -> None:
         """Take a report that can be true; further aircraft than MAX_AIRCRAFT are ignored."""
