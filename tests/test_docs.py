@@ -39,6 +39,7 @@ PLACES = [
     (SCENARIO, "Top level", scenario_file.ScenarioHead),
     (SCENARIO, "[origin]", scenario_file.Origin),
     (SCENARIO, "[wind]", scenario_file.Wind),
+    (SCENARIO, "[weather]", scenario_file.Weather),
     (SCENARIO, "[[wind.change]]", scenario_file.WindChange),
     (SCENARIO, "[sensors]", scenario_file.Sensors),
     (SCENARIO, "[link]", scenario_file.Link),

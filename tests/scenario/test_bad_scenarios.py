@@ -62,8 +62,8 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
-            "start_time, origin, wind, sensors, autopilot, link, guidance, avoidance, fence, "
-            "traffic_receiver, vehicle, obstacle, traffic",
+            "start_time, origin, wind, weather, sensors, autopilot, link, guidance, avoidance, "
+            "fence, traffic_receiver, vehicle, obstacle, traffic",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),
@@ -413,6 +413,10 @@ def instead_of_goal(lines: str) -> str:
         (
             at_top('plant = "kinematic"\n[autopilot]\nwind_message = false'),
             'autopilot: plant = "kinematic" has no autopilot, allowed none',
+        ),
+        (
+            at_top('plant = "kinematic"\n[weather]\nqnh_hpa = 990.0'),
+            'weather: plant = "kinematic" has no air, allowed none',
         ),
         (
             at_top('plant = "kinematic"\n[link]\ndelay_ms = 1.0'),

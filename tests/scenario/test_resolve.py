@@ -130,6 +130,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "shear_height_m": 100.0,
             "change": [],
         },
+        "weather": {"qnh_hpa": 1013.25},
         "sensors": None,
         "autopilot": {
             "airspeed_fails_at_s": None,
@@ -138,6 +139,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "thrust_sag_per_min": 0.0,
             "thrust_floor": 0.5,
             "wind_message": True,
+            "pressure_message": True,
             "reset": [],
         },
         "link": {"delay_ms": 0.0, "delay_back_ms": 0.0},

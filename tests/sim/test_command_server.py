@@ -16,8 +16,9 @@ from conversations_with_autopilot import (
 )
 
 from vfguide.autopilots.px4 import Px4Mode
+from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.so3 import from_euler, to_quaternion
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import DEG, HPA
 from vfguide.link.codec import Encoder
 from vfguide.link.enums import AttitudeTypeMask, MavCmd, MavResult, MavState
 from vfguide.link.messages import (
@@ -42,6 +43,7 @@ from vfguide.link.messages import (
     ParamSet,
     ParamValue,
     Ping,
+    ScaledPressure,
     Statustext,
     SysStatus,
     Timesync,
@@ -309,6 +311,16 @@ def test_streams_can_be_set_asked_for_and_ended(talk):
     assert not of(talk.fly(1.0), LocalPositionNed)
     talk.command(MavCmd.SET_MESSAGE_INTERVAL, number, 0)
     assert of(talk.fly(1.0), LocalPositionNed)
+
+
+def test_the_pressure_comes_to_who_asks_for_it(talk):
+    number = ScaledPressure.MSGID
+    assert not of(talk.fly(2.0), ScaledPressure)
+    talk.command(MavCmd.SET_MESSAGE_INTERVAL, number, 1_000_000)
+    heard = of(talk.fly(3.0), ScaledPressure)
+    assert len(heard) in (3, 4)
+    height = pressure_altitude(heard[-1].press_abs * HPA)
+    assert height == pytest.approx(talk.vehicle.truth.altitude, abs=1.0)
 
 
 @pytest.mark.parametrize("number", [math.nan, math.inf, -1.0, 65_535.0, 300.0])

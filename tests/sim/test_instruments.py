@@ -5,7 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import DEG
+from vfguide.link.messages import ScaledPressure, WindCov
+from vfguide.sim.autopilot.autopilot import silent_streams
 from vfguide.sim.autopilot.estimate import Estimator
 from vfguide.sim.autopilot.instruments import EXACT, AirspeedFault, Errors, Instruments, Reset
 from vfguide.sim.autopilot.noise import Drift, RateNoise, StateNoise, normals
@@ -132,3 +135,17 @@ def test_the_wind_changes_linearly_with_time_and_height():
     for time, wind in {**expected, 20.0: (20.0, -8.0), 99.0: (20.0, -8.0)}.items():
         assert weather.wind_at(time, 100.0)[:2] == pytest.approx(wind)
         assert weather.wind_at(time, 150.0)[:2] == pytest.approx((wind[0] + 1.0, wind[1]))
+
+
+@pytest.mark.parametrize("qnh", [95_000.0, 101_325.0, 104_300.0])
+def test_the_pressure_follows_that_of_the_day(qnh):
+    """By the definition of QNH an altimeter that is set to it shows the altitude."""
+    estimator = Estimator(truth(0.0), Instruments(qnh=qnh))
+    shown = estimator.pressure_altitude - pressure_altitude(qnh)
+    assert shown == pytest.approx(truth(0.0).altitude)
+
+
+def test_streams_that_an_autopilot_does_not_have():
+    assert silent_streams(EXACT) == frozenset()
+    assert silent_streams(EXACT._replace(tells_pressure=False)) == {ScaledPressure.MSGID}
+    assert silent_streams(EXACT._replace(tells_wind=False)) == {WindCov.MSGID}

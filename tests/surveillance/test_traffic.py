@@ -4,66 +4,30 @@ import math
 
 import numpy as np
 import pytest
+from reported import ALL, ORIGIN, said
 
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
 from vfguide.field.obstacle import obstacle_rows
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.rows import columns, width
-from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.boot_time import ROLLOVER
-from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
-from vfguide.link.messages import AdsbVehicle
+from vfguide.link.enums import AdsbFlags
+from vfguide.surveillance.heights import ANY_HEIGHT, HeightDatum
 from vfguide.surveillance.picture import LONGEST_SILENCE, MAX_AIRCRAFT, Picture
 from vfguide.surveillance.report import (
-    ANY_HEIGHT,
     ASSUMED_CLIMB,
     ASSUMED_SPEED,
-    PRESSURE_ERROR,
     SMALL_AIRCRAFT,
     Ownship,
     report_of,
 )
 from vfguide.surveillance.surveillance import MAX_INTRUDERS, Surveillance, rows_of
 
-ORIGIN = (47.4 * DEG, 8.5 * DEG, 488.0)
-PLANE = tangent_plane(*ORIGIN)
 FAR_AWAY = Ownship(0, (-9000.0, 0.0, -100.0), (25.0, 0.0, 0.0))
-
-ALL = int(
-    AdsbFlags.VALID_COORDS
-    | AdsbFlags.VALID_ALTITUDE
-    | AdsbFlags.VALID_HEADING
-    | AdsbFlags.VALID_VELOCITY
-    | AdsbFlags.VALID_CALLSIGN
-    | AdsbFlags.VERTICAL_VELOCITY_VALID
-    | AdsbFlags.SIMULATED
-)
-
-
-def said(p_n=(1000.0, 500.0, -150.0), *, icao=0xABC123, flags=ALL, **changes) -> AdsbVehicle:
-    """A report of an aircraft at 30 m/s to the east that climbs by 2 m/s."""
-    latitude, longitude, altitude = ned_to_geodetic(PLANE, p_n)
-    place = (round(latitude / DEG_E7), round(longitude / DEG_E7))
-    message = AdsbVehicle(
-        icao,
-        *place,
-        AdsbAltitudeType.GEOMETRIC,
-        round(altitude / MM),
-        9000,
-        3000,
-        200,
-        "D-EABC",
-        1,
-        0,
-        flags,
-        0,
-    )
-    return message._replace(**changes)
 
 
 def report(message, now_ms=5000):
-    return report_of(message, now_ms, ORIGIN, SMALL_AIRCRAFT)
+    return report_of(message, now_ms, ORIGIN, SMALL_AIRCRAFT, HeightDatum(undulation=0.0))
 
 
 def test_place_and_velocity_in_the_frame_of_the_plan():
@@ -82,7 +46,7 @@ def test_the_age_that_a_report_tells_is_heeded():
 @pytest.mark.parametrize(
     ("lacking", "radius", "half_height", "uncertainty_rate", "uncertainty_rate_up"),
     [
-        (AdsbFlags.VALID_ALTITUDE, 50.0, ANY_HEIGHT, 3.0, 1.5),
+        (AdsbFlags.VALID_ALTITUDE, 50.0, 30.0 + ANY_HEIGHT, 3.0, 1.5),
         (AdsbFlags.VALID_VELOCITY, 50.0, 30.0, 3.0 + ASSUMED_SPEED, 1.5),
         (AdsbFlags.VALID_HEADING, 50.0, 30.0, 33.0, 1.5),
         (AdsbFlags.VERTICAL_VELOCITY_VALID, 50.0, 30.0, 3.0, 1.5 + ASSUMED_CLIMB),
@@ -99,11 +63,6 @@ def test_a_velocity_without_a_course_is_none():
     assert report(said(flags=ALL & ~AdsbFlags.VALID_HEADING)).intruder.v_n[:2] == pytest.approx(
         (0.0, 0.0), abs=0.01
     )
-
-
-def test_a_pressure_altitude_is_doubted():
-    its = report(said(altitude_type=AdsbAltitudeType.PRESSURE_QNH)).intruder
-    assert its.half_height == 30.0 + PRESSURE_ERROR
 
 
 def test_without_a_callsign_the_address_is_the_name():
@@ -174,20 +133,6 @@ def test_the_own_transponder_is_no_traffic():
     picture = Picture(ORIGIN, SMALL_AIRCRAFT, own_icao=0xABC123)
     picture.hear(said(), 5000)
     assert len(picture) == 0
-
-
-@pytest.mark.parametrize(
-    ("p_n", "v_n", "echo"),
-    [
-        ((1005.0, 495.0, -150.0), (0.0, 29.0, -2.0), True),
-        ((1005.0, 485.0, -150.0), (0.0, 29.0, -2.0), False),
-        ((1005.0, 495.0, -150.0), (0.0, 25.0, -2.0), False),
-    ],
-)
-def test_an_echo_flies_where_and_as_the_own_vehicle_does(p_n, v_n, echo):
-    picture = Picture(ORIGIN, SMALL_AIRCRAFT)
-    picture.hear(said(), 5000)
-    assert bool(picture.others(Ownship(5000, p_n, v_n))) is not echo
 
 
 def test_rows_tell_the_time_of_the_report_on_the_clock_of_the_obstacles():

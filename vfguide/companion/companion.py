@@ -12,7 +12,12 @@ from vfguide.companion.engagement import FINAL_PHASES, SENDING, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.place import PlaceWatch
 from vfguide.companion.plan import Plan
-from vfguide.companion.requests import Requests, request_origin, requested_streams
+from vfguide.companion.requests import (
+    Requests,
+    request_origin,
+    request_pressure,
+    requested_streams,
+)
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
 from vfguide.companion.setpoint_annunciations import SetpointAnnunciator
@@ -37,6 +42,7 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.loop.rows import step_measured
+from vfguide.surveillance.heights import is_by_pressure
 
 ORIGIN_RETRY = SECOND
 """Time after which the origin of the local frame is asked for again [us]; chosen."""
@@ -85,6 +91,7 @@ class Companion:
         self._setpoints = Setpoints(sysid)
         self._known = Knowledge()
         self._requests = Requests()
+        self._pressure_asked = False
         self._round_trip = RoundTrip()
         self._time_notes = TimeAnnunciator()
         self._setpoint_notes = SetpointAnnunciator()
@@ -131,7 +138,7 @@ class Companion:
                 self._control.hear_current_mode(message)
                 self._contact.hear(now)
             case AdsbVehicle():
-                self.route.hear_traffic(message, self._known)
+                self._hear_traffic(message)
             case CommandAck():
                 self._control.answer(message)
                 if complaint := self._requests.answer(message):
@@ -202,6 +209,13 @@ class Companion:
         if told and self._control.may_send:
             self._news.append(note)
 
+    def _hear_traffic(self, report: AdsbVehicle) -> None:
+        """Take a report; the first pressure altitude makes it ask for the own pressure."""
+        if is_by_pressure(report) and not self._pressure_asked:
+            self._pressure_asked = True
+            self._requests.ask([request_pressure(self.sysid)])
+        self.route.hear_traffic(report, self._known)
+
     def _hear_timesync(self, now: int, message: Timesync) -> None:
         """Take an answer to a question of our own; nothing is guided over too slow a link."""
         self._round_trip.hear(now, message)
@@ -234,7 +248,7 @@ class Companion:
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
             self._place = self._new_place_watch()
             self._weigh(now)
-            self._requests = Requests()
+            self._requests, self._pressure_asked = Requests(), False
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
 
     def _housekeeping(self, now: int) -> list[Message]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.date import Date, date_after
 from vfguide.estimation.local_frame import Measurement
-from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.geometry.units import DEG_E7, HPA, MM, MS
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -15,11 +15,13 @@ from vfguide.link.messages import (
     GpsRawInt,
     LocalPositionNed,
     Message,
+    ScaledPressure,
     SystemTime,
     VfrHud,
     WindCov,
 )
 from vfguide.link.plausibility import is_plausible, undulation_of
+from vfguide.surveillance.heights import HeightDatum, pressure_offset
 
 STALE = 0.5
 """Age above which a position, an attitude or an airspeed is not used [s]; chosen. The flight goes
@@ -57,6 +59,14 @@ class Knowledge(NamedTuple):
     """Latitude and longitude of the vehicle."""
     undulation: float | None = None
     """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
+    pressure_offset: float | None = None
+    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot tells
+    no pressure that weather can make."""
+
+    @property
+    def datum(self) -> HeightDatum:
+        """How heights that others report relate to those above mean sea level."""
+        return HeightDatum(self.pressure_offset, self.undulation)
 
     @property
     def time_ms(self) -> int:
@@ -73,6 +83,7 @@ _PLACES: dict[type[Message], int] = {
     SystemTime: Knowledge._fields.index("date"),
     GlobalPositionInt: Knowledge._fields.index("place"),
     GpsRawInt: Knowledge._fields.index("undulation"),
+    ScaledPressure: Knowledge._fields.index("pressure_offset"),
 }
 """The number of the field that each kind of message changes."""
 _TIMES: dict[type[Message], int] = {
@@ -93,10 +104,8 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
     place = _PLACES.get(type(message))
     if place is None or not is_plausible(message):
         return known
-    if isinstance(message, SystemTime):
-        return known._replace(date=date_after(known.date, message, known.clock))
-    if isinstance(message, GpsRawInt):
-        return known._replace(undulation=undulation_of(message))
+    if isinstance(message, SystemTime | GpsRawInt | ScaledPressure):
+        return with_derived(known, message)
     after: list[Any] = list(known)
     after[place] = message
     if isinstance(message, AttitudeQuaternion):
@@ -110,6 +119,26 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
     elif known.attitude is not None and (time_place := _TIMES.get(type(message))):
         after[time_place] = known.time_ms
     return Knowledge._make(after)
+
+
+def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPressure) -> Knowledge:
+    """The knowledge after a message of which only what follows from it is kept."""
+    match message:
+        case SystemTime():
+            return known._replace(date=date_after(known.date, message, known.clock))
+        case GpsRawInt():
+            return known._replace(undulation=undulation_of(message))
+        case ScaledPressure():
+            return with_pressure(known, message)
+
+
+def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
+    """The knowledge after a pressure at the newest position; unchanged where there is none."""
+    origin, position = known.origin, known.position
+    if origin is None or position is None:
+        return known
+    altitude = origin.altitude * MM - position.z
+    return known._replace(pressure_offset=pressure_offset(message.press_abs * HPA, altitude))
 
 
 def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:

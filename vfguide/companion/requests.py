@@ -6,12 +6,14 @@ from enum import IntEnum
 from vfguide.autopilots.autopilot import Autopilot
 from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavCmd, MavResult
-from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin
+from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin, ScaledPressure
 
 RETRY = 500_000
 """Time after which a command without an answer is sent again [us]; chosen."""
 MAX_ATTEMPTS = 5
 """Number of times that a command is sent before it is given up; chosen."""
+PRESSURE_RATE = 1.0
+"""Rate at which the pressure of the air is asked for [Hz]; chosen, since weather is slow."""
 MODE_RETRY = 1_000_000
 """Time after which a mode that was not accepted is asked for again [us]; chosen."""
 MODE_TIMEOUT = 3_000_000
@@ -35,6 +37,12 @@ def request_origin(target: int) -> CommandLong:
     Not every make does so by itself.
     """
     return command(target, MavCmd.REQUEST_MESSAGE, GpsGlobalOrigin.MSGID)
+
+
+def request_pressure(target: int) -> CommandLong:
+    """The command that makes the autopilot send the pressure of the air."""
+    interval = round(SECOND / PRESSURE_RATE)
+    return command(target, MavCmd.SET_MESSAGE_INTERVAL, ScaledPressure.MSGID, interval)
 
 
 def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[CommandLong]:

@@ -139,6 +139,8 @@ class Route:
         if follows:
             self._obstacle_clock.settle(known)
         t, now_ms = self._obstacle_clock.time(known), known.time_ms
+        if self._surveillance.is_listening:
+            self._surveillance.follow(ownship_of(state, now_ms, self.plan))
         if self._surveillance.is_due(now_ms):
             ownship = place_state(state, self.plan.origin)
             self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
@@ -180,8 +182,11 @@ class Route:
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
         """Take a report of another aircraft; without an attitude its time is unknown."""
-        if known.attitude is not None:
-            self._surveillance.hear(said, known.time_ms)
+        if known.attitude is None:
+            return
+        state, now_ms = heard(known), known.time_ms
+        ownship = None if state is None else ownship_of(state, now_ms, self.plan)
+        self.notes += self._surveillance.hear(said, now_ms, ownship, known.datum)
 
     def objection(self, known: Knowledge) -> str | None:
         """Why the autopilot must not begin to follow, None: it may."""
@@ -259,3 +264,9 @@ class Route:
             return False
         self._stepped = now_ms
         return True
+
+
+def ownship_of(state: Measurement, now_ms: int, plan: Plan) -> Ownship:
+    """The ownship at the time `now_ms` of the attitude [ms], in the frame of the plan."""
+    ownship = place_state(state._replace(lead=0.0), plan.origin)
+    return Ownship(now_ms, ownship.p_n, ownship.v_n)

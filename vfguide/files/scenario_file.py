@@ -77,6 +77,13 @@ class Origin(Table):
     """Height of mean sea level above the WGS-84 ellipsoid."""
 
 
+class Weather(Table):
+    """The pressure of the air; the companion never sees it."""
+
+    qnh_hpa: Annotated[float, between(870, 1085)] = 1013.25
+    """At mean sea level. Pressure altitudes follow it, the density of the air does not."""
+
+
 class WindChange(Table):
     """A change of the wind."""
 
@@ -208,6 +215,8 @@ class Autopilot(Table):
     """The share falls no lower than this."""
     wind_message: bool = True
     """Whether WIND_COV is sent."""
+    pressure_message: bool = True
+    """Whether SCALED_PRESSURE is sent to who asks for it."""
     reset: list[Reset] = Field(default_factory=list[Reset])
 
 
@@ -250,6 +259,7 @@ class ScenarioHead(Table):
     start_time: Time = datetime(2026, 1, 1, tzinfo=UTC)
     origin: Origin = Origin()
     wind: Wind = Wind()
+    weather: Weather = Weather()
     sensors: Sensors | None = None
     """None: every autopilot knows its state exactly."""
     autopilot: Autopilot = Autopilot()

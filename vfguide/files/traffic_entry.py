@@ -1,10 +1,10 @@
 """Other aircraft of a scenario, as they are written."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 
-from vfguide.files.toml_types import Position, Table, Vector, above, between, rule_broken
+from vfguide.files.toml_types import Position, Table, Vector, above, between, rule_broken, word
 
 
 def _address(text: str) -> str:
@@ -30,6 +30,11 @@ def _flyable(values: tuple[float, float, float]) -> tuple[float, float, float]:
 Address = Annotated[str, AfterValidator(_address)]
 Velocity = Annotated[Vector, AfterValidator(_flyable)]
 """North, east, down [m/s]."""
+
+
+AltitudeType = Annotated[Literal["geometric", "qne", "qnh"], word("geometric", "qne", "qnh")]
+"""Heights of transponders: above the ellipsoid; in the standard atmosphere; above mean sea level,
+by the pressure of the day."""
 
 
 class TrafficChange(Table):
@@ -58,6 +63,8 @@ class TrafficEntry(Table):
     """From a position to the arrival of its report."""
     position_error_m: Annotated[float, between(0, 1000)] = 0.0
     """Standard deviation of each axis of the reported position."""
+    altitude_type: AltitudeType = "geometric"
+    """Which height it reports."""
     change: list[TrafficChange] = Field(default_factory=list[TrafficChange])
 
 

@@ -145,6 +145,24 @@ class GpsRawInt(NamedTuple):
     """Yaw from north [0.01 deg], 0: not provided, 36000: north."""
 
 
+class ScaledPressure(NamedTuple):
+    """Pressure of the air where the autopilot is."""
+
+    MSGID = 29
+    NAME = "SCALED_PRESSURE"
+
+    time_boot_ms: int
+    """Time since the start [ms]."""
+    press_abs: float
+    """Absolute pressure [hPa]."""
+    press_diff: float
+    """Differential pressure [hPa]."""
+    temperature: int
+    """Temperature of the absolute pressure sensor [0.01 degC]."""
+    temperature_press_diff: int = 0
+    """Temperature of the differential pressure sensor [0.01 degC], 0: unknown."""
+
+
 class Attitude(NamedTuple):
     """Attitude of FRD against NED, as Euler angles z-y-x."""
 
@@ -902,6 +920,7 @@ Message = (
     | SystemTime
     | Ping
     | GpsRawInt
+    | ScaledPressure
     | Attitude
     | AttitudeQuaternion
     | LocalPositionNed

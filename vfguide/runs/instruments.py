@@ -9,7 +9,12 @@ from vfguide.sim.autopilot.motor import Motor
 
 
 def instruments_from(
-    sensors: Sensors | None, autopilot: Autopilot, seed: int, rate_seed: int, undulation: float
+    sensors: Sensors | None,
+    autopilot: Autopilot,
+    seed: int,
+    rate_seed: int,
+    undulation: float,
+    qnh: float,
 ) -> Instruments:
     """What one autopilot measures with.
 
@@ -19,6 +24,7 @@ def instruments_from(
         seed: seed of the errors of its estimate.
         rate_seed: seed of the errors of its body rates.
         undulation: height of mean sea level above the ellipsoid [m].
+        qnh: pressure of the air at mean sea level [Pa].
     """
     fails = autopilot.airspeed_fails_at_s
     resets = (Reset(each.time_s, each.position_m, each.origin_m) for each in autopilot.reset)
@@ -31,6 +37,8 @@ def instruments_from(
         autopilot.wind_message,
         tuple(sorted(resets, key=lambda reset: reset.time)),
         undulation,
+        qnh,
+        autopilot.pressure_message,
     )
 
 

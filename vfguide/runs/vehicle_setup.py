@@ -3,8 +3,11 @@
 import numpy as np
 
 from vfguide.files.errors import InputError
+from vfguide.files.traffic_entry import AltitudeType
 from vfguide.geometry.geodesy import ned_to_geodetic
-from vfguide.geometry.units import DEG
+from vfguide.geometry.pressure_altitude import pressure_altitude
+from vfguide.geometry.units import DEG, HPA
+from vfguide.link.enums import AdsbAltitudeType
 from vfguide.runs.instruments import instruments_from, motor_from
 from vfguide.runs.models import model_of
 from vfguide.scenario.load import LoadedScenario
@@ -64,6 +67,7 @@ def setup_of(loaded: LoadedScenario, vehicle: Vehicle) -> Setup:
             random_seed(scenario.seed, vehicle.id, STATE_ERRORS),
             random_seed(scenario.seed, vehicle.id, RATE_ERRORS),
             scenario.origin.undulation_m,
+            scenario.weather.qnh_hpa * HPA,
         ),
         motor_from(scenario.autopilot),
         transponders_of(scenario),
@@ -83,9 +87,21 @@ def transponders_of(scenario: Scenario) -> tuple[Transponder, ...]:
             each.delay_s,
             each.position_error_m,
             random_seed(scenario.seed, int(each.icao, 16), TRAFFIC_ERRORS),
+            *told_height(scenario, each.altitude_type),
         )
         for each in scenario.traffic
     )
+
+
+def told_height(scenario: Scenario, altitude_type: AltitudeType) -> tuple[AdsbAltitudeType, float]:
+    """The kind of height that a transponder reports, and that less the altitude [m]."""
+    match altitude_type:
+        case "geometric":
+            return AdsbAltitudeType.GEOMETRIC, scenario.origin.undulation_m
+        case "qne":
+            return AdsbAltitudeType.PRESSURE_QNH, pressure_altitude(scenario.weather.qnh_hpa * HPA)
+        case "qnh":
+            return AdsbAltitudeType.PRESSURE_QNH, 0.0
 
 
 def weather_of(scenario: Scenario, sysid: int) -> Weather:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from vfguide.files.aircraft_file import Aircraft
-from vfguide.files.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile
+from vfguide.files.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile, Weather
 from vfguide.files.source import Location, Source
 from vfguide.files.toml_types import in_words
 from vfguide.scenario.resolved import Scenario
@@ -119,7 +119,7 @@ def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> Non
 
 
 def check_still_air(scenario: Scenario, source: Source) -> None:
-    """No wind is asked for where there is no air, no sensors or link where there is no autopilot.
+    """No wind and no weather without air, no sensors and no link without an autopilot.
 
     Raises:
         InputError: one is.
@@ -134,6 +134,8 @@ def check_still_air(scenario: Scenario, source: Source) -> None:
         raise source.error(at, f"{rule}, allowed 0", wind.shear_mps_per_100m)
     if wind.change:
         raise source.error(("wind", "change"), f"{rule}, allowed none")
+    if scenario.weather != Weather():
+        raise source.error(("weather",), 'plant = "kinematic" has no air, allowed none')
     for table, unused in (("sensors", None), ("autopilot", Autopilot()), ("link", Link())):
         if getattr(scenario, table) != unused:
             raise source.error((table,), 'plant = "kinematic" has no autopilot, allowed none')

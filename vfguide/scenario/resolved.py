@@ -9,7 +9,7 @@ from vfguide import __version__
 from vfguide.files.obstacle_entry import ShapeName
 from vfguide.files.scenario_file import ScenarioHead
 from vfguide.files.toml_types import Table, Vector
-from vfguide.files.traffic_entry import TrafficChange
+from vfguide.files.traffic_entry import AltitudeType, TrafficChange
 from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
 
@@ -84,6 +84,7 @@ class Traffic(Table):
     interval_s: float
     delay_s: float
     position_error_m: float
+    altitude_type: AltitudeType
     change: tuple[TrafficChange, ...] = ()
 
 

@@ -92,6 +92,10 @@ class Transponder(NamedTuple):
     """Standard deviation of each axis of the reported position [m]."""
     seed: int
     """Seed of those errors."""
+    altitude_type: AdsbAltitudeType = AdsbAltitudeType.GEOMETRIC
+    """What the altitude that it reports is measured from."""
+    altitude_offset: float = 0.0
+    """Reported altitude less that above mean sea level [m]."""
 
 
 class Sender:
@@ -156,8 +160,8 @@ def report(each: Transponder, p_n: Vec3, v_n: Vec3, plane: TangentPlane) -> Adsb
         each.icao,
         round(latitude / DEG_E7),
         round(longitude / DEG_E7),
-        AdsbAltitudeType.GEOMETRIC,
-        round(altitude / MM),
+        each.altitude_type,
+        round((altitude + each.altitude_offset) / MM),
         round(math.atan2(east, north) / CDEG) % HEADINGS,
         round(math.hypot(north, east) / CM_S),
         round(-down / CM_S),

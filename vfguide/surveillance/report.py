@@ -9,23 +9,25 @@ from typing import NamedTuple
 
 from vfguide.airspace.hazards import Intruder
 from vfguide.geometry.geodesy import place_in_plane
-from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MM, MS
+from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MS
 from vfguide.geometry.vector import Vec3, add, scale
 from vfguide.link.boot_time import elapsed
-from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
+from vfguide.link.enums import AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.link.plausibility import is_plausible
+from vfguide.surveillance.heights import UNKNOWN_DATUM, HeightDatum, height_of
 
 ASSUMED_SPEED = 60.0
 """Speed that is assumed of an aircraft that reports no velocity [m/s]; chosen as the cruise of
 small aircraft."""
 ASSUMED_CLIMB = 5.0
 """Vertical speed that is assumed of an aircraft that reports none [m/s]; chosen, 1000 ft/min."""
-PRESSURE_ERROR = 20.0
-"""Addition to the half height where the altitude is a pressure altitude [m]; chosen."""
-ANY_HEIGHT = 20_000.0
-"""Half height of the volume of an aircraft that reports no altitude [m]; chosen, so that every
-height is in it."""
+NO_ADDRESS = "its address is 0"
+"""Reason to refuse a report that cannot be told from those of other aircraft."""
+NO_POSITION = "it has no position"
+"""Reason to refuse a report without VALID_COORDS."""
+IMPLAUSIBLE = "it cannot be true"
+"""Reason to refuse a report with a value that no aircraft has."""
 
 
 class Volume(NamedTuple):
@@ -61,6 +63,12 @@ class Report(NamedTuple):
     """Time at which it had this position, as time_boot_ms [ms]."""
     intruder: Intruder
     """The aircraft as a hazard; its time is not set."""
+    height_doubt: float = 0.0
+    """Doubt of the reported height, which the volume contains [m]."""
+    tells_velocity: bool = True
+    """Whether it tells speed and course over ground."""
+    tells_climb: bool = True
+    """Whether it tells its vertical speed."""
 
 
 class Ownship(NamedTuple):
@@ -74,7 +82,13 @@ class Ownship(NamedTuple):
     """Velocity over ground, NED [m/s]."""
 
 
-def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> Report | None:
+def report_of(
+    said: AdsbVehicle,
+    now_ms: int,
+    origin: Vec3,
+    volume: Volume,
+    datum: HeightDatum = UNKNOWN_DATUM,
+) -> Report | None:
     """The report in the tangent plane at `origin`; None if it is implausible or has no position.
 
     Args:
@@ -82,42 +96,62 @@ def report_of(said: AdsbVehicle, now_ms: int, origin: Vec3, volume: Volume) -> R
         now_ms: time_boot_ms of the autopilot when it arrives [ms].
         origin: latitude, longitude [rad] and altitude [m] of the plan's frame.
         volume: volume to keep out of around an aircraft that reports everything.
+        datum: how reported heights relate to those above mean sea level.
     """
-    flags = said.flags
-    if not is_plausible(said) or not flags & AdsbFlags.VALID_COORDS:
+    if refusal(said) is not None:
         return None
-    altitude = said.altitude * MM if flags & AdsbFlags.VALID_ALTITUDE else origin[2]
-    place = (said.lat * DEG_E7, said.lon * DEG_E7, altitude)
+    height = height_of(said, datum, origin[2])
+    place = (said.lat * DEG_E7, said.lon * DEG_E7, height.altitude)
     p_n, v_n = place_in_plane(origin, *place, velocity_of(said))
-    intruder = Intruder(p_n, v_n, 0.0, *volume_of(said, volume))
-    name = said.callsign.strip() if flags & AdsbFlags.VALID_CALLSIGN else ""
-    address = said.ICAO_address
-    return Report(address, name or f"{address:06X}", now_ms - round(said.tslc / MS), intruder)
+    intruder = Intruder(p_n, v_n, 0.0, *volume_of(said, volume, height.doubt))
+    name = said.callsign.strip() if said.flags & AdsbFlags.VALID_CALLSIGN else ""
+    return Report(
+        said.ICAO_address,
+        name or f"{said.ICAO_address:06X}",
+        now_ms - round(said.tslc / MS),
+        intruder,
+        height.doubt,
+        tells_velocity(said),
+        bool(said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID),
+    )
+
+
+def refusal(said: AdsbVehicle) -> str | None:
+    """Why a report is not used, in words; None: it is."""
+    if said.ICAO_address == 0:
+        return NO_ADDRESS
+    if not said.flags & AdsbFlags.VALID_COORDS:
+        return NO_POSITION
+    return None if is_plausible(said) else IMPLAUSIBLE
+
+
+def tells_velocity(said: AdsbVehicle) -> bool:
+    """Whether a report has both speed and course over ground."""
+    return bool(said.flags & AdsbFlags.VALID_VELOCITY and said.flags & AdsbFlags.VALID_HEADING)
 
 
 def velocity_of(said: AdsbVehicle) -> Vec3:
     """Velocity, north-east-down at the aircraft [m/s]; zero where it is not reported."""
     up = said.ver_velocity * CM_S if said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID else 0.0
-    if not said.flags & AdsbFlags.VALID_VELOCITY or not said.flags & AdsbFlags.VALID_HEADING:
+    if not tells_velocity(said):
         return (0.0, 0.0, -up)
     speed, course = said.hor_velocity * CM_S, said.heading * CDEG
     return (speed * math.cos(course), speed * math.sin(course), -up)
 
 
-def volume_of(said: AdsbVehicle, volume: Volume) -> Volume:
-    """The volume of a report, larger or growing faster where something is not reported."""
+def volume_of(said: AdsbVehicle, volume: Volume, height_doubt: float) -> Volume:
+    """The volume of a report, larger or growing faster where something is not reported.
+
+    Its half height is that of `volume` and the doubt of the reported height [m].
+    """
     radius, half_height, uncertainty_rate, uncertainty_rate_up = volume
-    if not said.flags & AdsbFlags.VALID_ALTITUDE:
-        half_height = ANY_HEIGHT
-    elif said.altitude_type == AdsbAltitudeType.PRESSURE_QNH:
-        half_height += PRESSURE_ERROR
     if not said.flags & AdsbFlags.VALID_VELOCITY:
         uncertainty_rate += ASSUMED_SPEED
     elif not said.flags & AdsbFlags.VALID_HEADING:
         uncertainty_rate += said.hor_velocity * CM_S
     if not said.flags & AdsbFlags.VERTICAL_VELOCITY_VALID:
         uncertainty_rate_up += ASSUMED_CLIMB
-    return Volume(radius, half_height, uncertainty_rate, uncertainty_rate_up)
+    return Volume(radius, half_height + height_doubt, uncertainty_rate, uncertainty_rate_up)
 
 
 def placed_at(report: Report, time_ms: int) -> Vec3:

@@ -8,6 +8,7 @@ from vfguide.geometry.vector import norm, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
 from vfguide.surveillance.alerts import Alert, look
+from vfguide.surveillance.heights import UNKNOWN_DATUM, HeightDatum
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship, Report, placed_at
 
@@ -30,9 +31,24 @@ class Surveillance:
         self._near: tuple[int, ...] = ()
         self._looked: int | None = None
 
-    def hear(self, said: AdsbVehicle, now_ms: int) -> None:
-        """Take a report that arrives at the autopilot's time `now_ms`, its time_boot_ms [ms]."""
-        self._picture.hear(said, now_ms)
+    @property
+    def is_listening(self) -> bool:
+        """Whether there is traffic, so that the ownship's track matters."""
+        return not self._picture.is_empty
+
+    def follow(self, ownship: Ownship) -> None:
+        """Take the ownship's state, later than before."""
+        self._picture.follow(ownship)
+
+    def hear(
+        self,
+        said: AdsbVehicle,
+        now_ms: int,
+        ownship: Ownship | None = None,
+        datum: HeightDatum = UNKNOWN_DATUM,
+    ) -> list[str]:
+        """Take a report as `Picture.hear` does; returns notes for the operator."""
+        return self._picture.hear(said, now_ms, ownship, datum)
 
     def is_due(self, now_ms: int) -> bool:
         """Whether there is traffic, and LOOK_INTERVAL has passed by `now_ms` [ms] since a look."""

@@ -10,7 +10,14 @@ from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
-from vfguide.link.messages import AdsbVehicle, CurrentMode, SetAttitudeTarget, Statustext, WindCov
+from vfguide.link.messages import (
+    AdsbVehicle,
+    CurrentMode,
+    ScaledPressure,
+    SetAttitudeTarget,
+    Statustext,
+    WindCov,
+)
 from vfguide.sim.autopilot.attitude_control import rates_for_attitude
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
 from vfguide.sim.autopilot.flight_mode import (
@@ -80,7 +87,7 @@ class Autopilot:
         self._airframe = airframe
         self._tables = airframe.tables
         self._estimator = Estimator(first, instruments)
-        self._tells_wind = instruments.tells_wind
+        self._silent = silent_streams(instruments)
         errors = instruments.errors
         self._rates = None if errors is None else RateNoise(errors, instruments.rate_seed)
         self._cruise = aircraft.airspeed_cruise
@@ -143,9 +150,7 @@ class Autopilot:
         """The frames that are due on a port now."""
         report = self.report()
         messages = port.take_queue(self.now)
-        due = port.due(self.now)
-        if not self._tells_wind and WindCov.MSGID in due:
-            due.remove(WindCov.MSGID)
+        due = (msgid for msgid in port.due(self.now) if msgid not in self._silent)
         messages += [MAKERS[msgid](report) for msgid in due]
         return [port.encode(message) for message in messages]
 
@@ -161,6 +166,7 @@ class Autopilot:
             True,
             self.setpoint if self.mode is Mode.OFFBOARD else None,
             Controls(*self._controls).throttle,
+            self._estimator.pressure_altitude,
             self._estimator.undulation,
         )
 
@@ -232,3 +238,9 @@ class Autopilot:
         roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
         estimate = self.estimate
         return rates_for_attitude(roll, pitch, estimate.euler, estimate.true_airspeed)
+
+
+def silent_streams(instruments: Instruments) -> frozenset[int]:
+    """Ids of the streams that an autopilot with these instruments never sends."""
+    tells = {WindCov: instruments.tells_wind, ScaledPressure: instruments.tells_pressure}
+    return frozenset(message.MSGID for message, told in tells.items() if not told)

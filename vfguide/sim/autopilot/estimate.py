@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from vfguide.geometry.atmosphere import calibrated_airspeed, isa_density
 from vfguide.geometry.compiled import compiled
+from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.projection import project, reproject
 from vfguide.geometry.vector import Vec3, add, norm, sub
 from vfguide.sim.autopilot.instruments import AirspeedFault, Instruments
@@ -89,6 +90,8 @@ class Estimator:
         self.error = NO_ERRORS
         """Told minus true, at the latest update; of the position without its resets."""
         self.undulation = instruments.undulation
+        self._qnh_altitude = pressure_altitude(instruments.qnh)
+        self._altitude = first.altitude
         """Height of mean sea level above the ellipsoid [m]."""
         self._instruments = instruments
         self._resets = list(instruments.resets)
@@ -99,6 +102,11 @@ class Estimator:
         self._wind_n = first.wind_n
         self._time = first.time
 
+    @property
+    def pressure_altitude(self) -> float:
+        """Height at which the standard atmosphere has the pressure of the air around it [m]."""
+        return self._altitude + self._qnh_altitude
+
     def has_airspeed(self, time: float) -> bool:
         """Whether the airspeed sensor works at a `time` [s]."""
         return time < self._instruments.airspeed_fails
@@ -106,7 +114,7 @@ class Estimator:
     def update(self, truth: Truth, rate_error: Vec3 = (0.0, 0.0, 0.0)) -> Estimate:
         """The estimate at the time of `truth`; `rate_error` is that of the body rates [rad/s]."""
         dt = truth.time - self._time
-        self._time = truth.time
+        self._time, self._altitude = truth.time, truth.altitude
         self._follow_wind(truth.wind_n, min(dt / WIND_SMOOTHING, 1.0))
         self._reset(truth.time)
         v_n, wind_n, omega_b = truth.v_n, self._wind_n, truth.omega_b

@@ -4,6 +4,7 @@ import math
 from enum import Enum
 from typing import NamedTuple
 
+from vfguide.geometry.pressure_altitude import PRESSURE_0
 from vfguide.geometry.vector import Vec3
 
 
@@ -79,6 +80,10 @@ class Instruments(NamedTuple):
     """Jumps of what it believes, in the order of time."""
     undulation: float = 0.0
     """Height of mean sea level above the ellipsoid [m]."""
+    qnh: float = PRESSURE_0
+    """Pressure of the air at mean sea level, as altimeters are set [Pa]."""
+    tells_pressure: bool = True
+    """Whether it sends SCALED_PRESSURE to who asks for it."""
 
 
 EXACT = Instruments()

@@ -4,8 +4,10 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from vfguide.geometry.atmosphere import LAPSE, TEMPERATURE_0
+from vfguide.geometry.pressure_altitude import isa_pressure
 from vfguide.geometry.so3 import quaternion_from_euler
-from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM, PERCENT
+from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, HPA, MM, PERCENT
 from vfguide.link.enums import (
     AttitudeTypeMask,
     GpsFixType,
@@ -32,6 +34,7 @@ from vfguide.link.messages import (
     LocalPositionNed,
     Message,
     MissionCurrent,
+    ScaledPressure,
     SetAttitudeTarget,
     SysStatus,
     SystemTime,
@@ -67,6 +70,8 @@ VDOP = 120
 good fix."""
 SATELLITES = 12
 """Number of satellites of the simulated receiver; chosen, enough for a good fix."""
+ZERO_CELSIUS = 273.15
+"""Temperature of 0 degrees Celsius [K] (International System of Units)."""
 WIND_CHANGE = 0.25
 """Standard deviation in time of the wind in WIND_COV [m/s]; chosen."""
 WIND_ACCURACY = 0.5
@@ -94,6 +99,8 @@ class Report(NamedTuple):
     """The setpoint that is flown; None: it flies by itself."""
     throttle: float
     """Throttle that the motor gets, 0 to 1."""
+    pressure_altitude: float
+    """Height at which the standard atmosphere has the pressure of the air around it [m]."""
     undulation: float
     """Height of mean sea level above the ellipsoid [m]."""
 
@@ -188,6 +195,15 @@ def gps_raw(report: Report) -> GpsRawInt:
     )
 
 
+def scaled_pressure(report: Report) -> ScaledPressure:
+    """SCALED_PRESSURE of a sensor at the temperature of the standard atmosphere."""
+    height = report.pressure_altitude
+    temperature = TEMPERATURE_0 - LAPSE * height - ZERO_CELSIUS
+    return ScaledPressure(
+        report.time_boot_ms, isa_pressure(height) / HPA, 0.0, round(temperature / PERCENT)
+    )
+
+
 def home_position(report: Report) -> HomePosition:
     """HOME_POSITION: where the vehicle started."""
     lat, lon, alt = origin_on_the_wire(report.home)
@@ -252,6 +268,7 @@ MAKERS: dict[int, Callable[[Report], Message]] = {
     SysStatus.MSGID: sys_status,
     SystemTime.MSGID: system_time,
     GpsRawInt.MSGID: gps_raw,
+    ScaledPressure.MSGID: scaled_pressure,
     Attitude.MSGID: attitude,
     AttitudeQuaternion.MSGID: attitude_quaternion,
     LocalPositionNed.MSGID: local_position,
