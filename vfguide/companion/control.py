@@ -21,8 +21,8 @@ ASKING_PHASES = (Phase.OFFERING, Phase.ASKING, Phase.YIELDING, Phase.RETURNING)
 HEARTBEAT_INTERVAL = SECOND
 """Time after which every mode has shown in a heartbeat [us] (MAVLink's heartbeat protocol)."""
 OFFER_GAP = 500_000
-"""Longest time between two setpoints of one offer [us]; chosen as half the time after which PX4
-misses them."""
+"""Longest time between two setpoints of one offer [us]; chosen as half of the shortest time after
+which an autopilot misses them."""
 MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 

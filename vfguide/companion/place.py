@@ -33,7 +33,7 @@ LEAST_CLIMB = 300.0
 """Height from the nearest goal that any plan may be begun at [m]; chosen."""
 CONTRADICTION = 100.0
 """Distance between two places told by one autopilot above which they contradict each other [m];
-chosen, PX4's differ by 0.3 m in flight."""
+chosen, in recorded flights they differ by 0.3 m."""
 SAME_TIME = 0.2
 """Longest time between two places that are compared [s]; chosen, 10 m at 50 m/s."""
 NOT_FOLLOWED = f"{{why}}: not followed unless it lasts {LONGEST_GLITCH * MS:.0f} s"

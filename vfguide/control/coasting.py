@@ -12,8 +12,8 @@ from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add, matmul, scale
 
 LEVELLING_TIME = 1.0
-"""Time in which a bank beyond the largest is taken back [s]; chosen as the time after which PX4
-flies on by itself (COM_OF_LOSS_T)."""
+"""Time in which a bank beyond the largest is taken back [s]; chosen as the time after which
+autopilots fly on by themselves."""
 
 
 @compiled
