@@ -20,6 +20,7 @@ from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
 from vfguide.files.errors import InputError
+from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.rows import Row, Table, columns, python_reader
 from vfguide.geometry.so3 import from_euler, from_quaternion, log
 from vfguide.geometry.units import DEG
@@ -209,6 +210,7 @@ def flight_reference(plan: Plan, p_n: Vec3, v_n: Vec3, time: float) -> tuple[flo
     """Azimuth and path angle wanted through the air [rad], and the reference attitude."""
     level = from_euler(0.0, 0.0, math.atan2(v_n[1], v_n[0]))
     state = FlightState(time, p_n, v_n, level, plan.gains.airspeed, (0.0, 0.0, 0.0))
-    inputs = Inputs(state, state, ZERO, True)
+    density = isa_density(plan.origin[2] - p_n[2])
+    inputs = Inputs(state, state, ZERO, True, density)
     setpoint, _, told = step(inputs, fresh_state(), plan.legs, None, plan.law, plan.vehicle)
     return told.command.azimuth, told.command.gamma, from_quaternion(setpoint.q_nb)

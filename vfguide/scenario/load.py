@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vfguide import __version__
+from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.gain_scheduling import suited
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.performance import Gains, Performance
@@ -15,12 +16,13 @@ from vfguide.files.data import AircraftFiles, data_folder, find_aircraft, find_s
 from vfguide.files.errors import InputError
 from vfguide.files.overrides import parse_override
 from vfguide.files.scenario_file import ScenarioFile
-from vfguide.files.source import Source, read_toml
+from vfguide.files.source import Location, Source, read_toml
 from vfguide.geometry.units import DEG
-from vfguide.scenario import checks
+from vfguide.scenario import air_checks, checks
+from vfguide.scenario.air_checks import Flown
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
-from vfguide.scenario.resolve import aircraft_of, resolve
+from vfguide.scenario.resolve import air_of, aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.route_checks import Flies, check_routes
 from vfguide.scenario.traffic import check_traffic
@@ -39,8 +41,13 @@ class LoadedScenario:
     """Warnings about it, one message each."""
 
     def performance(self, vehicle: Vehicle) -> Performance:
-        """The performance of the aircraft of `vehicle`."""
+        """The performance of the aircraft of `vehicle` at sea-level density."""
         return self.aircraft[vehicle.aircraft].performance()
+
+    def performance_aloft(self, vehicle: Vehicle) -> Performance:
+        """The performance at its highest start or goal, where the stall is at its fastest."""
+        density = air_of(self.scenario, vehicle).thinnest
+        return in_air(self.performance(vehicle), density, self.scenario.airspeed_of(vehicle))
 
     def gains(self, vehicle: Vehicle) -> Gains:
         """The gains of `vehicle` that suit its roll response."""
@@ -125,9 +132,31 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
-    flies = [Flies(loaded.performance(each), loaded.gains(each)) for each in scenario.vehicles]
+    if scenario.plant == "jsbsim":
+        _check_air(loaded, source)
+    flies = [
+        Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
+    ]
     warnings = (*checks.told_of_law(scenario), *check_routes(scenario, flies, source))
     return replace(loaded, warnings=warnings)
+
+
+def _check_air(loaded: LoadedScenario, source: Source) -> None:
+    """Every vehicle can be flown in the air of its plan.
+
+    Raises:
+        InputError: one cannot.
+    """
+    scenario = loaded.scenario
+    for index, vehicle in enumerate(scenario.vehicles):
+        at: Location = ("vehicle", index, "airspeed_mps")
+        aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
+        flown = Flown(vehicle.aircraft, aircraft, gains, air_of(scenario, vehicle))
+        air_checks.check_airspeed(vehicle.airspeed_mps, flown, source, at)
+        if scenario.guidance.airspeed_mps is not None:
+            at = ("guidance", "airspeed_mps")
+        air_checks.check_airspeed(gains.airspeed, flown, source, at)
+        air_checks.check_thrust(flown, source, at)
 
 
 def check_file(path: Path) -> tuple[str, ...]:
