@@ -1,6 +1,7 @@
 """Whether an aircraft can fly in the air of its plan: its airspeeds, its thrust, its ceiling."""
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from vfguide.aircraft.air_density import excess_thrust, in_air
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.performance import Gains, Performance
+from vfguide.files.errors import InputError
 from vfguide.files.source import Location, Source
 from vfguide.scenario.air import Air
 
@@ -34,14 +36,29 @@ class Flown(NamedTuple):
     """The air between its start and its goals."""
 
 
+class Asked(NamedTuple):
+    """A true airspeed that a scenario asks for."""
+
+    speed: float
+    """[m/s]."""
+    at: Location
+    """Its place in the file."""
+    is_written: bool
+    """Whether the file has it."""
+
+
+Holds = Callable[[float, float], bool]
+"""Whether a true airspeed [m/s] is held in air of a density [kg/m^3]."""
+
+
 def airspeed_limits(aircraft: Performance, air: Air) -> tuple[float, float]:
     """Least and largest true airspeed [m/s] that its limits allow everywhere in the air."""
     least = in_air(aircraft, air.thinnest, aircraft.airspeed_cruise).airspeed_min
     return least, in_air(aircraft, air.thickest, aircraft.airspeed_cruise).airspeed_max
 
 
-def check_airspeed(speed: float, flown: Flown, source: Source, at: Location) -> None:
-    """A true airspeed [m/s] is within the limits at every height of the plan.
+def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
+    """An airspeed is within the limits at every height of the plan.
 
     Raises:
         InputError: it is not.
@@ -52,30 +69,37 @@ def check_airspeed(speed: float, flown: Flown, source: Source, at: Location) -> 
             f"the least airspeed of {flown.name} at {flown.air.highest:.0f} m is above its largest "
             f"at {flown.air.lowest:.0f} m; allowed are goals at heights that differ less"
         )
-        raise source.error(at, rule, speed)
-    if not low <= speed <= high:
-        side = "below the minimum" if speed < low else "above the maximum"
+        raise refused(asked, rule, flown, source)
+    if not low <= asked.speed <= high:
+        side = "below the minimum" if asked.speed < low else "above the maximum"
         rule = f"{side} of {flown.name} {_where(flown.air)}, allowed {shown_range(low, high)}"
-        raise source.error(at, rule, speed)
+        raise refused(asked, rule, flown, source)
 
 
-def check_thrust(flown: Flown, source: Source, at: Location) -> None:
+def check_start(asked: Asked, flown: Flown, source: Source) -> None:
+    """The thrust holds the airspeed at the start in level flight.
+
+    Raises:
+        InputError: it does not.
+    """
+
+    def holds(speed: float, density: float) -> bool:
+        return excess_thrust(flown.aircraft, density, speed, 1.0) >= 0.0
+
+    _check_held(asked, flown, holds, source)
+
+
+def check_thrust(asked: Asked, flown: Flown, source: Source) -> None:
     """The thrust holds the airspeed to fly at the highest place, in a climb and in turns.
 
     Raises:
         InputError: it does not.
     """
-    speed = flown.gains.airspeed
-    if is_held(speed, flown, flown.air.thinnest):
-        return
-    low, high = airspeed_limits(flown.aircraft, flown.air)
-    speeds = np.arange(math.ceil(low / SHOWN_STEP), math.floor(high / SHOWN_STEP) + 1) * SHOWN_STEP
-    held = [each for each in speeds.tolist() if is_held(each, flown, flown.air.thinnest)]
-    what = f"not held by the thrust of {flown.name} at {flown.air.highest:.0f} m"
-    if held:
-        raise source.error(at, f"{what}, allowed {shown_range(held[0], held[-1])}", speed)
-    rule = f"{what}, nor any other airspeed; allowed are goals up to {ceiling(flown):.0f} m"
-    raise source.error(at, rule, speed)
+
+    def holds(speed: float, density: float) -> bool:
+        return is_held(speed, flown, density)
+
+    _check_held(asked, flown, holds, source)
 
 
 def is_held(speed: float, flown: Flown, density: float) -> bool:
@@ -89,18 +113,42 @@ def is_held(speed: float, flown: Flown, density: float) -> bool:
     return climbs and excess_thrust(flown.aircraft, density, speed, load) >= 0.0
 
 
-def ceiling(flown: Flown) -> float:
+def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> None:
+    density, what = flown.air.thinnest, f"not held by the thrust of {flown.name}"
+    if holds(asked.speed, density):
+        return
+    what = f"{what} at {flown.air.highest:.0f} m"
+    if held := held_airspeeds(flown, flown.air.highest, holds):
+        rule = f"{what}, allowed {shown_range(held[0], held[-1])}"
+    else:
+        rule = f"{what}, nor any other one; allowed are goals up to {ceiling(flown, holds):.0f} m"
+    raise refused(asked, rule, flown, source)
+
+
+def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:
+    """The true airspeeds within the limits that are held at an altitude [m], in [m/s]."""
+    air = Air(altitude, altitude)
+    low, high = airspeed_limits(flown.aircraft, air)
+    speeds = np.arange(math.ceil(low / SHOWN_STEP), math.floor(high / SHOWN_STEP) + 1) * SHOWN_STEP
+    return [each for each in speeds.tolist() if holds(each, air.thinnest)]
+
+
+def ceiling(flown: Flown, holds: Holds) -> float:
     """Height up to which some airspeed is held [m]; 0 where none is at sea level."""
-    heights = np.arange(0.0, NO_CEILING + CEILING_STEP, CEILING_STEP)
-    reached = [0.0]
-    for height in heights.tolist():
-        air = Air(height, height)
-        low, high = airspeed_limits(flown.aircraft, air)
-        speeds = np.arange(low, high, SHOWN_STEP).tolist()
-        if not any(is_held(each, flown, air.thinnest) for each in speeds):
+    reached = 0.0
+    for height in np.arange(0.0, NO_CEILING, CEILING_STEP).tolist():
+        if not held_airspeeds(flown, height, holds):
             break
-        reached.append(height)
-    return reached[-1]
+        reached = height
+    return reached
+
+
+def refused(asked: Asked, rule: str, flown: Flown, source: Source) -> InputError:
+    """The error of an airspeed that breaks a rule; one that is not written is the cruise."""
+    if asked.is_written:
+        return source.error(asked.at, rule, asked.speed)
+    cruise = f"the cruise of {flown.name}, true airspeed {asked.speed:.1f}"
+    return source.error(asked.at, f"{cruise}, is {rule}")
 
 
 def shown_range(low: float, high: float) -> str:

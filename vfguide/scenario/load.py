@@ -19,7 +19,7 @@ from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Location, Source, read_toml
 from vfguide.geometry.units import DEG
 from vfguide.scenario import air_checks, checks
-from vfguide.scenario.air_checks import Flown
+from vfguide.scenario.air_checks import Asked, Flown
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.resolve import air_of, aircraft_of, resolve
@@ -133,7 +133,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
     if scenario.plant == "jsbsim":
-        _check_air(loaded, source)
+        _check_air(loaded, entry, source)
     flies = [
         Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
     ]
@@ -141,7 +141,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     return replace(loaded, warnings=warnings)
 
 
-def _check_air(loaded: LoadedScenario, source: Source) -> None:
+def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> None:
     """Every vehicle can be flown in the air of its plan.
 
     Raises:
@@ -149,14 +149,17 @@ def _check_air(loaded: LoadedScenario, source: Source) -> None:
     """
     scenario = loaded.scenario
     for index, vehicle in enumerate(scenario.vehicles):
-        at: Location = ("vehicle", index, "airspeed_mps")
         aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
         flown = Flown(vehicle.aircraft, aircraft, gains, air_of(scenario, vehicle))
-        air_checks.check_airspeed(vehicle.airspeed_mps, flown, source, at)
+        at: Location = ("vehicle", index, "airspeed_mps")
+        written = entry.vehicle[index].airspeed_mps is not None
+        start = asked = Asked(vehicle.airspeed_mps, at, written)
         if scenario.guidance.airspeed_mps is not None:
-            at = ("guidance", "airspeed_mps")
-        air_checks.check_airspeed(gains.airspeed, flown, source, at)
-        air_checks.check_thrust(flown, source, at)
+            asked = Asked(gains.airspeed, ("guidance", "airspeed_mps"), True)
+        for each in (start, asked):
+            air_checks.check_airspeed(each, flown, source)
+        air_checks.check_thrust(asked, flown, source)
+        air_checks.check_start(start, flown, source)
 
 
 def check_file(path: Path) -> tuple[str, ...]:
