@@ -43,6 +43,7 @@ MEASURED = Measurement(
     ahead=0.02,
     q_lb=(0.9, 0.1, 0.05, 0.1),
     calibrated=23.0,
+    altitude=510.0,
     density=1.166,
     wind_l=(2.0, -1.0, 0.0),
     omega_b=(0.1, 0.2, -0.1),

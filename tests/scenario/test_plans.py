@@ -17,9 +17,7 @@ from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 
-@pytest.mark.parametrize(
-    ("name", "same"), [("first-flight", FIRST_FLIGHT)]
-)
+@pytest.mark.parametrize(("name", "same"), [("first-flight", FIRST_FLIGHT)])
 def test_the_plans_of_the_other_tests_are_those_of_the_files(name, same):
     loaded = load_scenario(name)
     plan = plan_of(loaded, loaded.scenario.vehicles[0])

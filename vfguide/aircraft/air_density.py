@@ -16,10 +16,10 @@ from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import replacing
 from vfguide.geometry.units import DEG
 
-CLIMB_SHARE = 0.75
+THIN_AIR_SHARE = 0.75
 """Share of the sine of the steepest steady climb in thin air that is asked for at most, or that of
 the aircraft file where it is larger; chosen, that of the Aerosonde's file."""
-LEAST_CLIMB = 0.5 * DEG
+NO_CLIMB = 0.5 * DEG
 """Steepest climb that is asked for where the thrust gives none [rad]; chosen, so that heights stay
 within reach of a finite path. The airspeed comes first, see `vfguide.aircraft.path_limits`."""
 
@@ -92,8 +92,8 @@ def steepest_climb(aircraft: Performance, density: float, airspeed: float) -> fl
     if density >= DENSITY_0 or here >= at_sea_level:
         return aircraft.climb_max
     left = max(here, 0.0) / max(at_sea_level, 1e-6)
-    climb = max(CLIMB_SHARE * here, left * math.sin(aircraft.climb_max))
-    return min(aircraft.climb_max, max(LEAST_CLIMB, math.asin(min(climb, 1.0))))
+    climb = max(THIN_AIR_SHARE * here, left * math.sin(aircraft.climb_max))
+    return min(aircraft.climb_max, max(NO_CLIMB, math.asin(min(climb, 1.0))))
 
 
 @compiled

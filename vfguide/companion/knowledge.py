@@ -136,6 +136,7 @@ def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
         ahead,
         (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
         hud.airspeed if (now - known.hud_time) * MS <= STALE else math.nan,
+        hud.alt,
         isa_density(hud.alt),
         UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
         (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),

@@ -40,6 +40,8 @@ class Measurement(NamedTuple):
     """Attitude w, x, y, z, body to north-east-down at the vehicle."""
     calibrated: float
     """Calibrated airspeed [m/s]; not a number where it is not measured."""
+    altitude: float
+    """Altitude above mean sea level [m]."""
     density: float
     """Density of the air [kg/m^3]."""
     wind_l: Vec3
@@ -53,7 +55,7 @@ class Measurement(NamedTuple):
 
 
 MeasurementTuple = tuple[
-    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, Vec3, Vec3, float, int
+    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, float, Vec3, Vec3, float, int
 ]
 """A `Measurement` without its names, as it crosses into compiled code."""
 _at_attitude = replacing(Measurement, "lead")
