@@ -19,6 +19,10 @@ from vfguide.geometry.units import DEG
 THIN_AIR_SHARE = 0.75
 """Share of the sine of the steepest steady climb in thin air that is asked for at most, or that of
 the aircraft file where it is larger; chosen, that of the Aerosonde's file."""
+POWER_SLOPE = 1.132
+"""Slope of the power of a piston engine over the density, both over those at sea level, a number:
+Gagg and Farrar, *Altitude Performance of Aircraft Engines*, SAE 1934. The thrust of an electric
+propeller falls less, with the density; which one an aircraft has is not known."""
 NO_CLIMB = 0.5 * DEG
 """Steepest climb that is asked for where the thrust gives none [rad]; chosen, so that heights stay
 within reach of a finite path. The airspeed comes first, see `vfguide.aircraft.path_limits`."""
@@ -111,5 +115,6 @@ def excess_thrust(aircraft: Performance, density: float, airspeed: float, load: 
     parasitic = (aircraft.thrust_trim - aircraft.thrust_per_load) * q_ratio
     induced = aircraft.thrust_per_load * load * load / q_ratio
     faster = max(0.0, airspeed - aircraft.airspeed_cruise)
-    full = ratio * max(0.0, 1.0 - aircraft.thrust_fade * faster)
+    power = max(0.0, POWER_SLOPE * (ratio - 1.0) + 1.0)
+    full = power * max(0.0, 1.0 - aircraft.thrust_fade * faster)
     return (full - parasitic - induced) / aircraft.thrust_per_climb
