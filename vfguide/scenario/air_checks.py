@@ -11,6 +11,7 @@ from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.files.errors import InputError
 from vfguide.files.source import Location, Source
+from vfguide.geometry.atmosphere import DENSITY_0, calibrated_airspeed
 from vfguide.scenario.air import Air
 
 CEILING_CLIMB = 0.5
@@ -37,6 +38,8 @@ class Flown(NamedTuple):
     """Gains with which it is flown."""
     air: Air
     """The air between its start and its goals."""
+    is_measured: bool
+    """Whether its thrust was measured, so that a flight can be refused for it."""
 
 
 class Asked(NamedTuple):
@@ -79,8 +82,8 @@ def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
         raise refused(asked, rule, flown, source)
 
 
-def check_start(asked: Asked, flown: Flown, source: Source) -> None:
-    """The thrust holds the airspeed at the start in level flight.
+def check_start(asked: Asked, flown: Flown, source: Source) -> list[str]:
+    """A warning where the thrust may not hold the airspeed at the start in level flight.
 
     Raises:
         InputError: it does not.
@@ -89,11 +92,11 @@ def check_start(asked: Asked, flown: Flown, source: Source) -> None:
     def holds(speed: float, density: float) -> bool:
         return spare_thrust(speed, flown, density, 1.0) >= 0.0
 
-    _check_held(asked, flown, holds, source)
+    return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
-def check_thrust(asked: Asked, flown: Flown, source: Source) -> None:
-    """The thrust holds the airspeed to fly at the highest place, in a climb and in turns.
+def check_thrust(asked: Asked, flown: Flown, source: Source) -> list[str]:
+    """A warning where the thrust may not hold the airspeed to fly at the highest place.
 
     Raises:
         InputError: it does not.
@@ -102,7 +105,7 @@ def check_thrust(asked: Asked, flown: Flown, source: Source) -> None:
     def holds(speed: float, density: float) -> bool:
         return is_held(speed, flown, density)
 
-    _check_held(asked, flown, holds, source)
+    return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
 def is_held(speed: float, flown: Flown, density: float) -> bool:
@@ -124,16 +127,36 @@ def spare_thrust(speed: float, flown: Flown, density: float, load: float) -> flo
     return excess_thrust(flown.aircraft, density, speed, load) - THRUST_ERROR
 
 
-def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> None:
+def in_thin_air(holds: Holds, flown: Flown) -> Holds:
+    """Whether the density still lets the thrust hold what it holds at sea level.
+
+    What an aircraft file does not have there already is judged by level flight alone: its numbers
+    of the thrust are guesses then, or its airspeed is near the fastest.
+    """
+
+    def holds_here(speed: float, density: float) -> bool:
+        if holds(speed, density):
+            return True
+        equivalent = calibrated_airspeed(speed, density)
+        is_held_below = holds(equivalent, DENSITY_0)
+        return not is_held_below and excess_thrust(flown.aircraft, density, speed, 1.0) >= 0.0
+
+    return holds_here
+
+
+def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> list[str]:
     density, what = flown.air.thinnest, f"not held by the thrust of {flown.name}"
     if holds(asked.speed, density):
-        return
+        return []
     what = f"{what} at {flown.air.highest:.0f} m"
     if held := held_airspeeds(flown, flown.air.highest, holds):
         rule = f"{what}, allowed {shown_range(held[0], held[-1])}"
     else:
         rule = f"{what}, nor any other one; allowed are goals up to {ceiling(flown, holds):.0f} m"
-    raise refused(asked, rule, flown, source)
+    error = refused(asked, rule, flown, source)
+    if flown.is_measured:
+        raise error
+    return [f"{error}; by the thrust of its file, which was not measured"]
 
 
 def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:

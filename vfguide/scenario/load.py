@@ -132,25 +132,26 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
-    if scenario.plant == "jsbsim":
-        _check_air(loaded, entry, source)
+    thin_air = _check_air(loaded, entry, source) if scenario.plant == "jsbsim" else []
     flies = [
         Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
     ]
-    warnings = (*checks.told_of_law(scenario), *check_routes(scenario, flies, source))
+    warnings = (*checks.told_of_law(scenario), *thin_air, *check_routes(scenario, flies, source))
     return replace(loaded, warnings=warnings)
 
 
-def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> None:
-    """Every vehicle can be flown in the air of its plan.
+def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> list[str]:
+    """Warnings of vehicles that may not be flown in the air of their plan.
 
     Raises:
         InputError: one cannot.
     """
-    scenario = loaded.scenario
+    scenario, warnings = loaded.scenario, list[str]()
     for index, vehicle in enumerate(scenario.vehicles):
         aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
-        flown = Flown(vehicle.aircraft, aircraft, gains, air_of(scenario, vehicle))
+        measured = loaded.aircraft[vehicle.aircraft].thrust.per_climb is not None
+        air, sure = air_of(scenario, vehicle), measured and not vehicle.identify
+        flown = Flown(vehicle.aircraft, aircraft, gains, air, sure)
         at: Location = ("vehicle", index, "airspeed_mps")
         written = entry.vehicle[index].airspeed_mps is not None
         start = asked = Asked(vehicle.airspeed_mps, at, written)
@@ -158,8 +159,9 @@ def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> N
             asked = Asked(gains.airspeed, ("guidance", "airspeed_mps"), True)
         for each in (start, asked):
             air_checks.check_airspeed(each, flown, source)
-        air_checks.check_thrust(asked, flown, source)
-        air_checks.check_start(start, flown, source)
+        found = air_checks.check_thrust(asked, flown, source)
+        warnings += found or air_checks.check_start(start, flown, source)
+    return warnings
 
 
 def check_file(path: Path) -> tuple[str, ...]:
