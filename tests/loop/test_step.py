@@ -89,9 +89,8 @@ def test_a_state_that_is_known_exactly_is_not_estimated():
 @pytest.mark.parametrize("airspace", [None, towers()])
 def test_the_step_for_a_link_is_the_step(law, airspace):
     s = fresh_state(0 if airspace is None else 2)
-    inputs = Inputs(
-        place_state(MEASURED, ORIGIN), place_measured(MEASURED, ORIGIN), MEASURED.omega_b, False
-    )
+    now, then = place_measured(MEASURED, ORIGIN), place_state(MEASURED, ORIGIN)
+    inputs = Inputs(then, now, MEASURED.omega_b, False, MEASURED.density)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
     measured = tuple(MEASURED)
     values = None if airspace is None else unnested_airspace(airspace)
