@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 from aeroplanes import AEROSONDE
-from point_mass import UPDATE, Moment, fly, level
+from point_mass import UPDATE, Moment, fly
+from rate_body import level
 
 from vfguide.aircraft.performance import Gains
 from vfguide.companion.plan import Plan

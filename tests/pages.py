@@ -36,15 +36,3 @@ def rows_of(page: Path, *headings: str) -> Rows:
 def names_in(cell: str) -> list[str]:
     """What stands in backticks."""
     return re.findall(r"`([^`]+)`", cell)
-
-
-def commands(page: Path) -> list[list[str]]:
-    """The lines of each block of shell commands."""
-    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
-    return [block.splitlines() for block in blocks]
-
-
-def files_in(page: Path) -> dict[str, str]:
-    """The files that the page has the reader save: name and text."""
-    saved = r"Save it as `([^`]+)`:\n+```toml\n(.*?)^```"
-    return dict(re.findall(saved, page.read_text(), re.MULTILINE | re.DOTALL))

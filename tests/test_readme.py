@@ -1,6 +1,5 @@
 """The commands of the README, of the first-flight page and of every --help, as written."""
 
-import json
 import re
 import shlex
 import signal
@@ -8,14 +7,13 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from pages import DOCS, README, ROOT, commands, files_in
+from page_numbers import blocks_of, rewritten, run_page
+from pages import DOCS, README, ROOT
 from programs import VFGUIDE, Program
 
 pytestmark = pytest.mark.slow
 
 PAGES = [README, DOCS / "first-flight.md"]
-SET_UP = {"./tools/first-flight", "./tools/test", ". .venv/bin/activate"}
-"""What CI runs itself, and what a test cannot."""
 BROUGHT = {"points.csv": "x,y,z,vx,vy,vz,t\n-20,5,10,12,3,2,0\n"}
 """Files of their own that users need for the examples of --help."""
 FOR_EVER = {"sim", "fly"}
@@ -29,7 +27,9 @@ def vfguide(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
 
 
 def lines_of(page: Path) -> list[str]:
-    return [line for block in commands(page) for line in block if line not in SET_UP]
+    """The commands of a page that anybody can run."""
+    blocks = [block for block in blocks_of(page.read_text()) if block.kind == "sh"]
+    return [line for block in blocks if not block.mark for line in block.lines]
 
 
 def help_of(*command: str) -> str:
@@ -57,12 +57,20 @@ def test_a_page_gives_only_commands_of_ours():
         assert all(line.startswith("vfguide ") for line in lines_of(page))
 
 
-@pytest.mark.parametrize("source", [*PAGES, "help"], ids=["readme", "first-flight", "help"])
-def test_commands_run_as_written(source, tmp_path):
-    lines = examples() if source == "help" else lines_of(source)
-    for name, text in (BROUGHT if source == "help" else files_in(source)).items():
+@pytest.mark.parametrize("page", PAGES, ids=["readme", "first-flight"])
+def test_commands_run_as_written_and_give_the_numbers_of_the_page(page, tmp_path):
+    text = page.read_text()
+    done = run_page(text, tmp_path)
+    assert len(done) > 3
+    for each in done:
+        assert each.status == 0, f"{each.line}\n{each.printed}"
+    assert rewritten(text, done, tmp_path) == text, "python tools/page_numbers.py --write"
+
+
+def test_examples_of_the_help_run_as_written(tmp_path):
+    for name, text in BROUGHT.items():
         (tmp_path / name).write_text(text)
-    for line in lines:
+    for line in examples():
         words = shlex.split(line)[1:]
         if words[0] not in FOR_EVER:
             done = vfguide(*words, cwd=tmp_path)
@@ -97,16 +105,3 @@ def test_a_scenario_of_a_page_is_one(tmp_path):
         (tmp_path / "shown.toml").write_text(text)
         done = vfguide("check", "shown.toml", cwd=tmp_path)
         assert done.returncode == 0, text + done.stderr
-
-
-def test_the_first_flight_goes_as_the_readme_shows(tmp_path):
-    row = re.search(r"^│ 1 .*│$", README.read_text(), re.MULTILINE)
-    _, _, reached, time_s, miss_m, course_deg, climb_deg = row[0].strip("│").split("│")
-    assert vfguide("run", "first-flight", "--no-report", "--out", "x", cwd=tmp_path).returncode == 0
-    (vehicle,) = json.loads((tmp_path / "x" / "result.json").read_text())["vehicles"]
-    (goal,) = vehicle["goals"]
-    assert (reached.strip() == "yes") == goal["reached"]
-    assert float(time_s) == pytest.approx(goal["time_s"], abs=0.5)
-    assert float(miss_m) == pytest.approx(goal["miss_m"], abs=0.1)
-    assert float(course_deg) == pytest.approx(goal["course_error_deg"], abs=0.5)
-    assert float(climb_deg) == pytest.approx(goal["climb_error_deg"], abs=0.5)

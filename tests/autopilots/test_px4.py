@@ -52,7 +52,6 @@ def test_the_operator_reads_the_name_of_a_mode(mode):
 
 def test_the_operator_reads_the_number_of_a_mode_without_a_name():
     assert PX4.mode_name(77) == "mode 77"
-    assert PX4.mode_name(None) == "nothing known"
 
 
 def test_it_follows_offboard_and_is_left_in_hold():

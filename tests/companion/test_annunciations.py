@@ -10,6 +10,7 @@ from loop_steps import step_told
 
 from vfguide.aircraft.state import FlightState
 from vfguide.companion.annunciations import passage_note, progress_notes
+from vfguide.companion.goal_announcement import announcement
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
@@ -26,7 +27,7 @@ def note(goal_before, missed, goal_after, given_up):
     before = MissionState(goal_before, Attempts(missed, 0), fresh_wind_hold())
     after = MissionState(goal_after, Attempts(0, given_up), fresh_wind_hold())
     rows = (row_of_state(fresh_state()._replace(mission=each)) for each in (before, after))
-    return passage_note(*rows, 5.1, SimpleNamespace(goals=GOALS))
+    return passage_note(announcement(*rows, 5.1), SimpleNamespace(goals=GOALS))
 
 
 def test_the_operator_is_told_what_became_of_a_goal():

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from aeroplanes import AEROSONDE
 from closed_loop import GAINS, TURN, blowing, flown, goal, plan_of, shortest
-from point_mass import fly, level
+from point_mass import fly
+from rate_body import level
 
 from vfguide.geometry.units import DEG
 

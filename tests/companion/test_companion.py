@@ -155,7 +155,9 @@ def test_it_says_once_why_no_setpoints_go_out():
     for name in ("attitude", "position", "airspeed", "origin"):
         assert name in why
     talk.fly(0.5)
-    assert "setpoints go out again" in talk.told
+    assert [note for note in talk.told if note.startswith("setpoints")] == [
+        "setpoints go out, OFFBOARD will be asked for"
+    ]
 
 
 def test_an_old_airspeed_is_not_flown_on():

@@ -78,10 +78,25 @@ def test_an_escape_without_a_conflict_says_so(among_towers: Plan) -> None:
     assert note == "escape: else no way out would be left"
 
 
-def test_where_nothing_is_clear_is_said_loudly_once_a_second(among_towers: Plan) -> None:
-    notes = told(among_towers, (2.5, decided(BEST_EFFORT, 1.5, 0)))
-    assert [time for time, _ in notes] == pytest.approx([0.02, 1.02, 2.02])
-    assert all(note.startswith("NOTHING IS CLEAR: south tower in 1.5 s") for _, note in notes)
+def test_where_nothing_is_clear_is_said_loudly_and_once_of_each_hazard(among_towers: Plan) -> None:
+    south, middle = (decided(BEST_EFFORT, 1.5, tower) for tower in (0, 1))
+    free = decided(CLEAR)
+    notes = told(among_towers, (2.5, south), (2.0, middle), (2.0, south), (2.0, free), (1.0, south))
+    assert [time for time, _ in notes] == pytest.approx([0.02, 2.52, 7.5, 8.52])
+    names = ("south tower", "middle tower", "south tower")
+    texts = [note for _, note in notes if note != BACK_ON_ROUTE]
+    assert len(texts) == len(names)
+    for name, text in zip(names, texts, strict=True):
+        assert text.startswith(f"NOTHING IS CLEAR: {name} in 1.5 s, ")
+    ((_, nameless),) = told(among_towers, (1.0, decided(BEST_EFFORT)))
+    assert nameless == "NOTHING IS CLEAR: the least bad is flown, take over if you can"
+
+
+def test_a_way_that_is_found_again_is_told_once(among_towers: Plan) -> None:
+    path = DubinsPath(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)
+    found = [on(with_hops(searched(12.0, at), 80.0, path)) for at in (0.5, 1.5, 2.5)]
+    notes = told(among_towers, *((1.5, each) for each in found))
+    assert [note for _, note in notes] == ["a way round: 2 turns, 240 m"]
 
 
 def test_a_decision_that_chatters_does_not_flood(among_towers: Plan) -> None:

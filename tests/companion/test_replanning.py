@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from closed_loop import STILL, blowing, goal, plan_of
-from point_mass import fly, level
+from point_mass import fly
+from rate_body import level
 
 from vfguide.airspace.fence import Zone, fence_distance, fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows

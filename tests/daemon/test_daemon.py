@@ -114,7 +114,7 @@ def test_its_patience_has_an_end(fly):
 
 def test_a_link_that_is_lost_meanwhile_is_no_confirmation(fly):
     outcome, _, said = fly(FLIES, [0, 0, 0])
-    assert outcome is Outcome.UNCONFIRMED
+    assert outcome is Outcome.UNLINKED
     assert "without a link" in said[-1]
 
 
@@ -182,8 +182,8 @@ def test_a_full_disk_is_told_once_and_does_not_end_the_flight(action):
 def test_a_warm_up_flies_past_a_goal(plan, monkeypatch):
     passed = []
 
-    def spy(before, after, miss, plan):
-        passed.append(passage_note(before, after, miss, plan))
+    def spy(said, plan):
+        passed.append(passage_note(said, plan))
         return passed[-1]
 
     monkeypatch.setattr("vfguide.companion.route.passage_note", spy)

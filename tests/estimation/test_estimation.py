@@ -21,7 +21,7 @@ def flown(seconds, thrust=0.4, jump=0.0, exact=False, **told):
     for k in range(round(seconds / DT) + 1):
         north = 25.0 * DT * k + (jump if k and k == round(seconds / DT) else 0.0)
         here = state((north, 0.0, -150.0), 0.0, roll=0.0, time=1.0 + DT * k)._replace(**told)
-        nav, s = estimation.update(Inputs(here, here, ZERO, exact), thrust, s, VEHICLE)
+        nav, s = estimation.update(Inputs(here, here, ZERO, exact, 0.0), thrust, s, VEHICLE)
     return nav, s
 
 
@@ -69,7 +69,7 @@ def test_the_lift_is_felt_as_it_was_measured_and_not_as_it_is_predicted():
         p_n = (measured.v_n[0] * DT * k, 0.0, -150.0 + measured.v_n[2] * DT * k)
         now = measured._replace(time=1.0 + DT * k, p_n=p_n)
         then = predicted._replace(time=1.0 + DT * k)
-        nav, s = estimation.update(Inputs(then, now, ZERO, False), 0.4, s, VEHICLE)
+        nav, s = estimation.update(Inputs(then, now, ZERO, False, 0.02), 0.4, s, VEHICLE)
     assert nav.state.p_n == predicted.p_n
     assert s.air.vertical.v_n == measured.v_n
     assert s.air.v_n == predicted.v_n

@@ -1,6 +1,7 @@
 """Jumps of the position: noticed, let in slowly, and no goal is passed by one."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -77,6 +78,25 @@ def test_a_steep_turn_is_no_jump():
         v_n = (30.0 * math.cos(angle), 30.0 * math.sin(angle), 0.0)
         if before is not None:
             jumps = follow_resets(jumps, before, at(p_n, v_n=v_n), 0.5)
+        before = (p_n, v_n)
+    assert jumps.number == 0
+
+
+@given(st.lists(st.floats(0.0, 0.5), min_size=2, max_size=40), st.floats(-0.5, 0.5))
+def test_a_delay_that_changes_is_no_jump(leads, turn_rate):
+    """The state is predicted by the delay of the link: along the flight, here a circle."""
+
+    def ahead(time):
+        angle = turn_rate * time
+        if turn_rate == 0.0:
+            return (25.0 * time, 0.0, -100.0), V
+        p_n = (25.0 * math.sin(angle) / turn_rate, 25.0 * (1.0 - math.cos(angle)) / turn_rate)
+        return (*p_n, -100.0), (25.0 * math.cos(angle), 25.0 * math.sin(angle), 0.0)
+
+    jumps, before = no_resets(), ahead(leads[0])
+    for k, (was, lead) in enumerate(pairwise(leads), start=1):
+        p_n, v_n = ahead(DT * k + lead)
+        jumps = follow_resets(jumps, before, at(p_n, v_n=v_n), DT, lead - was)
         before = (p_n, v_n)
     assert jumps.number == 0
 

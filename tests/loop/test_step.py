@@ -65,7 +65,7 @@ def test_a_step_remembers_its_state():
         1.0, (-400.0, 30.0, -140.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.05, 0.0), 25.0, (0.0,) * 3
     )
     setpoint, after, outcome = step(
-        Inputs(here, here, ZERO, False), fresh_state(), LEGS, None, FLIGHT, VEHICLE
+        Inputs(here, here, ZERO, False, 0.0), fresh_state(), LEGS, None, FLIGHT, VEHICLE
     )
     s = after.estimation
     assert (s.time, s.p_n, s.v_n, s.is_continuous) == (1.0, here.p_n, here.v_n, True)
@@ -80,7 +80,9 @@ def test_a_state_that_is_known_exactly_is_not_estimated():
     here = FlightState(
         1.0, (-400.0, 30.0, -140.0), (25.0, 0.0, 0.0), from_euler(0.0, 0.05, 0.0), 25.0, (0.0,) * 3
     )
-    _, after, _ = step(Inputs(here, here, ZERO, True), fresh_state(), LEGS, None, FLIGHT, VEHICLE)
+    _, after, _ = step(
+        Inputs(here, here, ZERO, True, 0.0), fresh_state(), LEGS, None, FLIGHT, VEHICLE
+    )
     assert after.estimation.p_n == here.p_n
     assert (row_of(after.estimation.air) == row_of(fresh_state().estimation.air)).all()
 
@@ -90,7 +92,7 @@ def test_a_state_that_is_known_exactly_is_not_estimated():
 def test_the_step_for_a_link_is_the_step(law, airspace):
     s = fresh_state(0 if airspace is None else 2)
     now, then = place_measured(MEASURED, ORIGIN), place_state(MEASURED, ORIGIN)
-    inputs = Inputs(then, now, MEASURED.omega_b, False, MEASURED.density)
+    inputs = Inputs(then, now, MEASURED.omega_b, False, MEASURED.lead, MEASURED.density)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
     measured = tuple(MEASURED)
     values = None if airspace is None else unnested_airspace(airspace)

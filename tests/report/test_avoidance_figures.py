@@ -106,6 +106,22 @@ def test_the_report_has_a_table_of_the_episodes(flights: Flights) -> None:
     assert "<td>tower</td>" in page
 
 
+@pytest.mark.parametrize("unclear", [0, 10])
+def test_the_report_does_not_promise_what_was_not_kept(flights: Flights, unclear: int) -> None:
+    """A setpoint goes out where nothing is clear too: the text is as true as the table over it."""
+    (record,) = flights.records
+    assert record.decisions is not None
+    reason = np.where(
+        (record.decisions.reason == 2.0) & (unclear == 0), 0.0, record.decisions.reason
+    )
+    kept = replace(record, decisions=record.decisions._replace(reason=reason))
+    result = judge(flights.loaded.scenario, [kept], 25.0, 0.1)
+    page = " ".join(render(flights.loaded, result, [], "vfguide run x.toml").split())
+    assert "only if" not in page
+    assert "an escape from here is flown instead" in page
+    assert (f"{unclear} setpoints here" in page) == (unclear > 0)
+
+
 def test_without_hazards_there_is_no_such_figure_and_no_table(tmp_path: Path) -> None:
     loaded = loaded_from(tmp_path)
     record = record_of(loaded.scenario.vehicles[0], straight, 25.0)

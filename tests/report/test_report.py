@@ -131,7 +131,7 @@ def test_the_report_says_how_it_went_and_how_to_repeat_it(run: Run, page: Page) 
     assert "goal 1 of vehicle 2 not reached" in page.text
     assert COMMAND in page.text
     assert " ".join(run.flights.loaded.scenario.to_toml().split()) in page.text
-    assert "Vehicle 1, goal 1 yes 20.0 0.000 0.00 0.00 5 m, 10°" in page.text
+    assert "Vehicle 1, goal 1 yes 20.0 0.000 - 0.00 0.00 5 m, 10°" in page.text
     assert "588.0 to 588.0" in page.text
     assert str(run.folder) not in page.text
 

@@ -22,7 +22,8 @@ DOCUMENTED = json.loads(
 {"name": "...", "version": "...", "seed": 1, "verdict": "good", "reasons": [],
  "sim_s": 29.5, "wall_s": 0.15, "realtime_factor": 196.7, "min_separation_m": null,
  "vehicles": [{"id": 1, "goals": [{"reached": true, "time_s": 24.5, "miss_m": 0.03,
-                                   "course_error_deg": 0.1, "climb_error_deg": 0.0}],
+                                   "told_miss_m": null, "course_error_deg": 0.1,
+                                   "climb_error_deg": 0.0}],
    "obstacles": [], "fence_clearance_m": null, "assurance": null,
    "max_bank_deg": 47.0, "load_factor": [0.95, 1.53], "airspeed_mps": [24.8, 25.2],
    "altitude_m": [148.0, 151.0], "setpoints": 1475, "setpoint_rate_hz": 50.0,
@@ -115,6 +116,7 @@ def test_a_goal_without_a_pass_has_no_figures(scenario: Scenario) -> None:
         "reached": False,
         "time_s": None,
         "miss_m": None,
+        "told_miss_m": None,
         "course_error_deg": None,
         "climb_error_deg": None,
     }

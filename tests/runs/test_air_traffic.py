@@ -23,7 +23,7 @@ velocity_mps = [-25.0, 0.0, 0.0]
 position_error_m = 3.0
 delay_s = 0.3
 """
-UNHEARD = ("--set", "traffic_receiver.range_m=0")
+UNHEARD = ("--no-report", "--set", "traffic_receiver.range_m=0")
 
 
 @pytest.fixture(scope="module")
@@ -32,9 +32,7 @@ def folder(tmp_path_factory):
 
 
 def fly(folder, name, *options):
-    done = vfguide(
-        "run", scenario_file(folder, HEAD_ON), "--out", name, "--no-report", *options, cwd=folder
-    )
+    done = vfguide("run", scenario_file(folder, HEAD_ON), "--out", name, *options, cwd=folder)
     return done, json.loads((folder / name / "result.json").read_text())
 
 
@@ -50,6 +48,20 @@ def test_it_keeps_clear_of_head_on_traffic(heard):
     assert its["name"] == "HEADON"
     assert its["min_clearance_m"] > 0.0
     assert its["min_horizontal_m"] is None or its["min_horizontal_m"] > 50.0
+
+
+def test_terminal_and_report_tell_of_the_traffic(folder, heard):
+    done, result = heard
+    (its,) = result["vehicles"][0]["traffic"]
+    meeting = (600.0 + 800.0) / 50.0
+    assert its["closest_s"] == pytest.approx(meeting, abs=3.0)
+    assert its["closest_m"] >= its["min_clearance_m"]
+    line = f"traffic: HEADON came within {its['closest_m']:.0f} m of vehicle 7 after "
+    assert line + f"{its['closest_s']:.1f} s, {its['min_clearance_m']:.0f} m from" in done.stdout
+    report = (folder / "heard" / "report.html").read_text()
+    section = report[report.index("<h2>Other aircraft</h2>") :]
+    row = section[section.index("<tr><td>HEADON") : section.index("</tr>\n    </tbody>")]
+    assert f"<td>7</td>\n      <td>{its['closest_m']:.1f}</td>" in row
 
 
 def test_without_the_reports_it_would_hit(folder):

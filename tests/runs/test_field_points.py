@@ -128,28 +128,6 @@ def test_vehicles_of_smaller_ids_fly_straight_on_at_the_speed_of_their_starts(wo
     assert leader.G is not None
 
 
-def test_law_flight_gives_the_wanted_direction_and_the_attitude_flown():
-    loaded = load_scenario("first-flight")
-    vehicle = loaded.scenario.vehicles[0]
-    x, y, z = vehicle.goals[0].position_m
-    course = math.radians(vehicle.goals[0].heading_deg)
-    behind = (x - 30.0 * math.cos(course), y - 30.0 * math.sin(course), z)
-    velocity = (25.0 * math.cos(course), 25.0 * math.sin(course), 0.0)
-    (at,) = fields_at(loaded, vehicle, np.array([[*behind, *velocity, 3.0]]), "flight")
-    assert pytest.approx((math.cos(course), math.sin(course), 0.0), abs=1e-6) == at.F
-    R = np.array(at.R_a)
-    assert pytest.approx(np.eye(3), abs=1e-9) == R @ R.T
-    assert R[:2, 0] / np.linalg.norm(R[:2, 0]) == pytest.approx(at.F[:2], abs=1e-6)
-    assert R[2, 0] < -0.02  # the nose is up by the angle of attack
-    assert at.Omega_a == pytest.approx((0.0, 0.0, 0.0), abs=1e-3)
-    assert (at.G, at.H, at.chi) == (None, None, ())
-
-
-def test_law_flight_among_obstacles_is_refused(world):
-    with pytest.raises(InputError, match="--law flight: not supported yet among obstacles"):
-        field_of(world, [[0.0] * 7], law="flight")
-
-
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 
 import pytest
 from altered import Alter
-from programs import Program, free_vehicles, simulation
+from programs import GroundStation, Program, free_vehicles, simulation
 from proxy import Proxy
 from test_lies import lie, wind, yaw
 
+from vfguide.autopilots.px4 import Px4Mode
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
@@ -40,8 +41,8 @@ tolerance_m = 2
 tolerance_deg = 5
 """
 WEEK = 7 * 86_400 * 1_000_000
-SECONDS = 26.0
-"""Time for which each pair is watched after the autopilot is found, real time [s]."""
+SECONDS = 20.0
+"""Time for which each pair is watched after the stalls, real time [s]."""
 
 
 def answers_to_others(_, message):
@@ -81,6 +82,11 @@ elsewhere = lie(
     GpsGlobalOrigin, lambda m: m._replace(longitude=m.longitude + 10_000_000), -1.0, 999.0
 )
 
+
+def as_it_is(_, message):
+    return [message]
+
+
 LIES: dict[str, Alter] = {
     "answers to others": answers_to_others,
     "rollover": rollover,
@@ -89,7 +95,11 @@ LIES: dict[str, Alter] = {
     "elsewhere": elsewhere,
     "yaw": yaw(60.0, 6.0, 14.0),
     "wind": wind(-12.0, 9.0, 6.0),
+    "short stall": as_it_is,
+    "long stall": as_it_is,
 }
+STALLS = {"short stall": 0.75, "long stall": 1.6}
+"""Times for which the companion is stopped in flight [s], by the names of the pairs."""
 
 
 @dataclass(frozen=True)
@@ -150,6 +160,17 @@ def flown(tmp_path_factory):
         ]
         for _, _, fly in pairs.values():
             fly.says("the autopilot is found", within=60.0)
+        time.sleep(6.0)
+        for name, seconds in STALLS.items():
+            _, sysid, fly = pairs[name]
+            fly.says("flying to goal 1")
+            fly.send(signal.SIGSTOP)
+            time.sleep(seconds)
+            fly.send(signal.SIGCONT)
+        time.sleep(4.0)
+        _, sysid, fly = pairs["long stall"]
+        with GroundStation(sysid) as ground:
+            ground.set_mode(Px4Mode.OFFBOARD)
         time.sleep(SECONDS)
         for program in (*(fly for _, _, fly in pairs.values()), *sims):
             program.send(signal.SIGINT)
@@ -201,3 +222,18 @@ def test_a_vehicle_elsewhere_gets_neither_setpoint_nor_mode(flown):
     assert not live.said_of(SetAttitudeTarget)
     assert not any(m.command == MavCmd.DO_SET_MODE for m in live.said_of(CommandLong))
     assert live.lost <= 5.0
+
+
+def test_a_short_stall_is_told_and_flown_through(flown):
+    told = flown["short stall"].told
+    assert "the companion stood still for 0." in told
+    assert "no more setpoints" not in told
+    assert "released" not in told
+
+
+def test_after_a_long_stall_it_is_silent_until_the_operator_chooses_again(flown):
+    told = flown["long stall"].told
+    assert "the companion stood still for 1." in told
+    assert "no more setpoints for now" in told
+    assert told.count("the autopilot follows") == 2
+    assert "released" not in told

@@ -158,4 +158,9 @@ def test_the_steps_of_the_page_work_as_written(tmp_path):
         assert done.returncode == 0, block + done.stdout + done.stderr
         said += done.stdout
     assert "the row holds" in said
+    reached, starts, most = re.search(
+        r"Here (\d+) of (\d+) were, missing by ([\d.]+) m at\s+most", text
+    ).groups()
+    assert f"reached     {reached} of {starts}" in said
+    assert re.search(rf"miss \[m\] .* most {re.escape(most)}$", said, re.MULTILINE), said
     assert json.loads((tmp_path / "cub" / "result.json").read_text())["verdict"] == "good"

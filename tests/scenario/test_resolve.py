@@ -116,7 +116,12 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
         "duration_s": 300.0,
         "seed": 1,
         "start_time": datetime(2026, 1, 1, tzinfo=UTC),
-        "origin": {"latitude_deg": 47.397742, "longitude_deg": 8.545594, "altitude_m": 488.0},
+        "origin": {
+            "latitude_deg": 47.397742,
+            "longitude_deg": 8.545594,
+            "altitude_m": 488.0,
+            "undulation_m": 0.0,
+        },
         "wind": {
             "speed_mps": 0.0,
             "from_deg": 0.0,

@@ -51,9 +51,7 @@ class Autopilot:
     streams: tuple[Stream, ...]
     """Messages that the companion asks for, in the order of asking."""
 
-    def mode_name(self, custom_mode: int | None) -> str:
-        """The name of a mode in notes to the operator; None: the mode is not known."""
-        if custom_mode is None:
-            return "nothing known"
+    def mode_name(self, custom_mode: int) -> str:
+        """The name of a mode in notes to the operator."""
         known = custom_mode in set(self.modes)
         return self.modes(custom_mode).name if known else f"mode {custom_mode}"

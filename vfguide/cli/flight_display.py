@@ -61,10 +61,12 @@ class FlightDisplay:
 
 def print_result(result: Result, folder: Path) -> None:
     """The figures of every goal, the verdict and where to look."""
-    table = Table("vehicle", "goal", "reached", "time s", "miss m", "course deg", "climb deg")
+    table = Table(
+        "vehicle", "goal", "reached", "time s", "miss m", "told m", "course deg", "climb deg"
+    )
     for vehicle in result.vehicles:
         for number, goal in enumerate(vehicle.goals, start=1):
-            figures = (goal.miss_m, goal.course_error_deg, goal.climb_error_deg)
+            figures = (goal.miss_m, goal.told_miss_m, goal.course_error_deg, goal.climb_error_deg)
             table.add_row(
                 str(vehicle.id),
                 str(number),
@@ -77,7 +79,7 @@ def print_result(result: Result, folder: Path) -> None:
     out.print(f"{result.sim_s:.1f} s flown in {result.wall_s:.2f} s{factor}")
     if distances := least_distances(result):
         out.print(f"least {', '.join(distances)}")
-    for line in assurance_lines(result):
+    for line in (*traffic_lines(result), *assurance_lines(result)):
         out.print(line)
     for reason in result.reasons:
         out.print(f"  {reason}", style="red")
@@ -102,6 +104,20 @@ def least_distances(result: Result) -> list[str]:
     return distances
 
 
+def traffic_lines(result: Result) -> list[str]:
+    """How near each other aircraft came to the vehicle that it came nearest to, and when."""
+    lines: list[str] = []
+    for passes in zip(*(vehicle.traffic for vehicle in result.vehicles), strict=True):
+        distances = [each.closest_m for each in passes]
+        nearest = distances.index(min(distances))
+        each, vehicle = passes[nearest], result.vehicles[nearest].id
+        lines.append(
+            f"traffic: {shown(each.name)} came within {each.closest_m:.0f} m of vehicle {vehicle} "
+            f"after {each.closest_s:.1f} s, {each.min_clearance_m:.0f} m from its volume"
+        )
+    return lines
+
+
 def assurance_lines(result: Result) -> list[str]:
     """Where the assurance acted: how often, for how long, and whether nothing was clear."""
     lines: list[str] = []
@@ -111,8 +127,8 @@ def assurance_lines(result: Result) -> list[str]:
             continue
         times = len(each.episodes)
         share = f"{100.0 * (each.acting_share or 0.0):.1f} % of its setpoints"
-        line = f"assurance: vehicle {vehicle.id} escaped {times} time{'s'[: times > 1]}, {share}"
+        line = f"assurance: vehicle {vehicle.id} acted {times} time{'s'[: times > 1]}, in {share}"
         if each.least_bad:
-            line += f"; NOTHING WAS CLEAR for {each.least_bad} of them"
+            line += f"; NOTHING WAS CLEAR in {each.least_bad} setpoints"
         lines.append(line)
     return lines

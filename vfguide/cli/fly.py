@@ -36,7 +36,7 @@ def fly(
     Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
     """
     from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import complain
+    from vfguide.cli.console import complain, warn
     from vfguide.cli.signals import REQUESTS, Ending
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
@@ -51,6 +51,7 @@ def fly(
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
     loaded.require_flight_law()
+    warn(loaded.warnings)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
     with ExitStack() as stack:
         transport = stack.enter_context(closing(open_transport(connect, vehicle)))

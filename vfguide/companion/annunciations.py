@@ -3,7 +3,8 @@
 from vfguide.aircraft.identification import Identified
 from vfguide.autopilots.autopilot import Autopilot
 from vfguide.companion.engagement import Phase
-from vfguide.companion.loop_report import is_alarmed
+from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.companion.loop_report import is_alarmed, number_of_resets
 from vfguide.companion.plan import Plan
 from vfguide.estimation.position_resets import settled
 from vfguide.geometry.rows import Row
@@ -14,16 +15,12 @@ SILENT_UNTIL_CHANGE = (
     "the autopilot already follows somebody's setpoints: silent until it flies another mode"
 )
 """Note where somebody else's setpoints are followed already."""
-FOUND = "the autopilot is found, it flies {mode}; setpoints go out, "
-"""Beginning of the note where an autopilot is found; CHOICE_COMES or CHOICE_LEFT ends it."""
+FOUND = "the autopilot is found, it flies {mode}"
+"""Note where an autopilot is found."""
 CHOICE_COMES = "{follow} will be asked for"
 """Note where the companion will ask for the follow mode."""
 CHOICE_LEFT = "waiting for the operator to choose {follow}"
 """Note where the operator has to choose the follow mode."""
-SENT_AGAIN = "setpoints go out again"
-"""Note where nothing keeps setpoints from going out any more."""
-OFFERED_AGAIN = f"{SENT_AGAIN}, "
-"""Beginning of the note where the companion could not guide and can again; CHOICE_LEFT ends it."""
 LINK_LOST = "link lost, {why}: no setpoints until the autopilot is heard again"
 """Note where the link is lost."""
 STRANGER = "vehicle {sysid} says {who}: flown is only {flown}, nothing is sent to it"
@@ -32,6 +29,10 @@ INTRUDER = "a heartbeat of vehicle {sysid} that says {who} is not its autopilot'
 """Note where somebody else speaks with the address of the autopilot."""
 STOOD_STILL = "the companion stood still for {gap:.1f} s"
 """Note where this program did not run for a while."""
+ENDED_UNFOUND = "ended: no autopilot was found"
+"""Note at the end where there never was one to fly."""
+ENDED_UNHEARD = "ended: the autopilot is not heard any more"
+"""Note at the end where it is unknown what the autopilot flies, after a time without control."""
 FALLEN_BACK = "the autopilot has fallen back on {mode} by itself"
 """Reason for silence where the autopilot's failsafe acts."""
 TOO_SLOW = "the link is too slow, a setpoint would act {delay:.1f} s after the state it is made for"
@@ -39,6 +40,7 @@ TOO_SLOW = "the link is too slow, a setpoint would act {delay:.1f} s after the s
 
 ON_ENTERING = {
     Phase.SEARCHING: LINK_LOST,
+    Phase.OFFERING: FOUND,
     Phase.ASKING: "asking the autopilot for {follow}",
     Phase.FLYING: "the autopilot follows",
     Phase.INTERRUPTED: LINK_LOST,
@@ -51,41 +53,41 @@ ON_ENTERING = {
 """Notes on entering a phase; others have none."""
 
 
-def phase_note(
-    before: Phase,
-    after: Phase,
-    autopilot: Autopilot,
-    custom_mode: int | None,
-    engage: bool,
-    why: str = "",
-) -> str:
-    """Note of a change of phase.
+def phase_notes(
+    before: Phase, after: Phase, autopilot: Autopilot, custom_mode: int | None, why: str = ""
+) -> list[str]:
+    """Notes of a change of phase.
 
     Args:
         before: the phase that ends.
         after: the phase that begins.
         autopilot: the make of the autopilot, which names its modes.
         custom_mode: the mode that it flies; None: unknown.
-        engage: whether the companion asks for the follow mode by itself.
         why: the reason, where the phase does not say it.
     """
-    return note_on(before, after, engage).format(
-        mode=autopilot.mode_name(custom_mode),
-        follow=autopilot.follow_mode.name,
-        hold=autopilot.hold_mode.name,
-        why=why,
-    )
+    if (before, after) == (Phase.YIELDING, Phase.OFFERING):
+        return []  # told by the first setpoint
+    note = ON_ENTERING[after]
+    if (before, after) == (Phase.ASKING, Phase.OFFERING):
+        note = CHOICE_LEFT
+    elif after is Phase.ENDED and custom_mode is None:
+        note = ENDED_UNFOUND if before is Phase.SEARCHING else ENDED_UNHEARD
+    mode = "" if custom_mode is None else autopilot.mode_name(custom_mode)
+    follow, hold = autopilot.follow_mode.name, autopilot.hold_mode.name
+    return [note.format(mode=mode, follow=follow, hold=hold, why=why)]
 
 
-def note_on(before: Phase, after: Phase, engage: bool) -> str:
-    """Note of a change of phase, with placeholders for the names of modes."""
-    if after is not Phase.OFFERING:
-        return ON_ENTERING[after]
-    if before is Phase.ASKING:
-        return CHOICE_LEFT
-    if before is Phase.YIELDING:
-        return OFFERED_AGAIN + CHOICE_LEFT
-    return FOUND + (CHOICE_COMES if engage else CHOICE_LEFT)
+def choice_note(phase: Phase, autopilot: Autopilot, engage: bool) -> str:
+    """Note of who chooses the follow mode, empty where the autopilot does not wait for it.
+
+    Args:
+        phase: the phase.
+        autopilot: the make of the autopilot, which names its modes.
+        engage: whether the companion asks for the follow mode by itself.
+    """
+    if phase is not Phase.OFFERING:
+        return ""
+    return (CHOICE_COMES if engage else CHOICE_LEFT).format(follow=autopilot.follow_mode.name)
 
 
 def route_note(goal: int, plan: Plan) -> str:
@@ -94,15 +96,14 @@ def route_note(goal: int, plan: Plan) -> str:
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
-def passage_note(before: Row, after: Row, miss: float, plan: Plan) -> str:
-    """Note of a goal that was passed with a `miss` [m], from the rows of `LoopState` around it."""
-    was, now = state_of_row(before).mission, state_of_row(after).mission
-    goal = was.goal + 1
-    if now.attempts.given_up > was.attempts.given_up:
-        return f"goal {goal} missed {times(was.attempts.missed + 1)}: {onward(goal, plan)}"
-    if now.goal == was.goal:
-        return f"goal {goal} missed by {miss:.1f} m or by its course: going round"
-    return f"goal {goal} reached, {miss:.1f} m off; {route_note(now.goal, plan)}"
+def passage_note(said: GoalAnnouncement, plan: Plan) -> str:
+    """Note of a goal that was passed."""
+    goal = said.goal + 1
+    if said.outcome is Outcome.GIVEN_UP:
+        return f"goal {goal} missed {times(said.missed + 1)}: {onward(goal, plan)}"
+    if said.outcome is Outcome.MISSED:
+        return f"goal {goal} missed by {said.miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {said.miss:.1f} m off; {route_note(goal, plan)}"
 
 
 def onward(passed: int, plan: Plan) -> str:
@@ -135,14 +136,6 @@ def identified_notes(found: Identified) -> list[str]:
     return [note.format(names=", ".join(names)) for note, names in lists if names]
 
 
-NO_SENSOR = "no airspeed sensor"
-"""Note on an aircraft without an airspeed sensor."""
-SENSOR_LOST = "the airspeed sensor is not believed any more"
-"""Note where the airspeed sensor has failed."""
-ESTIMATED = "airspeed is estimated, it flies faster and with less bank"
-"""Note where the airspeed is estimated."""
-SENSOR_BACK = "the airspeed sensor is believed again"
-"""Note where the airspeed sensor works again."""
 JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
 """Note of a position reset."""
 ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
@@ -172,32 +165,18 @@ def progress_notes(before: Row, after: Row) -> list[str]:
     return [NO_PROGRESS.format(goal=s.mission.goal + 1, least=s.progress.least)]
 
 
-def air_notes(before: Row, after: Row, plan: Plan) -> list[str]:
-    """Notes of changes of the airspeed sensor, the position and the wind hold in a step."""
-    was, now, notes = state_of_row(before), state_of_row(after), list[str]()
-    trusted, begins = now.estimation.air.sensor.trusted, was.estimation.air.time < 0.0
-    if trusted != was.estimation.air.sensor.trusted or begins:
-        is_told = now.estimation.consistency.air.airspeed_doubt > 0.0
-        notes += sensor_notes(trusted, begins=begins, is_told=is_told)
-    resets = now.estimation.resets
-    if resets.number != was.estimation.resets.number and not settled(resets):
-        notes.append(JUMPED.format(size=resets.size))
-    if now.mission.wind_hold.holds != was.mission.wind_hold.holds:
-        notes.append(wind_note(now, plan))
-    return notes
+def reset_notes(before: Row, after: Row) -> list[str]:
+    """Note of a position reset in a step."""
+    resets, was = state_of_row(after).estimation.resets, number_of_resets(before)
+    if resets.number == was or settled(resets):
+        return []
+    return [JUMPED.format(size=resets.size)]
 
 
-def sensor_notes(trusted: bool, *, begins: bool, is_told: bool) -> list[str]:
-    """Notes of the state of the airspeed sensor; none where a flight begins with a good one.
-
-    Args:
-        trusted: whether it is believed.
-        begins: whether the flight begins.
-        is_told: whether it tells an airspeed.
-    """
-    if trusted:
-        return [] if begins else [SENSOR_BACK]
-    return [f"{NO_SENSOR if begins and not is_told else SENSOR_LOST}: {ESTIMATED}"]
+def wind_notes(before: Row, after: Row, plan: Plan) -> list[str]:
+    """Note of a wind hold that begins or ends in a step."""
+    now, held = state_of_row(after), state_of_row(before).mission.wind_hold.holds
+    return [] if now.mission.wind_hold.holds == held else [wind_note(now, plan)]
 
 
 def wind_note(s: LoopState, plan: Plan) -> str:

@@ -5,16 +5,18 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import SENT_AGAIN, STOOD_STILL, TOO_SLOW
+from vfguide.companion.annunciations import STOOD_STILL, TOO_SLOW, choice_note
 from vfguide.companion.contact import Contact
 from vfguide.companion.control import Control
-from vfguide.companion.engagement import FINAL_PHASES, Phase
+from vfguide.companion.engagement import FINAL_PHASES, SENDING, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
 from vfguide.companion.place import PlaceWatch
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import Requests, request_origin, requested_streams
 from vfguide.companion.round_trip import RoundTrip
 from vfguide.companion.route import Route, Step
+from vfguide.companion.setpoint_annunciations import SetpointAnnunciator
+from vfguide.companion.setpoints import Setpoints
 from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
@@ -41,8 +43,8 @@ ORIGIN_RETRY = SECOND
 UNFIT_TIME = 10 * SECOND
 """Time after which a state that could not be flown on is tried again, if the operator chooses the
 follow mode [us]; chosen."""
-SILENCE_TIMEOUT = SECOND
-"""Time without a setpoint after which the operator is told why [us]; chosen."""
+NO_ATTITUDE = "no new attitude (ATTITUDE_QUATERNION)"
+"""Reason for silence where nothing is missing but the attitude that a step begins with."""
 HANDLED = frozenset(
     message.MSGID
     for message in (
@@ -77,25 +79,29 @@ class Companion:
             step: of the control loop.
         """
         self.sysid = sysid
-        self.setpoints = 0
-        """Number of setpoints sent."""
         self.route = Route(plan, step)
         """The flight along the plan."""
         self._control = Control(sysid, engage=engage)
+        self._setpoints = Setpoints(sysid)
         self._known = Knowledge()
         self._requests = Requests()
         self._round_trip = RoundTrip()
         self._time_notes = TimeAnnunciator()
+        self._setpoint_notes = SetpointAnnunciator()
         self._news: list[str] = []
+        self.route.notes = self._control.notes = self._news  # in the order of what happens
         self._slow: str | None = None
         self._unfit: str | None = None
         self._unfit_until = 0
-        self._place = PlaceWatch(plan)
+        self._place = self._new_place_watch()
         self._contact = Contact()
         self._beat: int | None = None
         self._origin_asked = 0
-        self._sent_at = 0
-        self._complaint: str | None = None
+
+    @property
+    def setpoints(self) -> int:
+        """Number of setpoints sent."""
+        return self._setpoints.count
 
     @property
     def phase(self) -> Phase:
@@ -118,7 +124,7 @@ class Companion:
             case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
                 return out
             case AttitudeQuaternion():
-                out += self._guide(now, message)
+                out += self._guide(now)
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
@@ -142,17 +148,21 @@ class Companion:
         """What is due at `now` [us since 1970] without anything received."""
         self._wake(now)
         self._watch_link(now)
-        out = self._housekeeping(now)
+        out = self._housekeeping(now) + self._coast(now)
         if out:
             self._contact.act(now)
         return out
 
-    def recall(self, now: int, message: Message) -> None:
-        """Takes one message of its own that a log says went out at `now` [us since 1970]."""
+    def recall(self, now: int, message: Message) -> list[Message]:
+        """Takes one message of its own that a log says went out at `now` [us since 1970].
+
+        Returns the setpoint that is due then without anything received, if it is one.
+        """
         self._wake(now)
         self._contact.act(now)
         if isinstance(message, Timesync):
             self._round_trip.asked(message)
+        return self._coast(now) if isinstance(message, SetAttitudeTarget) else []
 
     def stop(self, now: int) -> list[Message]:
         """The operator ends it at `now` [us since 1970]; returns what hands over, if it flies."""
@@ -161,11 +171,13 @@ class Companion:
 
     def news(self) -> list[str]:
         """The new notes to the operator, each once."""
-        sources = (self._control.notes, self._place.notes, self.route.notes, self._news)
-        told = [note for notes in sources for note in notes]
-        for notes in sources:
-            notes.clear()
+        told = self._news.copy()
+        self._news.clear()
         return told
+
+    def _new_place_watch(self) -> PlaceWatch:
+        """A watch over the place that has not looked yet."""
+        return PlaceWatch(self.route.plan, self._news)
 
     @property
     def _needs_origin(self) -> bool:
@@ -192,11 +204,11 @@ class Companion:
 
     def _hear_timesync(self, now: int, message: Timesync) -> None:
         """Take an answer to a question of our own; nothing is guided over too slow a link."""
-        note = self._round_trip.hear(now, message)
-        slow, delay = self._round_trip.is_too_slow, self._round_trip.delay
-        if note and not slow:
-            self._news.append(note)
-        self._slow = TOO_SLOW.format(delay=delay) if slow else None
+        self._round_trip.hear(now, message)
+        if not self._round_trip.is_too_slow:
+            self._slow = None
+        elif self._slow is None:
+            self._slow = TOO_SLOW.format(delay=self._round_trip.delay)
         self._weigh(now)
 
     def _weigh(self, now: int) -> None:
@@ -217,10 +229,10 @@ class Companion:
             self._known = Knowledge(
                 projection=int(autopilot.projection), date=self._known.date, clock=self._known.clock
             )
-            self._sent_at = now
+            self._setpoint_notes.find(now)
             self._origin_asked = now - ORIGIN_RETRY
             self._round_trip, self._slow, self._unfit = RoundTrip(), None, None
-            self._place = PlaceWatch(self.route.plan)
+            self._place = self._new_place_watch()
             self._weigh(now)
             self._requests = Requests()
             self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
@@ -245,7 +257,7 @@ class Companion:
             out.append(request)
         return out
 
-    def _guide(self, now: int, attitude: AttitudeQuaternion) -> list[Message]:
+    def _guide(self, now: int) -> list[Message]:
         """The setpoint for the state at a new attitude."""
         known = self._place.checked(self._known, follows=self._control.is_followed)
         self._weigh(now)
@@ -263,31 +275,48 @@ class Companion:
             return []
         if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])
-        self.setpoints += 1
-        self._sent_at = now
-        self._control.offer(now)
-        return [self._setpoint(attitude.time_boot_ms, setpoint)]
+        self._news += self._setpoint_notes.send(now, self._choice())
+        self._news += self._setpoint_notes.lag(self._round_trip)
+        return self._send(now, setpoint)
 
-    def _setpoint(self, time_boot_ms: int, setpoint: RateSetpoint) -> SetAttitudeTarget:
-        """SET_ATTITUDE_TARGET; the autopilot's type mask says what of it counts."""
-        (p, q, r), mask = setpoint.omega_b, self._control.autopilot.type_mask
-        return SetAttitudeTarget(
-            time_boot_ms, self.sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
-        )
+    def _coast(self, now: int) -> list[Message]:
+        """One setpoint at `now` [us] where attitudes have stayed away since the last in flight.
+
+        After it the autopilot's own failsafe acts.
+        """
+        setpoint = self._setpoints.coast(now, self._known.attitude, self.route.plan)
+        if setpoint is None:
+            return []
+        is_flown = self._control.is_followed and self._control.may_send
+        out = self._send(now, setpoint) if is_flown else []
+        self._setpoints.end()
+        return out
+
+    def _send(self, now: int, setpoint: RateSetpoint) -> list[Message]:
+        """A setpoint that goes out at `now` [us]."""
+        self._control.offer(now)
+        attitude = self._known.attitude
+        time_boot_ms = 0 if attitude is None else attitude.time_boot_ms
+        return [self._setpoints.send(now, time_boot_ms, setpoint, self._control.autopilot)]
 
     def _own_heartbeat(self) -> Heartbeat:
         """Who we are; CRITICAL while the link to the autopilot is lost."""
         status = STATUS.get(self.phase, MavState.STANDBY)
         return Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)
 
+    def _choice(self) -> str:
+        """What the operator reads of who chooses the follow mode."""
+        return choice_note(self.phase, self._control.autopilot, self._control.engage)
+
     def _tell_why_silent(self, now: int) -> None:
-        """Tell why no setpoints go out though they should, and when they do again."""
-        if not self._control.may_send:
-            self._sent_at, self._complaint = now, None
-            return
-        silent = now - self._sent_at > SILENCE_TIMEOUT
-        objection = lacking(self._known) or self.route.objection(self._known)
-        why = objection or "no new attitude" if silent else None
-        if why != self._complaint:
-            self._complaint = why
-            self._news.append(f"no setpoints: {why}" if why else SENT_AGAIN)
+        """Tell why no setpoints go out though they should."""
+        notes, control = self._setpoint_notes, self._control
+        if self.phase not in SENDING:
+            notes.rest(now)
+        elif control.hindrance is not None:
+            self._news += notes.fail(now, control.hindrance)
+        elif notes.is_silent(now):
+            objection = lacking(self._known) or self.route.objection(self._known)
+            self._news += notes.fail(now, objection or NO_ATTITUDE)
+        if self.phase is Phase.FLYING:
+            notes.follow()

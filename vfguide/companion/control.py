@@ -6,10 +6,9 @@ from vfguide.autopilots.makes import ASSUMED, autopilot_of, describe, flown
 from vfguide.companion.annunciations import (
     FALLEN_BACK,
     INTRUDER,
-    SENT_AGAIN,
     SILENT_UNTIL_CHANGE,
     STRANGER,
-    phase_note,
+    phase_notes,
 )
 from vfguide.companion.engagement import SENDING, TRANSITIONS, Event, Phase
 from vfguide.companion.requests import ModeRequest
@@ -55,6 +54,11 @@ class Control:
         self._offered: int | None = None
         self._offered_last = 0
         self._request = self._ask_for(self.autopilot.follow_mode)
+
+    @property
+    def hindrance(self) -> str | None:
+        """Why the companion cannot guide; None: it can."""
+        return self._hindrance
 
     @property
     def may_send(self) -> bool:
@@ -123,8 +127,6 @@ class Control:
             return
         if hindrance is not None:
             self._yield(now, hindrance)
-        if self.phase in SENDING:
-            self.notes.append(f"no setpoints: {hindrance}" if hindrance else SENT_AGAIN)
 
     def stand_still(self, now: int, why: str) -> None:
         """Record that it did not guide for longer than the autopilot waits, until `now` [us].
@@ -139,11 +141,11 @@ class Control:
         self.happen(Event.UNABLE, why)
 
     def stop(self) -> None:
-        """The operator ends it."""
-        was_yielding = self.phase is Phase.YIELDING
-        self.happen(Event.STOP_ASKED)
-        if was_yielding and self._mode is not None:
-            self.happen(self._mode_event())
+        """The operator ends it; where the autopilot flies another mode, nothing is handed over."""
+        if self.phase is Phase.YIELDING and self._mode is not None and not self.follows:
+            self.happen(Event.STOP_ASKED_OF_OTHER_MODE)
+        else:
+            self.happen(Event.STOP_ASKED)
 
     def offer(self, now: int) -> None:
         """A setpoint goes out at `now` [us]."""
@@ -201,7 +203,7 @@ class Control:
         if after is before:
             return
         self.phase = after
-        self.notes.append(phase_note(before, after, self.autopilot, self._mode, self.engage, why))
+        self.notes += phase_notes(before, after, self.autopilot, self._mode, why)
         self._offered = None
         self.engage = self.engage and after is not Phase.YIELDING
         if after is Phase.ASKING:

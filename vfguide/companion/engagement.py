@@ -55,6 +55,8 @@ class Event(Enum):
     """The companion will not ask again: the decision is the operator's."""
     STOP_ASKED = auto()
     """The operator of the companion ends it."""
+    STOP_ASKED_OF_OTHER_MODE = auto()
+    """So he does, while the companion yields and the autopilot flies any other mode."""
 
 
 SENDING = (Phase.OFFERING, Phase.ASKING, Phase.FLYING, Phase.RETURNING)
@@ -87,6 +89,7 @@ _CHANGES: dict[tuple[Phase, Event], Phase] = {
     (Phase.INTERRUPTED, Event.STOP_ASKED): Phase.UNCONFIRMED,
     (Phase.YIELDING, Event.ABLE_AGAIN): Phase.OFFERING,
     (Phase.YIELDING, Event.STOP_ASKED): Phase.RETURNING,
+    (Phase.YIELDING, Event.STOP_ASKED_OF_OTHER_MODE): Phase.ENDED,
     (Phase.RETURNING, Event.OTHER_MODE_SEEN): Phase.ENDED,
     (Phase.RETURNING, Event.FALLBACK_SEEN): Phase.ENDED,
     (Phase.RETURNING, Event.LINK_LOST): Phase.UNCONFIRMED,

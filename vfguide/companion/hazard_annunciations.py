@@ -28,8 +28,12 @@ NO_ROUTE = "no way to goal {goal} found among what is known: only the assurance 
 """Note where the search finds no route to a goal."""
 ROUTE_AGAIN = "the way to goal {goal} is clear again"
 """Note where the route to a goal is clear again."""
-NOTHING_CLEAR = "NOTHING IS CLEAR: {what}, the least bad is flown, take over if you can"
-"""Note where no escape stays clear."""
+NOTHING_CLEAR = "NOTHING IS CLEAR"
+"""Beginning of the note where no escape stays clear."""
+TAKE_OVER = "the least bad is flown, take over if you can"
+"""End of that note."""
+NO_ESCAPE_LEFT = "else no way out would be left"
+"""Reason of an escape where the command itself would hit nothing."""
 TOLD_LENGTH = 0.0175
 """Length of a segment above which a note counts it [turn radii]; chosen, a turn by one degree."""
 
@@ -44,8 +48,13 @@ class HazardAnnunciator:
         self._acted: float | None = None
         """Time of the last action of the assurance during an escape [s]."""
         self._sought = -math.inf
+        self._goal = 0
         self._lost: int | None = None
         """The goal to which no route was found."""
+        self._route: str | None = None
+        """The route that was told last."""
+        self._unclear: set[int] = set()
+        """The hazards that nothing is clear of, as they were told in this escape."""
 
     def notes(self, after: Row, now: float) -> list[str]:
         """The notes of a step that left the state `after` at `now`.
@@ -61,26 +70,37 @@ class HazardAnnunciator:
             if self._acted is None or abs(now - self._acted) < NOTE_INTERVAL:
                 return []
             self._acted = None
+            self._unclear.clear()
             return [BACK_ON_ROUTE]
         decision = decision_of_row(after)
         new, self._acted = self._acted is None, now
         what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
         if decision.reason == Reason.BEST_EFFORT:
-            return self._tell("nothing", NOTHING_CLEAR.format(what=what), now)
-        return self._tell("escape", f"escape: {what}", now) if new else []
+            return self._nothing_clear(decision.hazard, what, now)
+        return self._tell("escape", f"escape: {what or NO_ESCAPE_LEFT}", now) if new else []
+
+    def _nothing_clear(self, hazard: int, what: str, now: float) -> list[str]:
+        """The note that nothing stays clear of a hazard, each once in an escape."""
+        if hazard in self._unclear:
+            return []
+        note = f"{NOTHING_CLEAR}: {what}, {TAKE_OVER}" if what else f"{NOTHING_CLEAR}: {TAKE_OVER}"
+        if told := self._tell("nothing", note, now):
+            self._unclear.add(hazard)
+        return told
 
     def _routes(self, after: Row, now: float) -> list[str]:
         sought, goal = sought_of_row(after), goal_of_row(after)
-        if self._lost is not None and self._lost != goal:
-            self._lost = None
+        if goal != self._goal:
+            self._goal, self._lost, self._route = goal, None, None
         if sought != self._sought and math.isfinite(sought):
             self._sought, route = sought, route_of_row(after)
             if route.clearance > 0.0:
-                self._lost = None
-                return self._tell("way", route_summary(route), now)
-            if self._lost is None:
-                self._lost = goal
-                return self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
+                return self._found(route_summary(route), now)
+            if self._lost is None and (
+                told := self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
+            ):
+                self._lost, self._route = goal, None
+                return told
         elif (
             self._lost is not None
             and looked_of_row(after) - sought > SEARCH_INTERVAL + CHECK_INTERVAL
@@ -88,6 +108,15 @@ class HazardAnnunciator:
             self._lost = None  # it was checked, and no search was needed
             return [ROUTE_AGAIN.format(goal=goal + 1)]
         return []
+
+    def _found(self, route: str, now: float) -> list[str]:
+        """The note of a route that was found, if it is another one than was told last."""
+        self._lost = None
+        if route == self._route:
+            return []
+        if told := self._tell("way", route, now):
+            self._route = route
+        return told
 
     def _tell(self, kind: str, note: str, now: float) -> list[str]:
         """The note, unless there was one of its kind within NOTE_INTERVAL."""
@@ -98,9 +127,9 @@ class HazardAnnunciator:
 
 
 def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
-    """The hazard of a conflict by its name, and the time until it, `conflict` [s]."""
+    """The hazard of a conflict by its name, and the time until it, `conflict` [s]; empty: none."""
     if hazard < 0 or not math.isfinite(conflict):
-        return "else no way out would be left"
+        return ""
     return f"{names[hazard] if hazard < len(names) else 'traffic'} in {conflict:.1f} s"
 
 

@@ -159,6 +159,7 @@ def lacking(known: Knowledge) -> str | None:
         return f"not heard yet: {', '.join(missing)}"
     if attitude is None or position is None:
         return None
-    if abs(elapsed(position.time_boot_ms, attitude.time_boot_ms)) > STALE:
+    age = elapsed(position.time_boot_ms, attitude.time_boot_ms)
+    if age > STALE:
         return "the position is too old (LOCAL_POSITION_NED)"
-    return None
+    return "the attitude is too old (ATTITUDE_QUATERNION)" if age < -STALE else None

@@ -65,10 +65,9 @@ TWO_ALTITUDES = (
 class PlaceWatch:
     """Compares the place that the autopilot tells with the plan, and with itself."""
 
-    def __init__(self, plan: Plan) -> None:
-        """A watch that has not looked yet."""
-        self.notes: list[str] = []
-        """What the operator should read; the caller takes it away."""
+    def __init__(self, plan: Plan, notes: list[str]) -> None:
+        """A watch that has not looked yet, of a `plan`; it tells the operator by `notes`."""
+        self._notes = notes
         self._plan = plan
         self._looked: int | None = None
         self._wrong: str | None = None
@@ -97,7 +96,7 @@ class PlaceWatch:
         if not follows or self._is_due(known):
             self._look(known, follows=follows)
         if self._wrong is None:
-            self.notes += origin_notes(self._origin, known.origin)
+            self._notes += origin_notes(self._origin, known.origin)
             self._origin, self._position = known.origin, known.position
             return known
         if self._position is None or known.position is None:
@@ -127,7 +126,7 @@ class PlaceWatch:
         if wrong is None or self._wrong is None:
             self._since = now
         if follows and (wrong is None) != (self._wrong is None):
-            self.notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
+            self._notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
         self._wrong = wrong
 
 

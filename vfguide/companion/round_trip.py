@@ -21,6 +21,9 @@ KEPT_ANSWERS = 5
 """Number of answers whose median is the delay; chosen, so that two late ones are ignored."""
 SLOW_LINK = 0.2
 """Delay above which the operator is warned that the gains are too high [s]; chosen."""
+FAST_LINK = 0.1
+"""Delay below which a slow link is none any more [s]; chosen below SLOW_LINK, so that one about
+there is told once."""
 TOO_SLOW_LINK = 0.5
 """Delay above which nothing is guided [s]; chosen above 0.4, with which goals are missed by tens of
 metres, and below 0.8, with which a prototype rolled inverted."""
@@ -35,6 +38,8 @@ class RoundTrip:
         self.is_too_slow = False
         """Whether nothing can be guided over it: above TOO_SLOW_LINK, until it is below SLOW_LINK
         again."""
+        self.is_slow = False
+        """Whether the gains are too high for it: above SLOW_LINK, until it is below FAST_LINK."""
         self._asked_at: int | None = None
         self._open: deque[int] = deque(maxlen=LONGEST_ROUND_TRIP // QUESTION_INTERVAL)
         self._latest: deque[int] = deque(maxlen=KEPT_ANSWERS)
@@ -57,19 +62,17 @@ class RoundTrip:
         """Take no answer to what was asked so far: how long it waited here is not known."""
         self._open.clear()
 
-    def hear(self, now: int, message: Timesync) -> str | None:
-        """Note an answer that arrives at `now` [us]; returns a note when the link becomes slow."""
+    def hear(self, now: int, message: Timesync) -> None:
+        """Note an answer that arrives at `now` [us]."""
         if message.tc1 <= 0 or message.ts1 not in self._open:
-            return None
+            return
         self._open.remove(message.ts1)
         took = now - message.ts1 // NS_PER_US
         if not 0 <= took <= LONGEST_ROUND_TRIP:
-            return None
-        before, self.delay = self.delay, self._with(took)
+            return
+        self.delay = self._with(took)
         self.is_too_slow = self.delay > (SLOW_LINK if self.is_too_slow else TOO_SLOW_LINK)
-        if before <= SLOW_LINK < self.delay:
-            return f"slow link: a setpoint acts {self.delay:.1f} s after the state it is made for"
-        return None
+        self.is_slow = self.delay > (FAST_LINK if self.is_slow else SLOW_LINK)
 
     def _with(self, took: int) -> float:
         """The delay [s] after one more round trip, which took `took` [us].

@@ -8,17 +8,20 @@ from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.decision import Reason
+from vfguide.companion.air_annunciations import AirspeedAnnunciator
 from vfguide.companion.annunciations import (
     BROKEN_OFF,
     NO_ROOM,
     TESTING,
-    air_notes,
     identified_notes,
     passage_note,
     progress_notes,
+    reset_notes,
     route_note,
+    wind_notes,
 )
 from vfguide.companion.doubt_annunciations import doubt_notes, unfit
+from vfguide.companion.goal_announcement import GoalAnnouncement, announcement
 from vfguide.companion.hazard_annunciations import HazardAnnunciator
 from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.knowledge import Knowledge, heard
@@ -89,9 +92,12 @@ class Route:
         self._state = row_of_state(fresh_state(obstacles))
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
+        self.announced: list[GoalAnnouncement] = []
+        """The goals that were passed, as it saw them, in the order of time."""
         self.unfit: str | None = None
         """Why what the autopilot tells cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan)
+        self._airspeed_notes = AirspeedAnnunciator()
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._obstacle_clock = ObstacleClock(plan)
         self._stepped: int | None = None
@@ -159,7 +165,7 @@ class Route:
         self._tell_doubts(before, after)
         self._state = after if follows else watching(before, after)
         if follows:
-            self._tell_news(before, after)
+            self._tell_news(before, after, not math.isnan(state.calibrated))
             self.notes += self._annunciator.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._identification is not None:
@@ -168,7 +174,8 @@ class Route:
         elif follows:
             self.notes += progress_notes(before, after)
             if math.isfinite(miss):
-                self.notes.append(passage_note(before, after, miss, plan))
+                self.announced.append(announcement(before, after, miss))
+                self.notes.append(passage_note(self.announced[-1], plan))
         return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
@@ -189,10 +196,13 @@ class Route:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
 
-    def _tell_news(self, before: Row, after: Row) -> None:
+    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool) -> None:
         """Tell of what a step has changed in air, position and progress."""
         if has_news(before, after):
-            self.notes += air_notes(before, after, self.plan)
+            believes = trusts_sensor_of_row(after)
+            self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
+            self.notes += reset_notes(before, after)
+            self.notes += wind_notes(before, after, self.plan)
             self._jumped |= number_of_resets(after) != number_of_resets(before)
 
     def _tell_doubts(self, before: Row, after: Row) -> None:
@@ -206,6 +216,7 @@ class Route:
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
         before = state_of_row(self._state)
+        self._annunciator = HazardAnnunciator(self.plan)
         if self._identification is None:
             self._state = row_of_state(take_over(before))
             self.notes.append(route_note(before.mission.goal, self.plan))

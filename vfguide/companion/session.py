@@ -39,10 +39,13 @@ class Session:
         answers = self.companion.receive(now, message) if message else []
         return self._send(now, answers) if answers else []
 
-    def recall(self, now: int, frame: Frame) -> None:
-        """Takes a frame of its own that a log says went out at `now` [us since 1970]."""
-        if message := decode(frame):
-            self.companion.recall(now, message)
+    def recall(self, now: int, frame: Frame) -> list[bytes]:
+        """Takes a frame of its own that a log says went out at `now` [us since 1970].
+
+        Returns the frames to send without anything received then.
+        """
+        message = decode(frame)
+        return self._send(now, self.companion.recall(now, message)) if message else []
 
     def poll(self, now: int) -> list[bytes]:
         """The frames that are due at `now` [us since 1970] without anything received."""

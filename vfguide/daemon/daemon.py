@@ -23,7 +23,9 @@ class Outcome(Enum):
     HANDED_OVER = auto()
     """The autopilot flies in a mode of its own, as it says itself."""
     UNCONFIRMED = auto()
-    """It is unknown what the autopilot flies: the link is lost, or it does not answer."""
+    """It is unknown what the autopilot flies: it does not answer."""
+    UNLINKED = auto()
+    """It is unknown what the autopilot flies: the link is lost, as the last note tells."""
     CUT_SHORT = auto()
     """The operator did not want to wait for that."""
 
@@ -88,7 +90,7 @@ class Daemon:
         if self._companion.phase is Phase.ENDED:
             return Outcome.HANDED_OVER
         if self._companion.phase is Phase.UNCONFIRMED:
-            return Outcome.UNCONFIRMED
+            return Outcome.UNLINKED
         if stops > 1:
             return Outcome.CUT_SHORT
         waited = 0 if self._stopped_at is None else now - self._stopped_at

@@ -43,6 +43,8 @@ class Inputs(NamedTuple):
     """Measured body rates [rad/s]."""
     is_exact: bool
     """Whether the predicted state is known exactly, as of a kinematic body."""
+    lead: float
+    """Time of the predicted state less that of the attitude [s], which follows the link's delay."""
     density: float = DENSITY_0
     """Density of the air [kg/m^3]."""
 
@@ -64,6 +66,8 @@ class EstimationState(NamedTuple):
     """The estimate of wind, airspeed and vertical wind."""
     consistency: Consistency
     """What is doubted of what is told."""
+    lead: float
+    """Time by which the state was predicted at the step before [s]."""
 
 
 class NavState(NamedTuple):
@@ -95,7 +99,8 @@ class NavState(NamedTuple):
 def fresh_estimation() -> EstimationState:
     """The state of estimation before the first step."""
     zero = (0.0, 0.0, 0.0)
-    return EstimationState(-1.0, False, zero, zero, no_resets(), fresh_air(), fresh_consistency())
+    air, consistency = fresh_air(), fresh_consistency()
+    return EstimationState(-1.0, False, zero, zero, no_resets(), air, consistency, 0.0)
 
 
 @compiled
@@ -123,7 +128,8 @@ def update(
         checked = follow(inputs.measured, inputs.omega_b, thrust, checked, air, vehicle.aircraft)
         told, air = sense(inputs, checked, thrust, air, vehicle)
     elapsed = told.time - s.time
-    resets = follow_resets(s.resets, (s.p_n, s.v_n), told, elapsed if s.is_continuous else 0.0)
+    dt, farther = (elapsed, inputs.lead - s.lead) if s.is_continuous else (0.0, 0.0)
+    resets = follow_resets(s.resets, (s.p_n, s.v_n), told, dt, farther)
     state = smoothed(told, resets)
     nav = NavState(
         state,
@@ -137,7 +143,8 @@ def update(
         air.estimate.x[AIRSPEED],
         sigma(air.estimate.P[AIRSPEED, AIRSPEED]),
     )
-    return nav, EstimationState(state.time, True, state.p_n, state.v_n, resets, air, checked)
+    flown = state.p_n, state.v_n
+    return nav, EstimationState(state.time, True, *flown, resets, air, checked, inputs.lead)
 
 
 @compiled

@@ -50,7 +50,11 @@ def no_resets() -> PositionResets:
 
 @compiled
 def follow_resets(
-    jumps: PositionResets, before: tuple[Vec3, Vec3], told: FlightState, dt: float
+    jumps: PositionResets,
+    before: tuple[Vec3, Vec3],
+    told: FlightState,
+    dt: float,
+    farther: float = 0.0,
 ) -> PositionResets:
     """The position resets after a step of `dt` [s].
 
@@ -59,11 +63,13 @@ def follow_resets(
         before: position that guidance used [m] and velocity [m/s] at the step before, NED.
         told: the measured state.
         dt: time step [s].
+        farther: time by which the state is predicted farther ahead than at the step before [s],
+            as where the delay of the link has changed; that moves the position, but is no jump.
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST_PAUSE:
         return PositionResets((0.0, 0.0, 0.0), jumps.number, jumps.size, 0.0)
-    moved = scale(0.5 * dt, add(v_n, told.v_n))
+    moved = scale(0.5 * (dt + farther), add(v_n, told.v_n))
     off = sub(told.p_n, add(add(p_n, jumps.offset_n), moved))
     age = jumps.age + dt
     left = scale(math.exp(-dt / DECAY_TIME), jumps.offset_n) if age > HOLD_TIME else jumps.offset_n

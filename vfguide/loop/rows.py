@@ -49,8 +49,8 @@ def step_measured(
         that was passed [m].
     """
     told = Measurement(*measured)
-    now = place_measured(told, origin)
-    inputs = Inputs(place_state(told, origin), now, told.omega_b, False, told.density)
+    predicted, here = place_state(told, origin), place_measured(told, origin)
+    inputs = Inputs(predicted, here, told.omega_b, False, told.lead, told.density)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     known, guides = airspace_of(airspace), law_of(law)
     setpoint, left, outcome = step(inputs, state, legs, known, guides, aircraft)
@@ -80,7 +80,7 @@ def step_body(
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
     state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, ZERO)
-    inputs = Inputs(state, state, ZERO, True, DENSITY_0)
+    inputs = Inputs(state, state, ZERO, True, 0.0, DENSITY_0)
     setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))
     write_state(left, after)

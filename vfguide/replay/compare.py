@@ -66,23 +66,24 @@ class Replay:
         replayed: list[Timed] = []
         for time, frame in log:
             if self._is_own(frame):
-                self._session.recall(time, frame)
+                replayed += setpoints_of(time, self._session.recall(time, frame))
                 if frame.msgid == SetAttitudeTarget.MSGID:
                     recorded.append(Timed(time, frame))
             elif frame.compid == MavComponent.AUTOPILOT1:
-                replayed += self._answers(time, frame)
+                replayed += setpoints_of(time, self._session.receive(time, frame.raw))
         return Comparison(len(recorded), len(replayed), first_difference(recorded, replayed))
-
-    def _answers(self, time: int, frame: Frame) -> Iterator[Timed]:
-        """The setpoints that a received frame leads to."""
-        for raw in self._session.receive(time, frame.raw):
-            for answer in Parser().feed(raw):
-                if answer.msgid == SetAttitudeTarget.MSGID:
-                    yield Timed(time, answer)
 
     def _is_own(self, frame: Frame) -> bool:
         """Whether the companion of the log sent a frame."""
         return frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
+
+
+def setpoints_of(time: int, sent: Iterable[bytes]) -> Iterator[Timed]:
+    """The setpoints among frames that go out at a `time` [us since 1970]."""
+    for raw in sent:
+        for frame in Parser().feed(raw):
+            if frame.msgid == SetAttitudeTarget.MSGID:
+                yield Timed(time, frame)
 
 
 def first_difference(recorded: list[Timed], replayed: list[Timed]) -> Difference | None:

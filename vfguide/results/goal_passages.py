@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vfguide.companion.goal_announcement import GoalAnnouncement
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
@@ -56,7 +57,8 @@ class Legs:
         """Of each goal in turn, in the order of time."""
         self.leg = 0
         """Index of the goal that is flown to; the number of goals when there is none left."""
-        self._last: Sample | None = None
+        self.last: Sample | None = None
+        """The newest sample."""
 
     @property
     def finished(self) -> bool:
@@ -66,23 +68,23 @@ class Legs:
     @property
     def reached(self) -> int:
         """Number of goals that have been reached."""
-        return sum(bool(passes) and passes[-1].reaches for passes in self.passes)
+        return sum(any(a_pass.reaches for a_pass in passes) for passes in self.passes)
 
     def feed(self, sample: Sample) -> bool:
         """Take the next sample; true if a goal was reached or given up since the one before.
 
         Between two samples the path is the cubic that has their positions and velocities.
         """
-        before, leg = self._last, self.leg
+        before, leg = self.last, self.leg
         while not self.finished:
             passed = self.find(before, sample)
             if passed is None:
                 break
-            self.passes[self.leg].append(_judge(passed, self.goals[self.leg]))
+            self.passes[self.leg].append(judged(passed, self.goals[self.leg]))
             if not (self.passes[self.leg][-1].reaches or self.gives_up):
                 break
             before, self.leg = passed, self.leg + 1
-        self._last = sample
+        self.last = sample
         return self.leg > leg
 
     @property
@@ -101,17 +103,24 @@ class Legs:
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
         """Where the present goal is passed between two samples, if it is."""
-        goal = self.goals[self.leg]
-        if before is None or not _approach(before, goal) < 0.0 <= _approach(sample, goal):
-            return None
-        return _closest(before, sample, goal)
+        return passed_between(before, sample, self.goals[self.leg])
 
     def best(self) -> list[Pass | None]:
-        """The pass of each goal that counts: the one that reaches it, else the nearest."""
-        return [
-            min(passes, key=lambda a_pass: (not a_pass.reaches, a_pass.miss), default=None)
-            for passes in self.passes
-        ]
+        """The pass of each goal that counts: the first that reaches it, else the nearest."""
+        return [min(passes, key=_rank, default=None) for passes in self.passes]
+
+    def believed(self, goal: int) -> GoalAnnouncement | None:
+        """What the vehicle announced of the pass of a goal that counts; None: nothing."""
+        return None
+
+    def left_behind(self, goal: int) -> GoalAnnouncement | None:
+        """The announcement with which the vehicle went on from a goal; None: it made none."""
+        return None
+
+
+def _rank(a_pass: Pass) -> tuple[bool, float]:
+    """The order in which passes of a goal count."""
+    return (not a_pass.reaches, 0.0 if a_pass.reaches else a_pass.miss)
 
 
 def interpolate(one: Sample, other: Sample, time: float) -> Sample:
@@ -127,7 +136,14 @@ def interpolate(one: Sample, other: Sample, time: float) -> Sample:
     return Sample(time, (x, y, z), (u, v, w))
 
 
-def _approach(at: Sample, goal: Goal) -> float:
+def passed_between(before: Sample | None, sample: Sample, goal: Goal) -> Sample | None:
+    """Where the distance to a goal is least between two samples, if it is."""
+    if before is None or not approach(before, goal) < 0.0 <= approach(sample, goal):
+        return None
+    return _closest(before, sample, goal)
+
+
+def approach(at: Sample, goal: Goal) -> float:
     """Half the rate of the squared distance to the goal: (p - p_d) . v, negative on approach."""
     x, y, z = goal.position_m
     (px, py, pz), (vx, vy, vz) = at.p_n, at.v_n
@@ -138,14 +154,15 @@ def _closest(one: Sample, other: Sample, goal: Goal) -> Sample:
     """The point between two samples where the approach ends, by bisection."""
     low, high = one.time, other.time
     while low < (middle := 0.5 * (low + high)) < high:
-        if _approach(interpolate(one, other, middle), goal) < 0.0:
+        if approach(interpolate(one, other, middle), goal) < 0.0:
             low = middle
         else:
             high = middle
     return interpolate(one, other, high)
 
 
-def _judge(at: Sample, goal: Goal) -> Pass:
+def judged(at: Sample, goal: Goal) -> Pass:
+    """The pass of a goal at a point of the path."""
     north, east, down = at.v_n
     course, climb = math.atan2(east, north), math.atan2(-down, math.hypot(north, east))
     miss = math.dist(at.p_n, goal.position_m)

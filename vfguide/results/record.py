@@ -1,5 +1,6 @@
 """What is recorded of a flight: the truth at the guidance rate, and what was commanded."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from vfguide.aircraft.identification import Identified
 from vfguide.companion.loop_report import Noted
 from vfguide.geometry.vector import Matrices, Series, Vec3, Vectors
+from vfguide.results.announced_legs import TimedAnnouncement, announced_legs
 from vfguide.results.arrivals import Arrivals
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.scenario.resolved import Vehicle
@@ -114,13 +116,23 @@ class FlightRecord:
     """The aircraft as that test flight has shown it."""
     arrives: bool = False
     """Whether it slows down towards its goals, and stops at the last one."""
+    announced: tuple[TimedAnnouncement, ...] | None = None
+    """What it announced of its goals; None: it announces nothing, and the truth alone tells which
+    goal it flies to."""
 
     def legs(self) -> Legs:
         """The legs that were flown."""
+        if self.announced is not None:
+            return announced_legs(self.vehicle.goals, self._samples(self.v_n), self.announced)
         legs = Arrivals(self.vehicle.goals) if self.arrives else Legs(self.vehicle.goals)
         directions = self.R_nb[:, :, 0] if self.arrives and self.R_nb is not None else self.v_n
-        rows = zip(self.time.tolist(), self.p_n.tolist(), directions.tolist(), strict=True)
-        for time, p_n, v_n in rows:
-            if time >= self.goals_from:
-                legs.feed(Sample(time, tuple(p_n), tuple(v_n)))
+        for sample in self._samples(directions):
+            legs.feed(sample)
         return legs
+
+    def _samples(self, v_n: Vectors) -> Iterator[Sample]:
+        """The path that the goals are judged on, with the velocities `v_n`."""
+        rows = zip(self.time.tolist(), self.p_n.tolist(), v_n.tolist(), strict=True)
+        for time, place, velocity in rows:
+            if time >= self.goals_from:
+                yield Sample(time, tuple(place), tuple(velocity))

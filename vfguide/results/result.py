@@ -11,12 +11,13 @@ from typing import Literal
 import numpy as np
 
 from vfguide import __version__
+from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.files.atomic import write_atomically
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vectors
 from vfguide.results.clearance import min_clearances, min_levels
 from vfguide.results.fence_distance import fence_clearance, fence_violations
-from vfguide.results.goal_passages import Pass
+from vfguide.results.goal_passages import Legs, Pass
 from vfguide.results.interventions import AssuranceResult, assurance_of
 from vfguide.results.record import Array, FlightRecord
 from vfguide.results.traffic_results import TrafficResult, traffic_reasons, traffic_results
@@ -29,6 +30,8 @@ small airframe."""
 FAR_AWAY = 1e7
 """Coordinate beyond which a flight ends [m]; chosen, because the paper's field leads away on the
 far side of the goal, with a speed that grows with the distance."""
+BELIEVED_ONLY = ", though its companion announced it as reached, {miss:.1f} m off"
+"""End of the reason for a goal that was reached in the companion's belief only."""
 
 Range = tuple[float | None, float | None]
 
@@ -40,6 +43,8 @@ class GoalResult:
     reached: bool
     time_s: float | None
     miss_m: float | None
+    told_miss_m: float | None
+    """What the companion announced of the pass; None: nothing."""
     course_error_deg: float | None
     climb_error_deg: float | None
 
@@ -122,9 +127,12 @@ def judge(
         ended_early: why the run ended before 5 s after the last goal, such as "time"; empty if
             it did not.
     """
-    vehicles = tuple(_vehicle(scenario, record, sim_s) for record in records)
+    legs = [record.legs() for record in records]
+    flown = zip(records, legs, strict=True)
+    vehicles = tuple(_vehicle(scenario, record, each, sim_s) for record, each in flown)
     separation = min_separation(records)
-    reasons = (*ended_early, *_reasons(scenario, records, vehicles, separation))
+    missed = [reason for each in zip(vehicles, legs, strict=True) for reason in _missed(*each)]
+    reasons = (*ended_early, *missed, *_reasons(scenario, records, vehicles, separation))
     return Result(
         name=scenario.name,
         version=__version__,
@@ -162,10 +170,10 @@ def _least_norm(path: Vectors) -> float:
     return float(np.linalg.norm(nearest, axis=1).min())
 
 
-def _vehicle(scenario: Scenario, record: FlightRecord, sim_s: float) -> VehicleResult:
+def _vehicle(scenario: Scenario, record: FlightRecord, legs: Legs, sim_s: float) -> VehicleResult:
     return VehicleResult(
         id=record.vehicle.id,
-        goals=tuple(_goal(best) for best in record.legs().best()),
+        goals=tuple(_goal(best, legs.believed(goal)) for goal, best in enumerate(legs.best())),
         obstacles=_obstacles(scenario, record),
         fence_clearance_m=_rounded(fence_clearance(scenario, record.p_n)),
         assurance=assurance_of(scenario, record),
@@ -201,16 +209,34 @@ def _obstacles(scenario: Scenario, record: FlightRecord) -> tuple[ObstacleResult
     )
 
 
-def _goal(best: Pass | None) -> GoalResult:
+def _goal(best: Pass | None, believed: GoalAnnouncement | None) -> GoalResult:
+    told = None if believed is None else _rounded(believed.miss)
     if best is None:
-        return GoalResult(False, None, None, None, None)
+        return GoalResult(False, None, None, told, None, None)
     return GoalResult(
         best.reaches,
         _rounded(best.time),
         _rounded(best.miss),
+        told,
         _rounded(best.course_error / DEG),
         _rounded(best.climb_error / DEG),
     )
+
+
+def _missed(vehicle: VehicleResult, legs: Legs) -> list[str]:
+    """The goals that were not reached, and which of them the companion believed to be."""
+    reasons: list[str] = []
+    for index, goal in enumerate(vehicle.goals):
+        if goal.reached:
+            continue
+        reason, said = (
+            f"goal {index + 1} of vehicle {vehicle.id} not reached",
+            legs.left_behind(index),
+        )
+        if said is not None and said.outcome is Outcome.REACHED:
+            reason += BELIEVED_ONLY.format(miss=said.miss)
+        reasons.append(reason)
+    return reasons
 
 
 def _reasons(
@@ -219,14 +245,8 @@ def _reasons(
     vehicles: Sequence[VehicleResult],
     separation: float | None,
 ) -> list[str]:
-    """What is wrong with the flight itself; empty if nothing is."""
+    """What is wrong with the flight beside its goals; empty if nothing is."""
     reasons = [
-        f"goal {number} of vehicle {vehicle.id} not reached"
-        for vehicle in vehicles
-        for number, goal in enumerate(vehicle.goals, start=1)
-        if not goal.reached
-    ]
-    reasons += [
         f"penetration: vehicle {vehicle.id} in {each.name}, {each.min_clearance_m:.2f} m"
         for vehicle in vehicles
         for each in vehicle.obstacles

@@ -22,6 +22,10 @@ class TrafficResult:
     """How near one other aircraft came."""
 
     name: str
+    closest_m: float
+    """Least distance from it."""
+    closest_s: float
+    """When that was."""
     min_horizontal_m: float | None
     """Least horizontal distance while it was within the half height of the volume; None: never."""
     min_vertical_m: float | None
@@ -42,9 +46,19 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
         other_n, _ = motion_at(path_of(each), time)
         apart = other_n - p_n
         horizontal, vertical = np.hypot(apart[:, 0], apart[:, 1]), np.abs(apart[:, 2])
-        least = volume_distance(scenario.avoidance, apart).min()
+        distance = np.hypot(horizontal, vertical)
+        nearest = int(np.nan_to_num(distance, nan=np.inf).argmin())
         beside, level = horizontal[vertical <= half_height], vertical[horizontal <= radius]
-        results.append(TrafficResult(each.name, _least(beside), _least(level), _rounded(least)))
+        results.append(
+            TrafficResult(
+                each.name,
+                _rounded(distance[nearest]),
+                _rounded(time[nearest]),
+                _least(beside),
+                _least(level),
+                _rounded(volume_distance(scenario.avoidance, apart).min()),
+            )
+        )
     return tuple(results)
 
 

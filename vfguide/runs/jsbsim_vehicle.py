@@ -15,7 +15,8 @@ from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import SetAttitudeTarget
-from vfguide.results.goal_passages import Legs, Sample
+from vfguide.results.announced_legs import AnnouncedLegs
+from vfguide.results.goal_passages import Sample
 from vfguide.results.record import AirBelief, Decisions, FlightRecord, Instant
 from vfguide.results.result import TOUCH
 from vfguide.runs.steps import STEPS, Steps
@@ -73,7 +74,7 @@ class JsbsimVehicle:
         self.companion = Companion(
             vehicle.id, plan_of(loaded, vehicle), engage=True, step=steps.measured
         )
-        self.legs = Legs(vehicle.goals)
+        self.legs = AnnouncedLegs(vehicle.goals)
         scenario = loaded.scenario
         self._exact = scenario.sensors is None and not scenario.autopilot.reset
         self._origin = place_of(loaded.scenario.origin)
@@ -126,6 +127,8 @@ class JsbsimVehicle:
         else:
             self._goals_from = min(self._goals_from, truth.time)
             self.legs.feed(sample)
+            for said in self.companion.route.announced[len(self.legs.announced) :]:
+                self.legs.announce(said)
         self._noted.extend(numbers_of(self._instant(truth, sample)))
 
     def _instant(self, truth: Truth, at: Sample) -> Instant:
@@ -188,6 +191,7 @@ class JsbsimVehicle:
                 airspeed_sigma=step.airspeed_sigma,
             ),
             goals_from=self._goals_from,
+            announced=tuple(self.legs.announced),
             identified=self.companion.route.identified,
             decisions=decided if self.companion.route.plan.is_assured else None,
         )

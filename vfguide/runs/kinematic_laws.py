@@ -1,17 +1,20 @@
 """The laws that steer the rigid bodies of plant `kinematic`: `paper` or `flight`."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
+from vfguide.companion.goal_announcement import announcement, is_passed
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
 from vfguide.geometry.rows import row_of, width
 from vfguide.geometry.vector import Vectors
 from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.scenario.load import LoadedScenario
@@ -69,12 +72,19 @@ class PaperKinematicLaw:
 
 
 class FlightKinematicLaw:
-    """Law `flight`: every body flies its own route at its airspeed."""
+    """Law `flight`: every body flies its own route at its airspeed.
+
+    It announces no misses: a body knows where it is.
+    """
 
     def __init__(
-        self, loaded: LoadedScenario, vehicles: Sequence[Vehicle], steps: Steps = STEPS
+        self,
+        loaded: LoadedScenario,
+        vehicles: Sequence[Vehicle],
+        legs: Sequence[AnnouncedLegs],
+        steps: Steps = STEPS,
     ) -> None:
-        self._step = steps.body
+        self._step, self._legs = steps.body, legs
         plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
         self._plans = [replace(plan, is_point=True) for plan in plans]
         self._states = [row_of_state(fresh_state()) for _ in vehicles]
@@ -88,13 +98,16 @@ class FlightKinematicLaw:
         """The wanted airspeeds, and body rates towards the wanted directions of flight."""
         omega_b = np.empty_like(bodies.p_n)
         for i, plan in enumerate(self._plans):
+            before = self._states[i]
             omega_b[i], self._states[i] = self._step(
                 time,
                 bodies.p_n[i],
                 bodies.R_nb[i],
-                self._states[i],
+                before,
                 plan.legs,
                 plan.law,
                 plan.vehicle_row,
             )
+            if is_passed(before, self._states[i]):
+                self._legs[i].announce(announcement(before, self._states[i], math.nan))
         return Commands(self._speed, omega_b)

@@ -10,6 +10,7 @@ from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, US
 from vfguide.link.codec import Encoder
+from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.results.record import Array, FlightRecord
@@ -51,8 +52,8 @@ class RigidBodies:
             arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
             self._pilot, legs = PaperKinematicLaw(scenario, arrivals, steps), arrivals
         else:
-            self._pilot = FlightKinematicLaw(loaded, by_id, steps)
-            legs = [Legs(vehicle.goals) for vehicle in by_id]
+            announced = [AnnouncedLegs(vehicle.goals) for vehicle in by_id]
+            self._pilot, legs = FlightKinematicLaw(loaded, by_id, announced, steps), announced
         self._sorted = [RigidBody(*each) for each in zip(by_id, legs, strict=True)]
         self._order = [by_id.index(vehicle) for vehicle in scenario.vehicles]
         self._encoders = [Encoder(vehicle.id, TRUTH_COMPONENT) for vehicle in by_id]
@@ -120,6 +121,7 @@ class RigidBodies:
 
     def _record(self, i: int, flown: Bodies, driven: Commands, altitude: Array) -> FlightRecord:
         """What was noted of body `i`; the leading axes of the arrays are samples and bodies."""
+        legs = self._sorted[i].legs
         R_nb, omega_b = flown.R_nb[:, i].copy(), driven.omega_b[:, i].copy()
         none = np.full(len(R_nb), np.nan)
         return FlightRecord(
@@ -139,6 +141,7 @@ class RigidBodies:
             setpoints=self._updates,
             R_nb=R_nb,
             arrives=isinstance(self._pilot, PaperKinematicLaw),
+            announced=tuple(legs.announced) if isinstance(legs, AnnouncedLegs) else None,
         )
 
 

@@ -1,19 +1,17 @@
 """From a scenario to the simulated vehicles at their starts."""
 
-import math
-
 import numpy as np
 
 from vfguide.files.errors import InputError
 from vfguide.geometry.geodesy import ned_to_geodetic
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Vec3
 from vfguide.runs.instruments import instruments_from, motor_from
 from vfguide.runs.models import model_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of
+from vfguide.scenario.wind import blowing
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import Start, Weather
 from vfguide.sim.fdm import ModelError
@@ -103,12 +101,6 @@ def weather_of(scenario: Scenario, sysid: int) -> Weather:
         (shear * north, shear * east, 0.0),
         wind.shear_height_m,
     )
-
-
-def blowing(speed: float, from_deg: float) -> Vec3:
-    """A wind of a speed [m/s], the direction it blows toward, NED [m/s]."""
-    toward = from_deg * DEG + math.pi
-    return (speed * math.cos(toward), speed * math.sin(toward), 0.0)
 
 
 def random_seed(seed: int, sysid: int, purpose: int) -> int:

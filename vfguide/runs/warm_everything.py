@@ -13,13 +13,16 @@ from vfguide.geometry.vector import ZERO
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.field_points import Point, fields_at
+from vfguide.scenario.field_point import Point
+from vfguide.scenario.field_points import fields_at
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
+from vfguide.scenario.prediction import predict
+from vfguide.scenario.route_checks import Flies
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
-FIELD_SCENARIO = "first-flight"
-"""The shipped scenario whose field is evaluated in both laws."""
+FIELD_SCENARIOS = ("first-flight", "towers")
+"""The shipped scenarios whose field is evaluated in both laws: one without obstacles, one with."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,8 @@ class Stage:
 def everything() -> Sequence[Stage]:
     """All that the commands do, in stages."""
     flights = [Stage(name, partial(_fly, name)) for name in shipped_scenarios()]
-    return (*flights, Stage("sim and fly", _fly_live), Stage("field", _evaluate))
+    others = (("sim and fly", _fly_live), ("field", _evaluate), ("vehicles that meet", _predict))
+    return (*flights, *(Stage(*each) for each in others))
 
 
 def _fly(name: str) -> None:
@@ -51,10 +55,19 @@ def _fly_live() -> None:
         warm_up_companion(plan_of(loaded, loaded.scenario.vehicles[0]))
 
 
+def _predict() -> None:
+    """What `vfguide check` does with several vehicles, with hazards and without."""
+    for name in ("first-flight", "towers"):
+        loaded = load_scenario(name)
+        vehicle = loaded.scenario.vehicles[0]
+        predict(loaded.scenario, vehicle, Flies(loaded.performance(vehicle), loaded.gains(vehicle)))
+
+
 def _evaluate() -> None:
-    """The field of a vehicle at its start, in both laws."""
-    loaded = load_scenario(FIELD_SCENARIO)
-    vehicle = loaded.scenario.vehicles[0]
-    points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
-    for law in ("paper", "flight"):
-        fields_at(loaded, vehicle, points, law)
+    """The field of vehicles at their starts, in both laws."""
+    for name in FIELD_SCENARIOS:
+        loaded = load_scenario(name)
+        vehicle = loaded.scenario.vehicles[0]
+        points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
+        for law in ("paper", "flight"):
+            fields_at(loaded, vehicle, points, law)

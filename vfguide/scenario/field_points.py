@@ -9,73 +9,35 @@ import csv
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.aircraft.state import FlightState
-from vfguide.companion.plan import Plan
-from vfguide.estimation.estimation import Inputs
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
 from vfguide.files.errors import InputError
-from vfguide.geometry.atmosphere import isa_density
-from vfguide.geometry.rows import Row, Table, columns, python_reader
-from vfguide.geometry.so3 import from_euler, from_quaternion, log
+from vfguide.geometry.rows import Table, columns
+from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import ZERO, Mat3, Vec3, add, matmul, scale, sub, transpose
-from vfguide.loop.state import fresh_state
-from vfguide.loop.step import step
+from vfguide.geometry.vector import Mat3, Vec3, scale
+from vfguide.scenario.field_point import FieldPoint, Point, point_of
+from vfguide.scenario.flight_points import NoPlanError, flight_field
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle
+from vfguide.scenario.wind import blowing
 
 COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "t")
 """Names of the columns of a file of points: position [m] and velocity [m/s] in the scenario frame,
 time [s]."""
 LARGEST_NUMBER = 1e9
 """Largest value of any number in a file of points; chosen."""
-DIFFERENCE_TIME = 1e-3
-"""Time before and after a point between which the reference attitude is differentiated [s];
-chosen."""
 
 Points = Table
 """The rows of N points."""
 LawName = Literal["paper", "flight"]
-
-
-class Point(NamedTuple):
-    """A point at which the field is wanted, in the scenario frame, in the order of COLUMNS."""
-
-    p_n: Vec3
-    """Position [m]."""
-    v_n: Vec3
-    """Velocity [m/s]."""
-    time: float
-    """Time [s]."""
-
-
-point_of = python_reader(Point)
-
-
-class FieldPoint(NamedTuple):
-    """The field at one point, in the scenario frame; what a law does not have is None."""
-
-    F: Vec3
-    """Law paper: F of the composite, not normalised. Law flight: the wanted direction through the
-    air, a unit vector."""
-    G: Vec3 | None
-    """G' of the same composite, orthogonal to F."""
-    H: Vec3 | None
-    """H' of the same composite, orthogonal to F and G."""
-    R_a: Mat3
-    """The auxiliary attitude; law flight: the reference attitude that is flown. Body to NED."""
-    Omega_a: Vec3
-    """Body rates of R_a for the motion through the point [rad/s]."""
-    chi: tuple[float, ...]
-    """One of each obstacle."""
 
 
 def read_points(path: Path) -> Points:
@@ -125,15 +87,11 @@ def fields_at(
     """The field that leads `vehicle` to its first goal, at each of the points.
 
     Raises:
-        InputError: law flight among obstacles, whose routes are not shown.
+        InputError: law flight, and from one of the points there is no plan.
     """
     if law == "paper":
         return paper_fields(loaded.scenario, vehicle, points)
-    if loaded.scenario.obstacles:
-        rule = "not supported yet among obstacles, allowed is paper"
-        raise InputError(f"--law flight: {rule}")
-    plan = plan_of(loaded, vehicle)
-    return [flight_field(plan, point) for point in points]
+    return flight_fields(loaded, vehicle, points)
 
 
 def paper_fields(scenario: Scenario, vehicle: Vehicle, points: Points) -> list[FieldPoint]:
@@ -190,27 +148,17 @@ def velocity_at_start(scenario: Scenario, vehicle: Vehicle) -> Vec3:
     return scale(speed, (R_nb[0][0], R_nb[1][0], R_nb[2][0]))
 
 
-def flight_field(plan: Plan, point: Row) -> FieldPoint:
-    """The reference of the flight law at a point on a new leg to the first goal.
+def flight_fields(loaded: LoadedScenario, vehicle: Vehicle, points: Points) -> list[FieldPoint]:
+    """The plan of law `flight` at each of the points, in the wind that the scenario begins with.
 
-    The air is still, the airspeed the one to fly; the law looks at the velocity's direction only.
+    Raises:
+        InputError: from one of them there is no plan.
     """
-    p_n, v_n, time = point_of(point.tolist())
-    azimuth, gamma, R_a = flight_reference(plan, p_n, v_n, time)
-    step = scale(DIFFERENCE_TIME, v_n)
-    *_, before = flight_reference(plan, sub(p_n, step), v_n, time - DIFFERENCE_TIME)
-    *_, after = flight_reference(plan, add(p_n, step), v_n, time + DIFFERENCE_TIME)
-    level = math.cos(gamma)
-    F = (level * math.cos(azimuth), level * math.sin(azimuth), -math.sin(gamma))
-    Omega_a = scale(0.5 / DIFFERENCE_TIME, log(matmul(transpose(before), after)))
-    return FieldPoint(F, None, None, R_a, Omega_a, ())
-
-
-def flight_reference(plan: Plan, p_n: Vec3, v_n: Vec3, time: float) -> tuple[float, float, Mat3]:
-    """Azimuth and path angle wanted through the air [rad], and the reference attitude."""
-    level = from_euler(0.0, 0.0, math.atan2(v_n[1], v_n[0]))
-    state = FlightState(time, p_n, v_n, level, plan.gains.airspeed, (0.0, 0.0, 0.0))
-    density = isa_density(plan.origin[2] - p_n[2])
-    inputs = Inputs(state, state, ZERO, True, density)
-    setpoint, _, told = step(inputs, fresh_state(), plan.legs, None, plan.law, plan.vehicle)
-    return told.command.azimuth, told.command.gamma, from_quaternion(setpoint.q_nb)
+    wind, plan, fields = loaded.scenario.wind, plan_of(loaded, vehicle), list[FieldPoint]()
+    wind_n = blowing(wind.speed_mps, wind.from_deg)
+    for number, row in enumerate(points, start=1):
+        try:
+            fields.append(flight_field(plan, point_of(row.tolist()), wind_n))
+        except NoPlanError as error:
+            raise InputError(f"--points: point {number}: {error}") from error
+    return fields

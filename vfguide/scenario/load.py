@@ -20,6 +20,8 @@ from vfguide.files.source import Location, Source, read_toml
 from vfguide.geometry.units import DEG
 from vfguide.scenario import air_checks, checks
 from vfguide.scenario.air_checks import Asked, Flown
+from vfguide.scenario.detection_range import check_detection, with_detection_range
+from vfguide.scenario.encounter_checks import check_encounters
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
 from vfguide.scenario.resolve import air_of, aircraft_of, resolve
@@ -136,8 +138,15 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     flies = [
         Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
     ]
-    warnings = (*checks.told_of_law(scenario), *thin_air, *check_routes(scenario, flies, source))
-    return replace(loaded, warnings=warnings)
+    scenario = with_detection_range(scenario, entry, flies)
+    warnings = (
+        *checks.told_of_law(scenario),
+        *thin_air,
+        *check_detection(scenario, flies, source),
+        *check_routes(scenario, flies, source),
+        *check_encounters(scenario, flies, source),
+    )
+    return replace(loaded, scenario=scenario, warnings=warnings)
 
 
 def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> list[str]:

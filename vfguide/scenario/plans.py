@@ -1,24 +1,17 @@
 """From a scenario to the plans of its companions."""
 
-from vfguide.aircraft.performance import turn_length
 from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.files.errors import InputError
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import LAWS_BY_NAME
-from vfguide.loop.legs import Goal
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
+from vfguide.scenario.legs import circle_radius, circle_side, goal_of
 from vfguide.scenario.load import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import volume_from
-
-CIRCLE_SIDES = {"right": 1.0, "left": -1.0}
-"""Signs of the circle after the last goal by their names in scenario files."""
-LOITER_RADIUS = 1.57
-"""Default radius of the circle after the last goal [turn lengths]; chosen, 100 m at 25 m/s. Wind
-and bank may make it larger."""
 
 
 def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
@@ -36,14 +29,12 @@ def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
 
 def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
     """The plan of the companion of a vehicle."""
-    guidance = loaded.scenario.guidance
     return Plan(
         place_of(loaded.scenario.origin),
         tuple(goal_of(goal) for goal in vehicle.goals),
-        CIRCLE_SIDES[guidance.loiter],
-        guidance.loiter_radius_m
-        or LOITER_RADIUS * turn_length(loaded.scenario.airspeed_of(vehicle)),
-        guidance.rate_hz,
+        circle_side(loaded.scenario),
+        circle_radius(loaded.scenario, vehicle),
+        loaded.scenario.guidance.rate_hz,
         loaded.performance(vehicle),
         loaded.untuned(vehicle),
         loaded.roll_time(vehicle),
@@ -57,18 +48,6 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         volume_from(loaded.scenario.avoidance),
         int(vehicle.icao or "0", 16),
         LAWS_BY_NAME[loaded.scenario.law],
-    )
-
-
-def goal_of(goal: ScenarioGoal) -> Goal:
-    """A goal in SI units and radians."""
-    return Goal(
-        goal.position_m,
-        goal.heading_deg * DEG,
-        goal.climb_deg * DEG,
-        goal.tolerance_m,
-        goal.tolerance_deg * DEG,
-        goal.attempts,
     )
 
 

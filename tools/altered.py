@@ -49,7 +49,9 @@ class Altered:
         self.session, self.alteration = session, Alteration(alter)
 
     def receive(self, now, data):
-        return self.session.receive(now, self.alteration.altered(now, data))
+        """What the companion answers at `now` [us] to the altered `data`."""
+        altered = self.alteration.altered(now, data)
+        return self.session.receive(now, altered) if altered else self.session.poll(now)
 
     def __getattr__(self, name):
         return getattr(self.session, name)

@@ -1,0 +1,85 @@
+"""What goes out while no attitude is heard and the autopilot still follows."""
+
+import math
+
+import numpy as np
+import pytest
+from conversations import flying, heartbeat, setpoints
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from rate_body import Body, advance, level, load_factor
+
+from vfguide.aircraft.coordinated_turn import attitude_for_lift
+from vfguide.autopilots.px4 import Px4Mode
+from vfguide.companion.setpoints import COAST_AFTER
+from vfguide.control.coasting import coast
+from vfguide.geometry.so3 import to_quaternion
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import ZERO
+
+OFFBOARD = Px4Mode.OFFBOARD
+
+
+def silence(talk, seconds):
+    """The autopilot beats and says no state."""
+    out = []
+    for tick in range(round(seconds * 50)):
+        talk.now += 20_000
+        if tick % 25 == 0:
+            out += talk.hear(heartbeat(OFFBOARD))
+        out += talk.poll()
+    return setpoints(out)
+
+
+def test_one_setpoint_ends_the_roll_and_no_other_follows():
+    talk = flying()
+    assert not silence(talk, COAST_AFTER - 0.03)
+    (coasting,) = silence(talk, 2.0)
+    assert np.isfinite([coasting.body_roll_rate, coasting.body_pitch_rate]).all()
+
+
+def test_where_attitudes_come_again_they_are_flown_on_and_it_may_happen_again():
+    talk = flying()
+    for _ in range(3):
+        assert len(silence(talk, 0.6)) == 1
+        assert len(setpoints(talk.fly(1.0, OFFBOARD))) >= 45
+
+
+def test_nothing_goes_out_to_an_autopilot_that_does_not_follow():
+    talk = flying()
+    talk.hear(heartbeat(Px4Mode.HOLD))
+    assert not silence(talk, 1.0)
+
+
+def test_nothing_goes_out_while_setpoints_are_only_offered():
+    talk = flying()
+    talk.fly(1.0, Px4Mode.HOLD)
+    assert not silence(talk, 1.0)
+
+
+@given(st.floats(-60.0, 60.0), st.floats(-60.0, 60.0), st.floats(0.6, 2.2), st.floats(12.0, 50.0))
+@settings(max_examples=60)
+def test_a_second_without_attitudes_leaves_the_envelope_of_no_aircraft(rate, bank, load, speed):
+    """From any bank, roll rate and load that guidance flies: the turn goes on as it is by then."""
+    aircraft = flying().companion.route.plan.aircraft
+    aircraft = aircraft._replace(alpha_load=aircraft.alpha_load * (speed / 25.0) ** 2)
+    start = level((0.0, 0.0, -100.0), 0.0, speed, aircraft)
+    alpha = aircraft.alpha_zero + aircraft.alpha_load * load / speed**2
+    R_nb = attitude_for_lift(0.0, 0.0, math.copysign(bank, rate) * DEG, alpha)
+    body = Body(0.0, start.p_n, start.air_n, R_nb, (rate * DEG, 0.0, 0.0))
+    wanted_b, q_nb, steps = body.omega_b, to_quaternion(R_nb), 0
+    while body.time < 1.2:
+        if steps == 20:
+            wanted_b, _ = coast(q_nb, wanted_b, body.time, speed, 50.0 * DEG)
+        body, steps = advance(body, wanted_b, ZERO, aircraft, 0.01), steps + 1
+        assert abs(math.atan2(body.R_nb[2][1], body.R_nb[2][2])) < (abs(bank) + 22.0) * DEG
+        assert -0.3 < load_factor(body, aircraft) < 2.7
+    assert body.p_n[2] - start.p_n[2] < 12.0
+
+
+@pytest.mark.parametrize("bank", [-80.0, -30.0, 0.0, 30.0, 80.0])
+def test_a_bank_beyond_the_largest_is_taken_back(bank):
+    q_nb = to_quaternion(attitude_for_lift(0.0, 0.0, bank * DEG, 0.0))
+    (p, q, _), _ = coast(q_nb, ZERO, 0.2, 25.0, 50.0 * DEG)
+    assert q >= 0.0
+    assert p == pytest.approx(0.0 if abs(bank) < 50.0 else -math.copysign(30.0 * DEG, bank))

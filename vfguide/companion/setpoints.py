@@ -1,0 +1,67 @@
+"""The setpoints that go out: how many, when the last one did, and what follows where none can."""
+
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.autopilots.autopilot import Autopilot
+from vfguide.companion.plan import Plan
+from vfguide.control.coasting import coast
+from vfguide.control.limits import limit_rates
+from vfguide.geometry.units import US
+from vfguide.link.messages import AttitudeQuaternion, SetAttitudeTarget
+
+COAST_AFTER = 0.2
+"""Time without a new attitude after which a coordinated turn is flown [s]; chosen, a roll at 60
+degrees a second goes on for 12 degrees."""
+COAST_PERIODS = 3.0
+"""Number of guidance periods that this takes at least; chosen."""
+
+
+class Setpoints:
+    """The setpoints to one vehicle."""
+
+    def __init__(self, sysid: int) -> None:
+        """None has gone out to the vehicle with a MAVLink system number."""
+        self.count = 0
+        """Number of setpoints sent."""
+        self.sent_at = 0
+        """When the last one went out [us]."""
+        self._sysid = sysid
+        self._flown: SetAttitudeTarget | None = None
+
+    def send(
+        self, now: int, time_boot_ms: int, setpoint: RateSetpoint, autopilot: Autopilot
+    ) -> SetAttitudeTarget:
+        """The message of a setpoint that goes out at `now` [us].
+
+        Args:
+            now: the time [us].
+            time_boot_ms: time of the attitude for which it is made [ms].
+            setpoint: what it says.
+            autopilot: whose type mask says what of it counts.
+        """
+        (p, q, r), mask = setpoint.omega_b, autopilot.type_mask
+        self.count += 1
+        self.sent_at = now
+        self._flown = SetAttitudeTarget(
+            time_boot_ms, self._sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
+        )
+        return self._flown
+
+    def coast(
+        self, now: int, attitude: AttitudeQuaternion | None, plan: Plan
+    ) -> RateSetpoint | None:
+        """The setpoint at `now` [us] that ends a roll, where attitudes stay away; None: not due.
+
+        There is one after each that was made for an attitude.
+        """
+        flown, age = self._flown, (now - self.sent_at) * US
+        if flown is None or attitude is None or age < max(COAST_AFTER, COAST_PERIODS / plan.rate):
+            return None
+        q_nb = (attitude.q1, attitude.q2, attitude.q3, attitude.q4)
+        rates = (flown.body_roll_rate, flown.body_pitch_rate, flown.body_yaw_rate)
+        gains = plan.tuned
+        omega_b, q = coast(q_nb, rates, age, gains.airspeed, gains.bank_max)
+        return RateSetpoint(limit_rates(omega_b, plan.aircraft.rate_max), flown.thrust, q)
+
+    def end(self) -> None:
+        """Record that the last setpoint is not held any more, so that nothing follows it."""
+        self._flown = None

@@ -1,0 +1,40 @@
+"""Coasting: body rates for the time in which no attitude is heard and the autopilot still follows.
+
+A body rate that is held rolls the aircraft on. So where attitudes stay away, one more setpoint goes
+out, which flies the coordinated turn of the bank that is reached by then.
+"""
+
+import math
+
+from vfguide.geometry.compiled import compiled
+from vfguide.geometry.so3 import Quaternion, exp, from_quaternion, to_quaternion
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Vec3, add, matmul, scale
+
+LEVELLING_TIME = 1.0
+"""Time in which a bank beyond the largest is taken back [s]; chosen as the time after which PX4
+flies on by itself (COM_OF_LOSS_T)."""
+
+
+@compiled
+def coast(
+    q_nb: Quaternion, omega_b: Vec3, age: float, airspeed: float, bank_max: float
+) -> tuple[Vec3, Quaternion]:
+    """Body rates of a level coordinated turn, and the attitude in which it begins.
+
+    The turn rate g tan(bank) / V about the vertical, in body axes (Beard and McLain, Small Unmanned
+    Aircraft, 2012, chapter 5).
+
+    Args:
+        q_nb: the last attitude that was heard, w, x, y, z, body FRD to NED.
+        omega_b: body rates that have been flown since then, FRD [rad/s].
+        age: time since then [s].
+        airspeed: true airspeed [m/s].
+        bank_max: largest bank [rad].
+    """
+    R_nb = matmul(from_quaternion(q_nb), exp(scale(age, omega_b)))
+    down_b = R_nb[2]
+    bank = math.atan2(down_b[1], down_b[2])
+    kept = max(-bank_max, min(bank_max, bank))
+    turn = scale(G0 * math.tan(kept) / airspeed, down_b)
+    return add(turn, ((kept - bank) / LEVELLING_TIME, 0.0, 0.0)), to_quaternion(R_nb)
