@@ -1,4 +1,4 @@
-"""The aeroplanes that are flown in tests, as their files describe them.
+"""The aeroplanes that are flown in tests, as their files describe them: at sea-level density.
 
 Rooms below the files need none; `tests/files/test_aircraft_file.py` compares these with them.
 """
@@ -23,9 +23,10 @@ AEROSONDE = Performance(
     thrust_per_load=0.04,
     thrust_per_airspeed=0.24,
     thrust_integral=0.046,
+    thrust_fade=(1.0 - 0.475) / 7.0,
 )
 EASYSTAR = Performance(
-    airspeed_min=7.2,
+    airspeed_min=7.0,
     airspeed_cruise=11.0,
     airspeed_max=14.0,
     bank_max=45.0 * DEG,
@@ -34,16 +35,17 @@ EASYSTAR = Performance(
     climb_max=10.0 * DEG,
     descent_max=7.0 * DEG,
     rate_max=(100.0 * DEG, 60.0 * DEG, 45.0 * DEG),
-    alpha_zero=-3.43 * DEG,
-    alpha_load=562.0 * DEG,
-    thrust_trim=0.194,
-    thrust_per_climb=1.64,
-    thrust_per_load=0.032,
-    thrust_per_airspeed=0.134,
-    thrust_integral=0.026,
+    alpha_zero=-3.42 * DEG,
+    alpha_load=527.0 * DEG,
+    thrust_trim=0.195,
+    thrust_per_climb=1.58,
+    thrust_per_load=0.030,
+    thrust_per_airspeed=0.129,
+    thrust_integral=0.025,
+    thrust_fade=(1.0 - 0.91) / 3.0,
 )
 CESSNA = Performance(
-    airspeed_min=26.0,
+    airspeed_min=25.2,
     airspeed_cruise=45.0,
     airspeed_max=58.0,
     bank_max=45.0 * DEG,
@@ -52,11 +54,12 @@ CESSNA = Performance(
     climb_max=5.0 * DEG,
     descent_max=5.0 * DEG,
     rate_max=(30.0 * DEG, 12.0 * DEG, 10.0 * DEG),
-    alpha_zero=-3.47 * DEG,
-    alpha_load=10830.0 * DEG,
-    thrust_trim=0.38,
-    thrust_per_climb=3.77,
-    thrust_per_load=0.115,
-    thrust_per_airspeed=0.15,
-    thrust_integral=0.02,
+    alpha_zero=-3.44 * DEG,
+    alpha_load=10150.0 * DEG,
+    thrust_trim=0.367,
+    thrust_per_climb=3.54,
+    thrust_per_load=0.096,
+    thrust_per_airspeed=0.144,
+    thrust_integral=0.019,
+    thrust_fade=(1.0 - 0.85) / 13.0,
 )

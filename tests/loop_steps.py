@@ -7,6 +7,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import Inputs
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import log
@@ -30,7 +31,7 @@ def step_told(
     if 0.0 <= seen.time < state.time:
         turn = log(matmul(transpose(seen.attitude.R_nb), state.R_nb))
         omega_b = scale(1.0 / (state.time - seen.time), turn)
-    inputs = Inputs(state, state, omega_b, False, 0.0)
+    inputs = Inputs(state, state, omega_b, False, 0.0, DENSITY_0)
     setpoint, left, outcome = step(inputs, s, legs, airspace, law, read_vehicle(vehicle))
     after = np.empty(len(before))
     write_state(left, after)

@@ -36,7 +36,7 @@ def best_possible(loaded: LoadedScenario, record: FlightRecord) -> float:
     """The largest clearance that the tree finds [m], infinite where nothing was known before."""
     world = world_of(loaded, record)
     vehicle = record.vehicle
-    limits = assurance(loaded.performance(vehicle), loaded.gains(vehicle)).limits
+    limits = assurance(loaded.performance_aloft(vehicle), loaded.gains(vehicle)).limits
     distances, nearest = true_distances(world, record.p_n, record.time)
     inside = np.flatnonzero(distances <= 0.0)
     last = int(inside[0]) if inside.size else int(np.argmin(distances))

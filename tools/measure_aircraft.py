@@ -21,14 +21,16 @@ from vfguide.aircraft.gain_scheduling import airspeed_gains
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Series, Vec3, Vectors
 from vfguide.sim.bench import Bench
-from vfguide.sim.condition import Model, Start
+from vfguide.sim.condition import FlightCondition, Model, Start
 from vfguide.sim.fdm import stock_root
 from vfguide.sim.inner_loop.airframe_model import identify
 from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.plant import STEP, Plant
-from vfguide.sim.signals import Inner
+from vfguide.sim.signals import Controls, Inner
 from vfguide.sim.trim import TrimError, trim
 
+CLEAR_OF_GROUND = 1000.0
+"""Height above the ground of the tests [m]."""
 STEADY = (0.0, 0.0, 0.0)
 RATES_DPS = (100.0, 80.0, 60.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0)
 """Body rates that are tried, the fastest that is followed is taken [deg/s]."""
@@ -68,7 +70,8 @@ class FlightTest:
     def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> Answers:
         """What the model does from a step at cruise on."""
         each = identify(self.model, self.cruise, self.altitude)
-        plant = Plant(self.model, Start(0.8, 0.1, self.altitude, 0.0, each.cruise))
+        start = Start(0.8, 0.1, self.altitude, 0.0, each.cruise)
+        plant = Plant(self.model, start, ground_altitude=self.altitude - CLEAR_OF_GROUND)
         wanted, memory = (*omega_b, each.cruise_thrust + thrust), STEADY
         answers = [answer_of(plant)]
         for _ in range(round(seconds / STEP)):
@@ -125,6 +128,17 @@ def lift_fit(test: FlightTest) -> tuple[float, float]:
     return float(zero), float(load)
 
 
+def full_at(test: FlightTest, airspeed: float) -> float:
+    """Full thrust at an airspeed [m/s] over that at cruise."""
+    bench, controls = Bench(test.model, test.altitude), Controls(throttle=1.0)
+    alpha = trim(bench, test.cruise).alpha
+    full, cruise = (
+        bench.thrust(FlightCondition(speed, alpha=alpha, controls=controls))
+        for speed in (airspeed, test.cruise)
+    )
+    return full / cruise
+
+
 def measure(test: FlightTest, name: str, stock: str | None) -> str:
     """The whole file."""
     each, bench = identify(test.model, test.cruise, test.altitude), Bench(test.model, test.altitude)
@@ -142,6 +156,7 @@ def measure(test: FlightTest, name: str, stock: str | None) -> str:
     per_climb = bench.mass * G0 / each.thrust.full_thrust
     per_airspeed, integral = airspeed_gains(per_climb, thrust_s)
     zero, load = lift_fit(test)
+    fastest_shown = round(min(0.95 * fastest, 1.35 * test.cruise), 1)
     model = f'\n[model]\nstock = "{stock}"\n' if stock else ""
     return f"""\
 name = "{name}"
@@ -151,7 +166,7 @@ source = "Measured on the JSBSim model, {test.altitude:g} m above the sea"
 # Level flight from {stall:.1f} m/s, taken as the 1-g stall, to {fastest:.1f} m/s.
 min_mps = {1.04 * stall:.1f}
 cruise_mps = {test.cruise:.1f}
-max_mps = {min(0.95 * fastest, 1.35 * test.cruise):.1f}
+max_mps = {fastest_shown}
 
 [limits]
 bank_max_deg = 45.0
@@ -175,6 +190,8 @@ per_climb = {per_climb:.2f}
 per_load = {drag_of_lift(test) / each.thrust.full_thrust:.3f}
 per_airspeed = {per_airspeed:.3f}
 integral = {integral:.3f}
+# Full thrust at max_mps over that at cruise.
+full_at_max = {full_at(test, fastest_shown):.2f}
 
 [response]
 roll_s = {roll_s:.3f}
@@ -189,7 +206,12 @@ def main() -> None:
     )
     parser.add_argument("model", help="folder of a model, or an aircraft of the jsbsim package")
     parser.add_argument("--cruise", type=float, required=True, help="[m/s]")
-    parser.add_argument("--altitude", type=float, default=638.0, help="above the sea [m]")
+    parser.add_argument(
+        "--altitude",
+        type=float,
+        default=0.0,
+        help="above the sea [m]; an aircraft file holds there",
+    )
     args = parser.parse_args()
     folder = Path(args.model)
     own = (folder / f"{folder.name}.xml").is_file()

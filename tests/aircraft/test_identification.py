@@ -46,13 +46,15 @@ def direction(azimuth, elevation):
     return np.stack((c * np.cos(azimuth), c * np.sin(azimuth), -np.sin(elevation)), axis=1)
 
 
-def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
+def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0, density=1.225):
     """Samples of a flight with the numbers of TRUE; `lively` 0: straight on.
 
     The path is the same whatever the gusts up and down [m/s]: attitude and thrust make up for them.
+    In thin air it takes more of the thrust.
     """
     time = np.arange(0.0, 80.0, DT)
-    speed = 25.0 + lively * smooth(time, (0, 0.0), (45, 4.0), (55, -4.0), (65, 0.0))
+    equivalent = 25.0 + lively * smooth(time, (0, 0.0), (45, 4.0), (55, -4.0), (65, 0.0))
+    speed = equivalent * math.sqrt(1.225 / density)
     gamma = lively * smooth(time, (0, 0.0), (4, 0.1), (11, -0.1), (18, 0.0))
     bank = lively * smooth(time, (0, 0.0), (24, 0.5), (40, 0.0), (66, -0.5), (78, 0.0))
     azimuth = np.cumsum(G0 * np.tan(bank) / speed) * DT
@@ -64,15 +66,15 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
     d = direction(azimuth, through)
     along = np.einsum("ni,ni->n", force, d) / G0
     load = np.sqrt(np.einsum("ni,ni->n", force, force) / G0**2 - along**2)
-    alpha = DEG * (TRUE["alpha_zero_deg"] + TRUE["alpha_load_deg_m2ps2"] * load / speed**2)
+    alpha = DEG * (TRUE["alpha_zero_deg"] + TRUE["alpha_load_deg_m2ps2"] * load / equivalent**2)
     # The pull is across the flight in the banked plane: where the coordinated bank has it.
     R_nb = [attitude_for_lift(*its) for its in zip(azimuth, through, bank, alpha, strict=True)]
     thrust = (
         TRUE["trim"]
         + TRUE["per_climb"] * along
         + TRUE["per_load"] * (load**2 - 1.0)
-        + SLOPE * (speed - 25.0)
-    )
+        + SLOPE * (equivalent - 25.0)
+    ) * (1.225 / density)
     late = round(delay / DT)
     asked = thrust + TRUE["thrust_s"] * np.gradient(thrust, DT)
     roll_asked = lively * np.repeat(np.random.default_rng(5).uniform(-1.0, 1.0, 80), 50)
@@ -82,6 +84,7 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
         np.array(R_nb),
         flown_n + np.array(wind),
         speed,
+        np.full_like(time, density),
         first_order(time, roll_asked, delays, TRUE["roll_s"] - STEP_DELAY),
         roll_asked,
         np.append(asked[late:], np.full(late, asked[-1])),
@@ -91,12 +94,12 @@ def flight(wind=(3.0, -2.0, 0.0), delay=0.04, lively=1.0, gusts=0.0):
 
 def test_the_instants_of_a_flight_are_its_columns():
     R_nb = ((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0))
-    first = Sample(1.0, R_nb, (4.0, 5.0, 6.0), 25.0, 0.1, 0.2, 0.3, 0.4)
+    first = Sample(1.0, R_nb, (4.0, 5.0, 6.0), 25.0, 1.1, 0.1, 0.2, 0.3, 0.4)
     samples = samples_of([first, first._replace(time=2.0, delay=0.5)])
     assert list(samples.time) == [1.0, 2.0]
     assert samples.R_nb[1].tolist() == [list(row) for row in first.R_nb]
     assert samples.v_n[1].tolist() == [4.0, 5.0, 6.0]
-    assert [values[0] for values in samples[3:]] == [25.0, 0.1, 0.2, 0.3, 0.4]
+    assert [values[0] for values in samples[3:]] == [25.0, 1.1, 0.1, 0.2, 0.3, 0.4]
     assert list(samples.delay) == [0.4, 0.5]
 
 
@@ -127,6 +130,15 @@ def test_the_numbers_of_a_flight_are_found(wind):
     assert found.roll_time == estimates["roll_s"].value
     untouched = ("airspeed_min", "airspeed_max", "bank_max", "load_max", "climb_max", "rate_max")
     assert all(getattr(its, name) == getattr(AEROSONDE, name) for name in untouched)
+
+
+@pytest.mark.parametrize("density", [0.66, 0.9, 1.3])
+def test_they_are_those_of_sea_level_in_any_air(density):
+    _, low = found_in(flight())
+    _, high = found_in(flight(density=density))
+    for key, its in high.items():
+        assert its.used
+        assert its.value == pytest.approx(low[key].value, rel=0.03), key
 
 
 def noisy(samples, seed, velocity=0.1, attitude=0.3 * DEG, airspeed=0.3, roll_rate=0.3 * DEG):
@@ -230,7 +242,8 @@ def test_anything_goes_in_and_no_exception_comes_out(n, seed):
         return values
 
     time = np.cumsum(np.abs(wild(n))) if seed % 2 else 0.1 * np.arange(n)
-    samples = Samples(time, wild(n, 3, 3), wild(n, 3), *(wild(n) for _ in range(5)))
+    air = (wild(n), rng.uniform(0.1, 1.5, n))  # the density is our own
+    samples = Samples(time, wild(n, 3, 3), wild(n, 3), *air, *(wild(n) for _ in range(4)))
     found, estimates = found_in(samples)
     if n < 20:
         assert not any(its.used for its in estimates.values())

@@ -17,7 +17,7 @@ from vfguide.companion.circuit import AIRSPEED_CHANGE, ROOM_SPACING, circuit
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_places_are_close_together_along_the_whole_circuit(side):
-    legs = circuit(NORTH, TEST_FLIGHT, side)
+    legs = circuit(NORTH, TEST_FLIGHT.vehicle, side)
     places = np.array([NORTH.p_n, *(place for leg in legs for place in leg.places)])
     assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= ROOM_SPACING + 1e-9
     assert all(leg.places[-1] == leg.goal.p_n for leg in legs)
@@ -28,7 +28,7 @@ def test_places_are_close_together_along_the_whole_circuit(side):
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_the_circuit_ends_near_its_beginning_and_on_its_course(side):
-    legs = circuit(NORTH, TEST_FLIGHT, side)
+    legs = circuit(NORTH, TEST_FLIGHT.vehicle, side)
     ends = np.array([leg.goal.p_n for leg in legs])
     courses = [math.cos(leg.goal.course) for leg in legs]
     assert np.linalg.norm(ends[-1] - NORTH.p_n) < 30.0
@@ -46,12 +46,12 @@ def test_airspeeds_stay_inside_what_the_aircraft_flies(slowest, cruise, fastest)
         aircraft=TEST_FLIGHT.aircraft._replace(airspeed_min=slowest, airspeed_max=speed * fastest),
         gains=TEST_FLIGHT.gains._replace(airspeed=speed),
     )
-    speeds = {leg.name: leg.airspeed for leg in circuit(NORTH, its, 1.0)}
+    speeds = {leg.name: leg.airspeed for leg in circuit(NORTH, its.vehicle, 1.0)}
     assert slowest <= speeds["slow flight"] <= speed <= speeds["fast flight"] <= speed * fastest
 
 
 def test_it_changes_the_airspeed_by_as_much_as_it_says():
-    speeds = [leg.airspeed for leg in circuit(NORTH, TEST_FLIGHT, 1.0)]
+    speeds = [leg.airspeed for leg in circuit(NORTH, TEST_FLIGHT.vehicle, 1.0)]
     assert max(speeds) == pytest.approx(25.0 * (1.0 + AIRSPEED_CHANGE))
     assert min(speeds) == pytest.approx(25.0 * (1.0 - AIRSPEED_CHANGE))
 

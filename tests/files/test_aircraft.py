@@ -21,6 +21,8 @@ from vfguide.sim.signals import Controls
 from vfguide.sim.trim import TrimError, trim
 
 HANDS_OFF = (0.0, 0.0, 0.0)
+SEA_LEVEL = 0.0
+GROUND = -1000.0
 
 
 @cache
@@ -30,17 +32,18 @@ def file(name: str) -> Aircraft:
 
 @cache
 def bench(name: str) -> Bench:
-    return Bench(MODELS[name], ALTITUDE)
+    return Bench(MODELS[name], SEA_LEVEL)
 
 
 def airframe(name: str) -> Airframe:
-    return identify(MODELS[name], file(name).airspeed.cruise_mps, ALTITUDE)
+    return identify(MODELS[name], file(name).airspeed.cruise_mps, SEA_LEVEL)
 
 
 def flown(name: str, omega_b, seconds: float, thrust: float = 0.0) -> tuple[Plant, np.ndarray]:
     """The plant after a flight from the cruise, and of every step p, q, r and thrust [N]."""
     its, memory, rows = airframe(name), HANDS_OFF, []
-    plant = Plant(MODELS[name], Start(0.8, 0.1, ALTITUDE, 0.0, its.cruise))
+    start = Start(0.8, 0.1, SEA_LEVEL, 0.0, its.cruise)
+    plant = Plant(MODELS[name], start, ground_altitude=GROUND)
     for _ in range(round(seconds * STEPS_PER_S)):
         wanted = (*omega_b, its.cruise_thrust + thrust)
         controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
@@ -115,7 +118,7 @@ def test_it_flies_hands_off_and_every_fresh_one_alike(name):
     assert (rates == again).all()
     truth = plant.truth()
     assert truth.airspeed == pytest.approx(file(name).airspeed.cruise_mps, abs=0.5)
-    assert truth.altitude == pytest.approx(ALTITUDE, abs=3.0)
+    assert truth.altitude == pytest.approx(SEA_LEVEL, abs=3.0)
 
 
 @pytest.mark.parametrize(
@@ -213,5 +216,5 @@ def test_thrust_above_the_centre_of_gravity_lowers_the_nose():
 
 def test_an_aircraft_in_another_folder_is_the_same(tmp_path):
     shutil.copytree(EASYSTAR.folder, tmp_path / "easystar")
-    again = identify(Model(tmp_path, "easystar"), 11.0, ALTITUDE)
+    again = identify(Model(tmp_path, "easystar"), 11.0, SEA_LEVEL)
     assert (again.rates == airframe("easystar").rates).all()

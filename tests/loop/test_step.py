@@ -44,6 +44,7 @@ MEASURED = Measurement(
     q_lb=(0.9, 0.1, 0.05, 0.1),
     calibrated=23.0,
     altitude=510.0,
+    density=1.166,
     wind_l=(2.0, -1.0, 0.0),
     omega_b=(0.1, 0.2, -0.1),
     lead=0.05,
@@ -90,8 +91,8 @@ def test_a_state_that_is_known_exactly_is_not_estimated():
 @pytest.mark.parametrize("airspace", [None, towers()])
 def test_the_step_for_a_link_is_the_step(law, airspace):
     s = fresh_state(0 if airspace is None else 2)
-    predicted, here = place_state(MEASURED, ORIGIN), place_measured(MEASURED, ORIGIN)
-    inputs = Inputs(predicted, here, MEASURED.omega_b, False, MEASURED.lead)
+    now, then = place_measured(MEASURED, ORIGIN), place_state(MEASURED, ORIGIN)
+    inputs = Inputs(then, now, MEASURED.omega_b, False, MEASURED.lead, MEASURED.density)
     setpoint, after, outcome = step(inputs, s, LEGS, airspace, law, VEHICLE)
     measured = tuple(MEASURED)
     values = None if airspace is None else unnested_airspace(airspace)

@@ -195,15 +195,18 @@ def instead_of_goal(lines: str) -> str:
         ),
         (
             in_vehicle("airspeed_mps = 12.0"),
-            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde, allowed 18 to 32",
+            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde at 588 m, "
+            "allowed 18.6 to 32.9 (true airspeed)",
         ),
         (
-            in_vehicle("airspeed_mps = 33.0"),
-            "vehicle[0].airspeed_mps = 33.0: above the maximum of aerosonde, allowed 18 to 32",
+            in_vehicle("airspeed_mps = 34.0"),
+            "vehicle[0].airspeed_mps = 34.0: above the maximum of aerosonde at 588 m, "
+            "allowed 18.6 to 32.9 (true airspeed)",
         ),
         (
             at_top("[guidance]\nairspeed_mps = 40.0"),
-            "guidance.airspeed_mps = 40.0: above the maximum of aerosonde, allowed 18 to 32",
+            "guidance.airspeed_mps = 40.0: above the maximum of aerosonde at 588 m, "
+            "allowed 18.6 to 32.9 (true airspeed)",
         ),
         (
             at_top("[guidance]\nbank_max_deg = 55.0"),

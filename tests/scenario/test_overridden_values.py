@@ -33,7 +33,8 @@ def test_values_arrive_in_order_and_missing_tables_are_made(tmp_path: Path) -> N
         ("wind.speed_mps=99", "wind.speed_mps = 99: too large, allowed 0 to 50"),
         (
             "vehicle.0.airspeed_mps=12",
-            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde, allowed 18 to 32",
+            "vehicle[0].airspeed_mps = 12.0: below the minimum of aerosonde at 588 m, "
+            "allowed 18.6 to 32.9 (true airspeed)",
         ),
         ("vehicle.1.id=2", "1 is no index here, allowed 0 to 0"),
         ("vehicle.x.id=2", "x is no index here, allowed 0 to 0"),

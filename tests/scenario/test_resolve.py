@@ -172,7 +172,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
                 "position_m": (-500.0, 0.0, -100.0),
                 "heading_deg": 0.0,
                 "attitude_deg": None,
-                "airspeed_mps": 25.0,
+                "airspeed_mps": pytest.approx(25.0 * (1.225 / 1.15733) ** 0.5, rel=1e-5),
                 "aircraft": "aerosonde",
                 "icao": None,
                 "identify": False,

@@ -21,7 +21,7 @@ def plan(*changes: str, aircraft: str = "aerosonde") -> Plan:
 @pytest.mark.parametrize("along", [0.1, 0.35, 0.5, 0.62, 0.9])
 def test_a_tower_anywhere_on_the_circuit_is_seen(along):
     its = plan()
-    legs = circuit(NORTH, its, 1.0)
+    legs = circuit(NORTH, its.vehicle, 1.0)
     places = [place for leg in legs for place in leg.places]
     north, east, _ = places[int(along * len(places))]
     tower = (
@@ -53,4 +53,4 @@ def test_it_turns_to_where_there_is_room_and_is_left_out_where_there_is_none(eas
     else:
         assert not talk.route.is_testing
         assert any(note.startswith("no room for a test flight") for note in talk.told)
-        assert talk.told[-1] == "flying to goal 1 of 1"
+        assert "flying to goal 1 of 1" in talk.told

@@ -135,7 +135,7 @@ def test_a_wrong_airframe_costs_no_steady_rate():
 def test_surfaces_are_those_that_the_table_asks_for():
     # Feed-forward alone: in cruise, without error, the surfaces are those of the trim.
     cruise = steady()
-    inner = CRUISE_AIR._replace(alpha=cruise.alpha, density=airframe().thrust.axes.density)
+    inner = CRUISE_AIR._replace(alpha=cruise.alpha, density=bench().density)
     surfaces, memory = rate_loop(airframe().rates, inner, FRESH, FRESH, STEP)
     assert surfaces == pytest.approx(cruise.controls[:3], abs=1e-6)
     assert memory == FRESH
@@ -144,7 +144,7 @@ def test_surfaces_are_those_that_the_table_asks_for():
 def test_an_error_asks_for_an_acceleration_that_the_surfaces_give():
     # Proportional gain 12, 9, 6 1/s: from the trim, an error of 0.05 rad/s asks for so much.
     cruise = steady()
-    density = airframe().thrust.axes.density
+    density = bench().density
     inner = Inner(-0.05, -0.05, -0.05, cruise.alpha, 0.0, airspeed=25.0, density=density)
     surfaces, _ = rate_loop(airframe().rates, inner, FRESH, FRESH, STEP)
     controls = Controls(*surfaces, throttle=cruise.controls.throttle)
@@ -193,7 +193,7 @@ def test_the_inner_loop_is_rate_loop_and_throttle():
     its, setpoint = airframe(), (0.2, 0.1, -0.1, 0.4)
     controls, memory = inner_loop(its.tables, (*CRUISE_AIR,), setpoint, FRESH, STEP)
     assert (controls[:3], memory) == rate_loop(its.rates, CRUISE_AIR, setpoint[:3], FRESH, STEP)
-    assert controls[3] == throttle_for(its.thrust.throttles, its.thrust.axes, 0.4, 25.0, 1.15)
+    assert controls[3] == throttle_for(its.thrust.throttles, its.thrust.axes, 0.4, 25.0)
 
 
 def test_thrust_setpoints_move_the_aeroplane():

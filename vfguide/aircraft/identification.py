@@ -3,11 +3,12 @@
 Least squares on what was measured and what was commanded (R. V. Jategaonkar, Flight Vehicle System
 Identification, 2006: the equation-error method). The models are those of the flight law:
 
-    angle of attack = alpha_zero + alpha_load n / V^2
-    thrust setpoint = trim + per_climb f + per_load (n^2 - 1) + its slope over the airspeed
+    angle of attack = alpha_zero + alpha_load n / V_e^2
+    thrust at sea level = trim + per_climb f + per_load (n^2 - 1) + its slope over the airspeed
     roll rate       = the setpoint of the roll rate, 63 % of a step after roll_time
 
-where n is the load factor, V the true airspeed and f the specific force along the flight over g:
+where n is the load factor, V_e the equivalent airspeed, the thrust at sea level the setpoint times
+the density over that at sea level, and f the specific force along the flight over g:
 sin(path angle) + acceleration / g. The air is taken as level and the wind as steady: gusts are
 noise, which the standard errors show.
 """
@@ -21,6 +22,7 @@ from vfguide.aircraft.gain_scheduling import STEP_DELAY, airspeed_gains
 from vfguide.aircraft.least_squares import Array, best_time, first_order, fitted, with_constant
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.samples import Means, Samples, halfway, mean, means_of, sound, with_airspeed
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.units import DEG
 
 SETTLED = 1.5
@@ -204,9 +206,10 @@ def find_thrust(
     force = means.along * np.cos(alpha) - means.load * np.sin(alpha)
     faster, induced = means.airspeed - aircraft.airspeed_cruise, means.load**2 - 1.0
     told, known = with_airspeed(samples), np.isfinite(samples.airspeed)
+    at_sea_level = samples.thrust * samples.density / DENSITY_0
 
     def regressors(lag: float) -> Array:
-        thrust = first_order(samples.time, samples.thrust, samples.delay, lag)
+        thrust = first_order(samples.time, at_sea_level, samples.delay, lag)
         return with_constant(mean(told, halfway(thrust[known])), faster, induced)
 
     lag, sigma_lag, fit = best_time(regressors, force)

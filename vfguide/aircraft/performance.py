@@ -7,7 +7,11 @@ from vfguide.geometry.units import G0
 
 
 class Performance(NamedTuple):
-    """Limits and trim of one aircraft, SI units and radians."""
+    """Limits and trim of one aircraft in air of one density, SI units and radians.
+
+    An aircraft file holds at sea-level density, where equivalent airspeeds are true ones;
+    `vfguide.aircraft.air_density` makes the aircraft in other air of it.
+    """
 
     airspeed_min: float
     """Slowest true airspeed of level flight [m/s]."""
@@ -34,13 +38,18 @@ class Performance(NamedTuple):
     thrust_trim: float
     """Thrust setpoint of level flight at cruise, 0 to 1."""
     thrust_per_climb: float
-    """Weight / full thrust: setpoint for each unit of sin(gamma) + acceleration / g."""
+    """Weight / full thrust: setpoint for each unit of sin(gamma) + acceleration / g.
+
+    Full thrust is that at the cruise airspeed of sea level, in this air."""
     thrust_per_load: float
     """Setpoint for each unit of n^2 - 1: the induced drag of a turn."""
     thrust_per_airspeed: float
     """Setpoint for each m/s of airspeed missing [s/m]."""
     thrust_integral: float
     """Setpoint for each m/s of airspeed missing during 1 s [1/m]."""
+    thrust_fade: float = 0.0
+    """Share of the full thrust that is lost with each m/s of true airspeed above the cruise
+    airspeed of sea level [s/m]."""
 
 
 class Gains(NamedTuple):

@@ -8,6 +8,7 @@ import numpy as np
 
 from vfguide.aircraft.flight_model import STEEPEST_BANK
 from vfguide.aircraft.least_squares import Array, fitted, with_constant
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.rows import columns, table_of
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mask, Mat3, Matrices, Series, Vec3, Vectors
@@ -24,6 +25,7 @@ class Sample(NamedTuple):
     R_nb: Mat3
     v_n: Vec3
     airspeed: float
+    density: float
     roll_rate: float
     roll_rate_asked: float
     thrust: float
@@ -41,6 +43,8 @@ class Samples(NamedTuple):
     """(N, 3) velocity over ground [m/s]."""
     airspeed: Series
     """(N,) true airspeed [m/s]; not a number where it was not measured, or not trusted."""
+    density: Series
+    """(N,) of the air [kg/m^3]."""
     roll_rate: Series
     """(N,) [rad/s]."""
     roll_rate_asked: Series
@@ -55,7 +59,7 @@ class Means(NamedTuple):
     """A flight in means over WINDOW, (M,) each."""
 
     airspeed: Series
-    """True airspeed [m/s]."""
+    """Equivalent airspeed [m/s]."""
     alpha: Series
     """Angle of attack in level air [rad]."""
     load: Series
@@ -98,7 +102,8 @@ def means_of(samples: Samples) -> Means:
     along, _, down = np.einsum("nij,ni->jn", R_nb, force_n) / G0
     bank = np.arctan2(R_nb[:, 2, 1], R_nb[:, 2, 2])
     banked = 1.0 / np.maximum(math.cos(STEEPEST_BANK), np.cos(bank))
-    flown = (halfway(samples.airspeed), np.arctan2(w, u), -down, banked, along)
+    equivalent = samples.airspeed * np.sqrt(samples.density / DENSITY_0)
+    flown = (halfway(equivalent), np.arctan2(w, u), -down, banked, along)
     return Means(*(mean(samples, values) for values in flown))
 
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from vfguide.aircraft.envelope import FASTEST_SHARE, flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
+from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
-from vfguide.companion.plan import Plan
 from vfguide.geometry.se2 import rotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
@@ -62,12 +62,12 @@ class Manoeuvre(NamedTuple):
     """Positions along it, no farther than ROOM_SPACING apart, NED [m]."""
 
 
-def circuit(state: FlightState, plan: Plan, side: float) -> tuple[Manoeuvre, ...]:
-    """The legs of a test flight that begins and ends at `state`.
+def circuit(state: FlightState, vehicle: Vehicle, side: float) -> tuple[Manoeuvre, ...]:
+    """The legs of a test flight of a vehicle in the present air that begins and ends at `state`.
 
     Its turns are to the right with `side` +1, to the left with -1.
     """
-    gains, aircraft = plan.tuned, plan.aircraft
+    aircraft, gains, _ = vehicle
     speed = gains.airspeed
     fast = max(speed, min((1.0 + AIRSPEED_CHANGE) * speed, FASTEST_SHARE * aircraft.airspeed_max))
     slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, SLOW_LEG_RATIO * aircraft.airspeed_min))

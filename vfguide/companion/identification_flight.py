@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from vfguide.aircraft.air_density import vehicle_in_air
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.identification import Identified, identify
 from vfguide.aircraft.samples import Sample, Samples, samples_of
@@ -18,6 +19,7 @@ from vfguide.airspace.hazards import Hazards
 from vfguide.companion.circuit import ROOM_SPACING, Manoeuvre, circuit, least_room, room
 from vfguide.companion.plan import Plan
 from vfguide.estimation.local_frame import Measurement, place_measured
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
@@ -62,8 +64,10 @@ class IdentificationFlight:
         The turns go to the side with more room among what is known of the `hazards` at the time
         `t` [s]; None: there is too little on both.
         """
-        state, wide = place_measured(heard, self._then.origin), with_wide_turns(self._then)
-        layouts = [circuit(state, wide, side) for side in (1.0, -1.0)]
+        state = place_measured(heard, self._then.origin)
+        wide = with_wide_turns(self._then, heard.density)
+        flown = vehicle_in_air(wide.vehicle, heard.density)
+        layouts = [circuit(state, flown, side) for side in (1.0, -1.0)]
         rooms = [least_room(legs, hazards, t) for legs in layouts]
         if max(rooms) < NEEDED_ROOM + 0.5 * ROOM_SPACING:
             return None
@@ -87,8 +91,8 @@ class IdentificationFlight:
         told = place_measured(heard, self._then.origin)
         airspeed = told.airspeed if trusts else math.nan
         (roll_rate, _, _), (roll_rate_asked, _, _) = heard.omega_b, setpoint.omega_b
-        asked = (roll_rate_asked, setpoint.thrust, delay)
-        self._flown.append(Sample(told.time, told.R_nb, told.v_n, airspeed, roll_rate, *asked))
+        air, asked = (airspeed, heard.density), (roll_rate_asked, setpoint.thrust, delay)
+        self._flown.append(Sample(told.time, told.R_nb, told.v_n, *air, roll_rate, *asked))
 
     def enters(self, leg: int) -> str | None:
         """The name of a leg that begins now; None: the one before goes on, or it is over."""
@@ -120,19 +124,23 @@ class IdentificationFlight:
         return replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
 
 
-def with_wide_turns(plan: Plan) -> Plan:
-    """The plan with turns for a bank of TEST_BANK; escapes may take all that there is."""
-    bank = usable_bank(plan.aircraft, plan.tuned, plan.gains.airspeed)
+def with_wide_turns(plan: Plan, density: float) -> Plan:
+    """The plan with turns for a bank of TEST_BANK; escapes may take all that there is.
+
+    `density` is that of the air [kg/m^3].
+    """
+    aircraft, gains, _ = vehicle_in_air(plan.vehicle, density)
+    bank = usable_bank(aircraft, gains, gains.airspeed)
     wider = max(1.0, math.tan(bank) / math.tan(TEST_BANK))
-    gains = plan.gains._replace(turn_margin=wider * plan.gains.turn_margin)
-    return replace(plan, gains=gains)
+    wide = plan.gains._replace(turn_margin=wider * plan.gains.turn_margin)
+    return replace(plan, gains=wide)
 
 
 def nothing_flown() -> Samples:
     """The samples of half a minute in which nothing changes."""
     level, ahead = from_euler(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
     return samples_of(
-        Sample(IDLE_INTERVAL * k, level, ahead, 1.0, 0.0, 0.0, 0.0, 0.0)
+        Sample(IDLE_INTERVAL * k, level, ahead, 1.0, DENSITY_0, 0.0, 0.0, 0.0, 0.0)
         for k in range(IDLE_SAMPLES)
     )
 

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.date import Date, date_after
 from vfguide.estimation.local_frame import Measurement
+from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
@@ -165,6 +166,7 @@ def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
         (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
         hud.airspeed if (now - known.hud_time) * MS <= STALE else math.nan,
         hud.alt,
+        isa_density(hud.alt),
         UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
         (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
         lead,

@@ -19,6 +19,7 @@ from vfguide.estimation.position_resets import (
     smoothed,
 )
 from vfguide.estimation.vertical_wind import feel_rise
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
 
@@ -44,6 +45,8 @@ class Inputs(NamedTuple):
     """Whether the predicted state is known exactly, as of a kinematic body."""
     lead: float
     """Time of the predicted state less that of the attitude [s], which follows the link's delay."""
+    density: float = DENSITY_0
+    """Density of the air [kg/m^3]."""
 
 
 class EstimationState(NamedTuple):

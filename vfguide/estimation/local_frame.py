@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.atmosphere import isa_density, true_airspeed
+from vfguide.geometry.atmosphere import true_airspeed
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import R_level, geodetic_to_ned, tangent_plane
 from vfguide.geometry.projection import geodetic_of
@@ -41,7 +41,9 @@ class Measurement(NamedTuple):
     calibrated: float
     """Calibrated airspeed [m/s]; not a number where it is not measured."""
     altitude: float
-    """Altitude above mean sea level [m], for the density of the air."""
+    """Altitude above mean sea level [m]."""
+    density: float
+    """Density of the air [kg/m^3]."""
     wind_l: Vec3
     """Wind, blowing toward, NED at the vehicle [m/s]; not numbers where it is not measured."""
     omega_b: Vec3
@@ -53,7 +55,7 @@ class Measurement(NamedTuple):
 
 
 MeasurementTuple = tuple[
-    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, Vec3, Vec3, float, int
+    float, Vec3, Vec3, Vec3, float, Quaternion, float, float, float, Vec3, Vec3, float, int
 ]
 """A `Measurement` without its names, as it crosses into compiled code."""
 _at_attitude = replacing(Measurement, "lead")
@@ -73,7 +75,7 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
         p_n,
         matvec(R_nl, v_then),
         matmul(R_nl, R_lb),
-        true_airspeed(m.calibrated, isa_density(m.altitude)),
+        true_airspeed(m.calibrated, m.density),
         matvec(R_nl, m.wind_l),
     )
 

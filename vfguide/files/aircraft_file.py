@@ -34,7 +34,7 @@ not measured [deg]; the shipped aircraft have 11 to 16 (`tools/measure_aircraft.
 
 
 class Airspeed(Table):
-    """True airspeeds of level flight."""
+    """Equivalent airspeeds of level flight."""
 
     min_mps: Speed
     cruise_mps: Speed
@@ -55,7 +55,7 @@ class Limits(Table):
 
 
 class Lift(Table):
-    """alpha = alpha_zero + alpha_load n / V^2, with the load factor n and true airspeed V."""
+    """alpha = alpha_zero + alpha_load n / V^2: load factor n, equivalent airspeed V."""
 
     alpha_zero_deg: Alpha = TYPICAL_ZERO_DEG
     alpha_load_deg_m2ps2: Annotated[float, above(0, 100_000)] | None = None
@@ -70,6 +70,8 @@ class Thrust(Table):
     """None: TYPICAL_GLIDE times the trim."""
     per_load: Annotated[float, between(0, 1)] | None = None
     """None: TYPICAL_INDUCED of the trim."""
+    full_at_max: Annotated[float, between(0, 1)] | None = None
+    """None: what level flight takes at the fastest airspeed."""
     per_airspeed: Annotated[float, between(0, 2)] | None = None
     integral: Annotated[float, between(0, 1)] | None = None
     """None: what suits the slope of a climb and the response of the thrust."""
@@ -113,8 +115,20 @@ class Aircraft(Table):
         """`alpha_load_deg_m2ps2`, or what is typical [deg m^2/s^2]."""
         return self.lift.alpha_load_deg_m2ps2 or TYPICAL_STALL_DEG * self.airspeed.min_mps**2
 
+    @property
+    def _thrust_fade(self) -> float:
+        """Share of full thrust that is lost with each m/s of true airspeed above cruise [s/m]."""
+        speeds, thrust = self.airspeed, self.thrust
+        if speeds.max_mps <= speeds.cruise_mps:
+            return 0.0
+        per_load = _known(thrust.per_load, TYPICAL_INDUCED * thrust.trim)
+        q_ratio = (speeds.max_mps / speeds.cruise_mps) ** 2
+        drag = (thrust.trim - per_load) * q_ratio + per_load / q_ratio
+        left = _known(thrust.full_at_max, min(drag, 1.0))
+        return (1.0 - left) / (speeds.max_mps - speeds.cruise_mps)
+
     def performance(self) -> Performance:
-        """The performance for the flight law, in SI units and radians."""
+        """The performance at sea-level density for the flight law, in SI units and radians."""
         limits, lift, thrust = self.limits, self.lift, self.thrust
         per_climb = thrust.per_climb or max(TYPICAL_GLIDE * thrust.trim, 1.0)
         per_airspeed, integral = airspeed_gains(per_climb, self.response.thrust_s)
@@ -139,6 +153,7 @@ class Aircraft(Table):
             thrust_per_load=_known(thrust.per_load, TYPICAL_INDUCED * thrust.trim),
             thrust_per_airspeed=_known(thrust.per_airspeed, per_airspeed),
             thrust_integral=_known(thrust.integral, integral),
+            thrust_fade=self._thrust_fade,
         )
 
     def as_identified(self, found: Identified, how: str) -> "Aircraft":

@@ -13,6 +13,7 @@ from vfguide.estimation.local_frame import (
     place_measured,
     place_state,
 )
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
@@ -49,7 +50,7 @@ def step_measured(
     """
     told = Measurement(*measured)
     predicted, here = place_state(told, origin), place_measured(told, origin)
-    inputs = Inputs(predicted, here, told.omega_b, False, told.lead)
+    inputs = Inputs(predicted, here, told.omega_b, False, told.lead, told.density)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     known, guides = airspace_of(airspace), law_of(law)
     setpoint, left, outcome = step(inputs, state, legs, known, guides, aircraft)
@@ -79,7 +80,7 @@ def step_body(
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
     state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, ZERO)
-    inputs = Inputs(state, state, ZERO, True, 0.0)
+    inputs = Inputs(state, state, ZERO, True, 0.0, DENSITY_0)
     setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))
     write_state(left, after)

@@ -5,6 +5,7 @@ It has no clock, socket or log: everything it needs is an argument, everything i
 
 from typing import NamedTuple
 
+from vfguide.aircraft.air_density import vehicle_in_air
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
@@ -46,16 +47,17 @@ def step(
     """The setpoint of one step, within the limits of the aircraft.
 
     Args:
-        inputs: predicted and measured state.
+        inputs: predicted and measured state, and the density of the air.
         s: the state after the step before.
         legs: legs of the mission, from `leg_rows`.
         airspace: the hazards; None compiles to a step without them.
         law: the record of the law.
-        vehicle: the aircraft and its gains.
+        vehicle: the aircraft at sea-level density, and its gains.
 
     Returns:
         The setpoint, the next state, and the outcome for displays.
     """
+    vehicle = vehicle_in_air(vehicle, inputs.density)
     nav, estimation_state = estimation.update(inputs, s.thrust, s.estimation, vehicle)
     vehicle = cautious(nav, vehicle)
     phase, slope = s.planning.leg.phase, s.guidance.slope

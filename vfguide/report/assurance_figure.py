@@ -61,7 +61,9 @@ def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
 
 def _draw_vehicle(axes: Axes, flights: Flights, record: FlightRecord) -> None:
     loaded, seconds = flights.loaded, float(record.time[-1])
-    margin = assurance(loaded.performance(record.vehicle), loaded.gains(record.vehicle)).margin
+    margin = assurance(
+        loaded.performance_aloft(record.vehicle), loaded.gains(record.vehicle)
+    ).margin
     for episode in interventions_of(loaded.scenario, record):
         end = max(episode.to_s, episode.from_s + SHORTEST_EPISODE * seconds)
         axes.axvspan(episode.from_s, end, zorder=0.5, **EPISODE_SHADES[episode.reason])

@@ -47,7 +47,7 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
     """Airspeed, bank, load factor and thrust, with the limits of the aircraft."""
     loaded = flights.loaded
     first = flights.records[0].vehicle
-    each = loaded.performance(first)
+    each = loaded.performance_aloft(first)
     same = len(loaded.aircraft) == 1
     bank = loaded.gains(first).bank_max / DEG
     panels = [

@@ -46,6 +46,7 @@ SAMPLE_MEASUREMENT = Measurement(
     quaternion_from_euler(0.1, 0.05, 0.0),
     24.0,
     608.0,
+    1.156,
     (1.0, 2.0, 0.0),
     (0.1, 0.02, 0.03),
     0.02,

@@ -69,19 +69,14 @@ def check_ids(scenario: Scenario, source: Source) -> None:
 def check_aircraft(
     scenario: Scenario, entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Source
 ) -> None:
-    """No vehicle is asked for what its aircraft cannot fly.
+    """No vehicle is asked for a bank or a climb that its aircraft cannot fly.
 
     Raises:
         InputError: one is.
     """
     for index, vehicle in enumerate(scenario.vehicles):
         each, at = aircraft[vehicle.aircraft], ("vehicle", index)
-        speeds, limits = each.airspeed, each.limits
-        for place, speed in (
-            ((*at, "airspeed_mps"), vehicle.airspeed_mps),
-            (("guidance", "airspeed_mps"), scenario.airspeed_of(vehicle)),
-        ):
-            _check_range(speed, (speeds.min_mps, speeds.max_mps), each.name, source, place)
+        limits = each.limits
         bank = scenario.guidance.bank_max_deg or limits.bank_max_deg
         place = ("guidance", "bank_max_deg")
         _check_range(bank, (LEAST_BANK_DEG, limits.bank_max_deg), each.name, source, place)

@@ -7,8 +7,10 @@ as beside a goal that is nearer than a turn, the plan begins with it.
 """
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
+from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
@@ -19,6 +21,7 @@ from vfguide.companion.route import ASSUMED_GUST
 from vfguide.estimation.estimation import Inputs, known_state
 from vfguide.field.obstacle import obstacle_distance
 from vfguide.geometry.angles import FULL_TURN, wrap
+from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.se2 import composed
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0
@@ -103,6 +106,8 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     """
     if math.hypot(*wind_n) > EXCESS_RATIO * plan.vehicle.gains.airspeed:
         raise NoPlanError("the wind is about as fast as the aircraft, no course can be planned")
+    density = isa_density(plan.origin[2] - point.p_n[2])
+    plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
     around = surroundings_at(plan, point, wind_n)
     start = best_start(around, math.atan2(point.v_n[1], point.v_n[0]))
     if start.route.following.clearance < 0.0:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vfguide import __version__
+from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.gain_scheduling import suited
 from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.performance import Gains, Performance
@@ -15,14 +16,15 @@ from vfguide.files.data import AircraftFiles, data_folder, find_aircraft, find_s
 from vfguide.files.errors import InputError
 from vfguide.files.overrides import parse_override
 from vfguide.files.scenario_file import ScenarioFile
-from vfguide.files.source import Source, read_toml
+from vfguide.files.source import Location, Source, read_toml
 from vfguide.geometry.units import DEG
-from vfguide.scenario import checks
+from vfguide.scenario import air_checks, checks
+from vfguide.scenario.air_checks import Asked, Flown
 from vfguide.scenario.detection_range import check_detection, with_detection_range
 from vfguide.scenario.encounter_checks import check_encounters
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.obstacles import check_obstacles
-from vfguide.scenario.resolve import aircraft_of, resolve
+from vfguide.scenario.resolve import air_of, aircraft_of, resolve
 from vfguide.scenario.resolved import Scenario, Vehicle
 from vfguide.scenario.route_checks import Flies, check_routes
 from vfguide.scenario.traffic import check_traffic
@@ -41,8 +43,13 @@ class LoadedScenario:
     """Warnings about it, one message each."""
 
     def performance(self, vehicle: Vehicle) -> Performance:
-        """The performance of the aircraft of `vehicle`."""
+        """The performance of the aircraft of `vehicle` at sea-level density."""
         return self.aircraft[vehicle.aircraft].performance()
+
+    def performance_aloft(self, vehicle: Vehicle) -> Performance:
+        """The performance at its highest start or goal, where the stall is at its fastest."""
+        density = air_of(self.scenario, vehicle).thinnest
+        return in_air(self.performance(vehicle), density, self.scenario.airspeed_of(vehicle))
 
     def gains(self, vehicle: Vehicle) -> Gains:
         """The gains of `vehicle` that suit its roll response."""
@@ -127,15 +134,43 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     loaded = LoadedScenario(scenario, source.path, files, aircraft)
-    flies = [Flies(loaded.performance(each), loaded.gains(each)) for each in scenario.vehicles]
+    thin_air = _check_air(loaded, entry, source) if scenario.plant == "jsbsim" else []
+    flies = [
+        Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
+    ]
     scenario = with_detection_range(scenario, entry, flies)
     warnings = (
         *checks.told_of_law(scenario),
+        *thin_air,
         *check_detection(scenario, flies, source),
         *check_routes(scenario, flies, source),
         *check_encounters(scenario, flies, source),
     )
     return replace(loaded, scenario=scenario, warnings=warnings)
+
+
+def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> list[str]:
+    """Warnings of vehicles that may not be flown in the air of their plan.
+
+    Raises:
+        InputError: one cannot.
+    """
+    scenario, warnings = loaded.scenario, list[str]()
+    for index, vehicle in enumerate(scenario.vehicles):
+        aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
+        measured = loaded.aircraft[vehicle.aircraft].thrust.per_climb is not None
+        air, sure = air_of(scenario, vehicle), measured and not vehicle.identify
+        flown = Flown(vehicle.aircraft, aircraft, gains, air, sure)
+        at: Location = ("vehicle", index, "airspeed_mps")
+        written = entry.vehicle[index].airspeed_mps is not None
+        start = asked = Asked(vehicle.airspeed_mps, at, written)
+        if scenario.guidance.airspeed_mps is not None:
+            asked = Asked(gains.airspeed, ("guidance", "airspeed_mps"), True)
+        for each in (start, asked):
+            air_checks.check_airspeed(each, flown, source)
+        found = air_checks.check_thrust(asked, flown, source)
+        warnings += found or air_checks.check_start(start, flown, source)
+    return warnings
 
 
 def check_file(path: Path) -> tuple[str, ...]:

@@ -16,9 +16,11 @@ from vfguide.files.scenario_file import (
 )
 from vfguide.files.source import Location, Source
 from vfguide.files.traffic_entry import TrafficEntry
+from vfguide.geometry.atmosphere import true_airspeed
 from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.scenario.air import NO_AIR, Air, air_between
 from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
 
 MAX_GOAL_DISTANCE = 100_000.0
@@ -50,6 +52,14 @@ def place_of(origin: Origin) -> Vec3:
     return (origin.latitude_deg * DEG, origin.longitude_deg * DEG, origin.altitude_m)
 
 
+def air_of(scenario: Scenario, vehicle: Vehicle) -> Air:
+    """The air from the start of a vehicle to its goals; plant `kinematic` has none."""
+    if scenario.plant == "kinematic":
+        return NO_AIR
+    goals = (goal.position_m for goal in vehicle.goals)
+    return air_between(plane_of(scenario.origin), (vehicle.position_m, *goals))
+
+
 def aircraft_of(entry: ScenarioFile, vehicle: VehicleEntry) -> str:
     """The aircraft that a vehicle is, or whose numbers the flight law takes for a rigid body."""
     return vehicle.aircraft if entry.plant == "jsbsim" else DEFAULT_AIRCRAFT
@@ -60,8 +70,16 @@ def _vehicle(
 ) -> Vehicle:
     vehicle, at = entry.vehicle[index], ("vehicle", index)
     name = aircraft_of(entry, vehicle)
-    cruise = aircraft[name].airspeed.cruise_mps if entry.plant == "jsbsim" else KINEMATIC_AIRSPEED
     heading_deg, attitude_deg = _attitude(entry, vehicle, source, at)
+    goals = tuple(
+        _goal(goal, entry.origin, source, (*at, "goal", number))
+        for number, goal in enumerate(vehicle.goal)
+    )
+    cruise = KINEMATIC_AIRSPEED
+    if entry.plant == "jsbsim":
+        places = (vehicle.position_m, *(goal.position_m for goal in goals))
+        air = air_between(plane_of(entry.origin), places)
+        cruise = true_airspeed(aircraft[name].airspeed.cruise_mps, air.thinnest)
     return Vehicle(
         id=vehicle.id,
         position_m=vehicle.position_m,
@@ -71,10 +89,7 @@ def _vehicle(
         aircraft=name,
         icao=vehicle.icao,
         identify=vehicle.identify,
-        goals=tuple(
-            _goal(goal, entry.origin, source, (*at, "goal", number))
-            for number, goal in enumerate(vehicle.goal)
-        ),
+        goals=goals,
     )
 
 

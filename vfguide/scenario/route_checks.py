@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.aircraft.envelope import radius_in
+from vfguide.aircraft.envelope import radius_in, usable_bank
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.point_mass import PointMass
 from vfguide.aircraft.state import FlightState
@@ -47,6 +47,7 @@ class Flies(NamedTuple):
     """An aircraft and how it is guided."""
 
     aircraft: Performance
+    """The aircraft in the thinnest air of its plan."""
     gains: Gains
 
 
@@ -117,7 +118,7 @@ def _tight_goal(
     hazards, names = hazards_of(still), hazard_names(still)
     if hazards is None:
         return []
-    final_approach = gains.final_approach * _radius(scenario, gains)
+    final_approach = gains.final_approach * _radius(scenario, flies)
     back = np.arange(0.0, final_approach + SPACING, SPACING)
     ahead: Vector = np.array(
         (math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0)
@@ -145,7 +146,7 @@ def _check_route(
         InputError: there is none.
     """
     gains, (north, east, _) = flies.gains, _wind(scenario)
-    radius = _radius(scenario, gains)
+    radius = _radius(scenario, flies)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
     final_approach = gains.final_approach * radius
     entry = straight_on(Pose(x, y, course), -final_approach)
@@ -215,9 +216,10 @@ def _in_band(fence: Fence, band: Band) -> Fence:
     return fence.model_copy(update={"zone": zones})
 
 
-def _radius(scenario: Scenario, gains: Gains) -> float:
-    """Radius of the turns in the wind of the scenario [m]."""
-    return radius_in(scenario.wind.speed_mps, gains.bank_max, gains)
+def _radius(scenario: Scenario, flies: Flies) -> float:
+    """Radius of the turns in the wind of the scenario [m], at the bank that the wing carries."""
+    bank = usable_bank(*flies, flies.gains.airspeed)
+    return radius_in(scenario.wind.speed_mps, bank, flies.gains)
 
 
 def _wind(scenario: Scenario) -> Vec3:

@@ -21,6 +21,11 @@ _SETTLING_RUNS = 3
 """Runs with the clock stopped: by the third, every function has seen what the others give."""
 _EVERY_ENGINE = -1
 _RETRACTED = 0.0
+_RICH = 1.15
+"""Mixture of a leaned piston engine over the ratio of the air pressure to that at sea level, a
+number; chosen, so that it is full rich up to 1150 m, as a pilot leaves it."""
+_SEA_LEVEL_PRESSURE = 2116.22
+"""Air pressure at sea level in the standard atmosphere [lbf/ft^2] (ISO 2533)."""
 Getter = Callable[[], float]
 
 
@@ -205,6 +210,7 @@ class Plant:
         fdm["gear/gear-cmd-norm"] = _RETRACTED
         if self._engines:
             propulsion.init_running(_EVERY_ENGINE)
+            self._lean()
         # Servos have no lag and no rate limit while JSBSim is being trimmed.
         fdm.set_trim_status(True)
         fdm.suspend_integration()
@@ -215,6 +221,12 @@ class Plant:
                 propulsion.get_steady_state()
         fdm.resume_integration()
         fdm.set_trim_status(False)
+
+    def _lean(self) -> None:
+        """Lean the mixture for the height, as a pilot does; init_running has made it full rich."""
+        fdm, rich = self._fdm, _RICH * self._fdm["atmosphere/P-psf"] / _SEA_LEVEL_PRESSURE
+        for engine in range(self._engines):
+            fdm[f"fcs/mixture-cmd-norm[{engine}]"] = min(1.0, rich)
 
     def _command(self, controls: ControlTuple) -> None:
         aileron, elevator, rudder, throttle = controls

@@ -34,6 +34,7 @@ class Setup:
     sysid: int
     model: Model
     aircraft: Performance
+    """The aircraft at sea-level density."""
     airspeed: float
     """True airspeed of the autopilot's own flight [m/s]."""
     start: Start
@@ -67,7 +68,7 @@ class Vehicle:
         self.sysid = setup.sysid
         self.plant = Plant(setup.model, setup.start, setup.weather, setup.ground_altitude)
         self.truth: Truth = self.plant.truth()
-        airframe = identify(setup.model, setup.aircraft.airspeed_cruise, setup.ground_altitude)
+        airframe = identify(setup.model, setup.aircraft.airspeed_cruise)
         self.autopilot = Autopilot(
             setup.sysid,
             airframe,

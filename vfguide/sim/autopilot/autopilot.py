@@ -6,6 +6,7 @@ No socket, clock or thread: the caller brings the time, the truth and the bytes.
 import math
 
 from vfguide.aircraft.performance import Performance
+from vfguide.geometry.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3
@@ -71,7 +72,7 @@ class Autopilot:
         Args:
             sysid: its MAVLink system id.
             airframe: what the rate loop and the thrust map know of the aircraft.
-            aircraft: what its hold knows of it.
+            aircraft: what its hold knows of it, as at sea level.
             airspeed: true airspeed of its hold [m/s].
             first: the truth at its start; the local frame begins there.
             instruments: what it measures with.
@@ -120,8 +121,9 @@ class Autopilot:
         if self._rates is not None:
             inner = self._rates.measure(inner, self._estimator.error.airspeed)
         if not self._has_airspeed:
-            # PX4 then scales with the trim airspeed.
-            inner = without_names(Inner(*inner)._replace(airspeed=self._cruise))
+            # PX4 then scales with the trim airspeed, an equivalent one.
+            cruise = true_airspeed(self._cruise, isa_density(self.estimate.altitude))
+            inner = without_names(Inner(*inner)._replace(airspeed=cruise))
         p, q, r, thrust = self._wanted
         self._controls, self._integral = inner_loop(
             self._tables, inner, (p, q, r, thrust * self._thrust_share), self._integral, dt

@@ -8,7 +8,9 @@ autopilot that had them too.
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.performance import Performance
+from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
 from vfguide.geometry.units import G0
@@ -65,7 +67,11 @@ def wanted_bank(
 def step_loiter(
     estimate: Estimate, circle: Circle, aircraft: Performance, s: LoiterState
 ) -> tuple[Vec3, float, LoiterState]:
-    """Body rates, FRD [rad/s], and thrust (0 to 1) that fly a circle, and the next state."""
+    """Body rates, FRD [rad/s], and thrust (0 to 1) that fly a circle, and the next state.
+
+    `aircraft` is the one at sea-level density.
+    """
+    aircraft = in_air(aircraft, isa_density(estimate.altitude), circle.airspeed)
     airspeed = max(estimate.true_airspeed, 0.5 * aircraft.airspeed_min)
     now = Longitudinal(
         circle.plane.alt - estimate.altitude,
@@ -88,7 +94,7 @@ class Loiter:
     """A level right-hand circle."""
 
     def __init__(self, aircraft: Performance, airspeed: float, estimate: Estimate) -> None:
-        """A hold for `aircraft` at the true `airspeed` [m/s], begun at the estimate."""
+        """A hold for `aircraft`, as at sea level, at the true `airspeed` [m/s], begun at once."""
         self._aircraft = aircraft
         self._airspeed = airspeed
         self._circle: Circle
@@ -118,4 +124,5 @@ class Loiter:
         return omega_b, thrust
 
     def _radius(self, estimate: Estimate) -> float:
-        return radius_in(estimate.wind_n, self._airspeed, self._aircraft)
+        here = in_air(self._aircraft, isa_density(estimate.altitude), self._airspeed)
+        return radius_in(estimate.wind_n, self._airspeed, here)

@@ -26,6 +26,5 @@ def inner_loop(
     p, q, r, thrust = setpoint
     measured = Inner(*inner)
     surfaces, memory = rate_loop(rates, measured, (p, q, r), memory, dt)
-    airspeed, density = measured.airspeed, measured.density
-    throttle = throttle_for(throttles, Axes(*axes), thrust, airspeed, density)
+    throttle = throttle_for(throttles, Axes(*axes), thrust, measured.airspeed)
     return (*surfaces, throttle), memory
