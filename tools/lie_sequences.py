@@ -15,6 +15,7 @@ from vfguide.companion.setpoints import COAST_AFTER
 from vfguide.control.coasting import coast
 from vfguide.control.limits import limit_rates
 from vfguide.estimation.estimation import Inputs
+from vfguide.geometry.atmosphere import DENSITY_0
 from vfguide.geometry.compiled import compiled
 from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import exp, to_quaternion
@@ -183,7 +184,8 @@ def fly_sequence(
                 for lie in lies:
                     age = int(lie.size * len(kept))
                     said = told(said, kept[max(len(kept) - 1 - age, 0)], lie, t)
-                inputs = Inputs(said, said, rates_told(body.omega_b, lies, t), False, 0.0)
+                omega_b = rates_told(body.omega_b, lies, t)
+                inputs = Inputs(said, said, omega_b, False, 0.0, DENSITY_0)
                 setpoint, left, _ = step(inputs, read_state(row), legs, None, law, of)
                 row = np.empty(len(fresh))
                 write_state(left, row)

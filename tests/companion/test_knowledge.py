@@ -121,7 +121,7 @@ def test_a_wind_is_flown_on_for_five_seconds(age_ms):
     known = known_at(5000)
     for message in state(5000 + age_ms)[1:]:
         known = observe(known, message)
-    assert math.isnan(heard(known)[8][0]) == (age_ms > 1000 * WIND_STALE)
+    assert math.isnan(heard(known).wind_l[0]) == (age_ms > 1000 * WIND_STALE)
 
 
 def test_no_airspeed_sensor_is_told_as_not_a_number_and_is_flown_on():

@@ -90,7 +90,10 @@ def test_the_nearest_hazard_over_time_is_shaded_where_the_assurance_acted(flight
     assert [colour for *_, colour in shown] == colours
     surface, margin, nearest = (np.asarray(line.get_ydata(), float) for line in axes.lines)
     assert set(surface) == {0.0}
-    assert margin.tolist() == pytest.approx([12.0, 12.0], abs=0.1)
+    scenario = flights.loaded.scenario
+    (vehicle,) = scenario.vehicles
+    least = 12.0 * scenario.airspeed_of(vehicle) / 25.0
+    assert margin.tolist() == pytest.approx([least, least], abs=0.1)
     assert nearest[0] == pytest.approx(40.0)  # the floor; the start is farther from the rest
     assert nearest[600] == pytest.approx(35.0, abs=0.5)  # beside the circle
     assert nearest.min() == pytest.approx(35.0, abs=0.1)

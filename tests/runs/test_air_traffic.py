@@ -13,6 +13,7 @@ duration_s = 90.0
 [[vehicle]]
 id = 7
 position_m = [-800.0, 0.0, -120.0]
+airspeed_mps = 25.0
 [[vehicle.goal]]
 position_m = [700.0, 0.0, -120.0]
 heading_deg = 0.0

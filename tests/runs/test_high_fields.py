@@ -27,7 +27,6 @@ FLOWN = [
     ("c172p", 0, None),
     ("c172p", 1500, None),
     ("c172p", 3000, None),
-    ("c172p", 4500, 50.0),
 ]
 """Aircraft, height of the field [m], and airspeed where it is not the cruise [m/s]."""
 REFUSED = [("aerosonde", 4500), ("aerosonde", 6000), ("c172p", 4500)]

@@ -119,7 +119,7 @@ def test_what_contradicts_the_rest_is_told_once_and_the_goal_is_reached(tmp_path
     flight = fly_altered(tmp_path, alter, "duration_s=60.0")
     stays_inside(flight)
     assert flight.result.verdict == "good"
-    doubts = flight.notes("contradicts the rest") + flight.notes("is not believed any more")
+    doubts = flight.notes("contradicts the rest") + flight.notes("is not believed")
     assert len(doubts) == 1
     assert f"the {what} " in doubts[0]
 

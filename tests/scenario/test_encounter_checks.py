@@ -45,7 +45,7 @@ def warnings_of(
 def test_two_that_meet_are_named_with_time_and_distance(tmp_path: Path) -> None:
     (warning,) = warnings_of(tmp_path)
     assert warning == (
-        f"{tmp_path / 'x.toml'}: vehicles 4 and 9 come within 0 m of each other after 20 s as they "
+        f"{tmp_path / 'x.toml'}: vehicles 4 and 9 come within 0 m of each other after 19 s as they "
         "are planned, where 20 m are kept; they do not avoid each other: move a start or a goal"
     )
 
