@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from flight_states import VEHICLE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.flight_states import VEHICLE
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import fresh_air
 from vfguide.estimation.consistency import as_flown, follow, fresh_consistency
