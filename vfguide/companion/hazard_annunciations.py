@@ -103,7 +103,7 @@ class HazardAnnunciator:
                 return told
         elif (
             self._lost is not None
-            and looked_of_row(after) - sought > SEARCH_INTERVAL + CHECK_INTERVAL
+            and looked_of_row(after) > sought + SEARCH_INTERVAL + CHECK_INTERVAL
         ):
             self._lost = None  # it was checked, and no search was needed
             return [ROUTE_AGAIN.format(goal=goal + 1)]
