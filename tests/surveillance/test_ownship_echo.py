@@ -165,7 +165,10 @@ def test_one_right_behind_is_not_taken_for_an_echo_on_a_straight(seed):
     rng = np.random.default_rng(seed)
     flown = fly(rng.uniform(15.0, 40.0), [(90.0, 0.0, 0.0)], tuple(rng.uniform(-6.0, 6.0, 2)))
     lag = rng.uniform(25.0, 60.0) / np.linalg.norm(flown.v_n[0])
-    place = lambda t: (flown.own(t).p_n - lag * flown.v_n[0], flown.v_n[0])  # noqa: E731
+
+    def place(t):
+        return flown.own(t).p_n - lag * flown.v_n[0], flown.v_n[0]
+
     seen, notes = listen(flown, others(flown, rng, place, begin=0.1))
     assert notes == []
     assert len(seen[OTHER]) == int(flown.duration / 0.1) - 1
@@ -222,7 +225,10 @@ def test_an_echo_after_a_position_reset_is_found_again():
 
 def test_a_known_address_is_never_traffic():
     flown = fly(25.0, [(20.0, 0.0, 0.0)])
-    place = lambda t: (np.array([200.0, 0.0, -150.0]), np.zeros(3))  # noqa: E731
+
+    def place(_):
+        return np.array([200.0, 0.0, -150.0]), np.zeros(3)
+
     reports = others(flown, np.random.default_rng(1), place)
     picture = Picture(ORIGIN, SMALL_AIRCRAFT, own_icao=OTHER)
     assert listen(flown, reports, picture) == ({}, [])
