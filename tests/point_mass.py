@@ -13,8 +13,8 @@ from vfguide.airspace.detection import Airspace
 from vfguide.companion.loop_report import goal_of_row
 from vfguide.companion.plan import Plan
 from vfguide.companion.route import ASSUMED_GUST
-from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3, add
+from vfguide.kernels.rows import Row
 from vfguide.loop.state import LoopState, fresh_state, row_of_state, state_of_row
 
 UPDATE = 0.04

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from vfguide.autopilots.px4 import main_and_sub
-from vfguide.geometry.geodesy import place_in_plane
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.geometry.vector import Vec3
 from vfguide.link.codec import Encoder, Parser, decode

@@ -13,7 +13,7 @@ import math
 import numpy as np
 import vfguide.geometry.vector
 from vfguide.geometry import vector
-from vfguide.geometry.rows import Table
+from vfguide.kernels.rows import Table
 from vfguide.geometry.vector import Mask, Matrices, Series, Vector, Vectors, Vec3
 Poses = Table
 Row = np.ndarray[Any, np.dtype[np.float64]]

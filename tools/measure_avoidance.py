@@ -30,8 +30,8 @@ from search_worlds import World
 
 from vfguide.aircraft.envelope import turn_radius
 from vfguide.field.obstacle import PlacedObstacle
-from vfguide.geometry.rows import place
 from vfguide.geometry.se2 import Pose
+from vfguide.kernels.rows import place
 from vfguide.results.fence_distance import fence_clearance
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import TOUCH, judge

@@ -12,10 +12,10 @@ from vfguide.aircraft.state import FlightState
 from vfguide.companion.annunciations import passage_note, progress_notes
 from vfguide.companion.goal_announcement import announcement
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT
+from vfguide.kernels.rows import row_of
 from vfguide.loop.attempts import Attempts
 from vfguide.loop.mission import MissionState
 from vfguide.loop.state import fresh_state, row_of_state

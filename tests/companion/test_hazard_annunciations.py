@@ -9,8 +9,8 @@ from plans import AMONG_TOWERS
 from vfguide.assurance.decision import Reason
 from vfguide.companion.hazard_annunciations import BACK_ON_ROUTE, HazardAnnunciator, route_summary
 from vfguide.companion.plan import Plan
-from vfguide.geometry.rows import Row
 from vfguide.geometry.se2 import Pose
+from vfguide.kernels.rows import Row
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.paths.dubins import DubinsPath
 from vfguide.paths.edge import Edge, edge_row

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.companion.knowledge import STALE, Knowledge, heard, observe
+from vfguide.earth.projection import project
 from vfguide.estimation.local_frame import place_state
-from vfguide.geometry.projection import project
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.messages import (
     AttitudeQuaternion,

@@ -15,7 +15,7 @@ from vfguide.companion.loop_report import (
     trusts_sensor_of_row,
 )
 from vfguide.estimation.air_state import report_air
-from vfguide.geometry.rows import leaves, place, row_of
+from vfguide.kernels.rows import leaves, place, row_of
 from vfguide.loop.state import (
     LoopState,
 )

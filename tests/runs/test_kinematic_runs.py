@@ -8,9 +8,9 @@ import pytest
 from flights import interrupted, messages, vfguide
 from scipy.spatial.transform import Rotation
 
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.files.data import shipped_scenarios
-from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.link.tlog import TlogReader

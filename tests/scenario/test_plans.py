@@ -9,9 +9,9 @@ from plans import AMONG_TOWERS, FIRST_FLIGHT, TEST_FLIGHT
 
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.companion.plan import Plan
+from vfguide.earth.atmosphere import isa_density
 from vfguide.field.obstacle import PlacedObstacle
-from vfguide.geometry.atmosphere import isa_density
-from vfguide.geometry.rows import columns
+from vfguide.kernels.rows import columns
 from vfguide.scenario.hazards import hazard_names, hazards_of
 from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of

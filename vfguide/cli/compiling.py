@@ -30,7 +30,7 @@ class Compiling:
         """Hear from numba what it compiles; functions that are never kept take no time."""
         from numba.core import event
 
-        from vfguide.geometry.compiled import is_kept
+        from vfguide.kernels.compiled import is_kept
 
         teller = self
 

@@ -10,7 +10,7 @@ def warm() -> None:
     """
     from vfguide.cli.compiling import COMPILING
     from vfguide.cli.console import out
-    from vfguide.geometry.compiled import cache_folder
+    from vfguide.kernels.compiled import cache_folder
     from vfguide.runs.warm_everything import everything
 
     stages = everything()

@@ -7,7 +7,7 @@ from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.companion.loop_report import is_alarmed, number_of_resets
 from vfguide.companion.plan import Plan
 from vfguide.estimation.position_resets import settled
-from vfguide.geometry.rows import Row
+from vfguide.kernels.rows import Row
 from vfguide.link.messages import GpsGlobalOrigin
 from vfguide.loop.state import LoopState, state_of_row
 

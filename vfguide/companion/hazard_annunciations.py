@@ -13,7 +13,7 @@ from vfguide.companion.loop_report import (
     sought_of_row,
 )
 from vfguide.companion.plan import Plan
-from vfguide.geometry.rows import Row
+from vfguide.kernels.rows import Row
 from vfguide.paths.dubins import DubinsPath, length_of
 from vfguide.paths.edge import edge_in
 from vfguide.planning.replanning import CHECK_INTERVAL, SEARCH_INTERVAL

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.date import Date, date_after
+from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
-from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from vfguide.estimation.air_state import AirReport, report_air
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, getter, part_reader
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, getter, part_reader
 from vfguide.loop.state import LoopState
 
 goal_of_row = getter(LoopState, "mission.goal")

@@ -11,9 +11,9 @@ import math
 from vfguide.companion.annunciations import origin_notes
 from vfguide.companion.knowledge import Knowledge, heard
 from vfguide.companion.plan import Plan
+from vfguide.earth.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.earth.projection import geodetic_of
 from vfguide.estimation.local_frame import Measurement, place_measured
-from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
-from vfguide.geometry.projection import geodetic_of
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed

@@ -41,10 +41,10 @@ from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.companion.plan import Plan
 from vfguide.estimation.air_state import AirReport
 from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
-from vfguide.geometry.rows import Row
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import crossing
+from vfguide.kernels.rows import Row
 from vfguide.link.messages import AdsbVehicle
 from vfguide.loop.attempts import no_attempts
 from vfguide.loop.rows import step_measured

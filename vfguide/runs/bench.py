@@ -10,8 +10,8 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from vfguide.companion.plan import Plan
+from vfguide.earth.projection import Projection
 from vfguide.estimation.local_frame import Measurement
-from vfguide.geometry.projection import Projection
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.guidance.laws import crossing
 from vfguide.link.codec import Encoder, Parser, decode

@@ -9,10 +9,10 @@ import numpy as np
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
-from vfguide.geometry.geodesy import place_in_plane
-from vfguide.geometry.rows import columns, flattener, width
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
+from vfguide.kernels.rows import columns, flattener, width
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.results.announced_legs import AnnouncedLegs

@@ -11,8 +11,8 @@ from vfguide.companion.goal_announcement import announcement, is_passed
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
-from vfguide.geometry.rows import row_of, width
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.rows import row_of, width
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals

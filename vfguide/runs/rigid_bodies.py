@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfguide.geometry.arrays import euler_angles
-from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, US
+from vfguide.kernels.rows import columns
 from vfguide.link.codec import Encoder
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from vfguide.earth.geodesy import ned_to_geodetic
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.files.errors import InputError
 from vfguide.files.traffic_entry import AltitudeType
-from vfguide.geometry.geodesy import ned_to_geodetic
-from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import DEG, HPA
 from vfguide.link.enums import AdsbAltitudeType
 from vfguide.runs.instruments import instruments_from, motor_from

@@ -8,8 +8,8 @@ from tempfile import TemporaryDirectory
 
 from vfguide.daemon.warm_up import warm_up as warm_up_companion
 from vfguide.files.data import shipped_scenarios
-from vfguide.geometry.rows import table_of
 from vfguide.geometry.vector import ZERO
+from vfguide.kernels.rows import table_of
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate

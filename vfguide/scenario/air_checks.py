@@ -9,9 +9,9 @@ import numpy as np
 from vfguide.aircraft.air_density import excess_thrust, in_air
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.performance import Gains, Performance
+from vfguide.earth.atmosphere import DENSITY_0, calibrated_airspeed
 from vfguide.files.errors import InputError
 from vfguide.files.source import Location, Source
-from vfguide.geometry.atmosphere import DENSITY_0, calibrated_airspeed
 from vfguide.scenario.air import Air
 
 CEILING_CLIMB = 0.5

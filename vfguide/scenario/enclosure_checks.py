@@ -10,7 +10,7 @@ from vfguide.airspace.footprint import Band
 from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, hazards_of, joined
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.rows import columns
+from vfguide.kernels.rows import columns
 
 CELL = 4.0
 """Size of a cell of the grid [m]; chosen, since no aeroplane flies through a gap that it misses."""

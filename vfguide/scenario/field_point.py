@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from vfguide.geometry.rows import python_reader
 from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.kernels.rows import python_reader
 
 
 class Point(NamedTuple):

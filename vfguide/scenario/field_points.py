@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from vfguide.field.composite_arrays import composite_fields
 from vfguide.field.robots import Spacing
 from vfguide.files.errors import InputError
-from vfguide.geometry.rows import Table, columns
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, scale
+from vfguide.kernels.rows import Table, columns
 from vfguide.scenario.field_point import FieldPoint, Point, point_of
 from vfguide.scenario.flight_points import NoPlanError, flight_field
 from vfguide.scenario.load import LoadedScenario

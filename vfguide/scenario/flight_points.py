@@ -18,10 +18,10 @@ from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace, in_sight
 from vfguide.companion.plan import Plan
 from vfguide.companion.route import ASSUMED_GUST
+from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import Inputs, known_state
 from vfguide.field.obstacle import obstacle_distance
 from vfguide.geometry.angles import FULL_TURN, wrap
-from vfguide.geometry.atmosphere import isa_density
 from vfguide.geometry.se2 import composed
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0

@@ -13,14 +13,14 @@ from vfguide.aircraft.point_mass import PointMass, advance, dynamics
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle, read_vehicle, vehicle_numbers
 from vfguide.airspace.detection import Airspace, AirspaceTuple, airspace_of, unnested_airspace
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO, Vectors
 from vfguide.guidance.laws import FLIGHT, Law, crossing, law_of
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs, leg_rows
 from vfguide.loop.state import fresh_state, read_state, row_of_state, write_state
 from vfguide.loop.step import step

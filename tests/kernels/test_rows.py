@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import (
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import (
     OPEN,
     Shape,
     columns,
@@ -23,7 +23,9 @@ from vfguide.geometry.rows import (
     width,
     writer,
 )
-from vfguide.geometry.vector import Mat3, Vec3
+
+Vec3 = tuple[float, float, float]
+Mat3 = tuple[Vec3, Vec3, Vec3]
 
 
 class Wheel(NamedTuple):

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled, compiled_source
-from vfguide.geometry.rows import source_function
+from vfguide.kernels.compiled import compiled, compiled_source
+from vfguide.kernels.rows import source_function
 
 Axes = tuple[str, ...]
 """Names of the last axes of one argument."""

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.geometry.pressure_altitude import isa_pressure, pressure_altitude
+from vfguide.earth.pressure_altitude import isa_pressure, pressure_altitude
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from numba.core import types
 from numba.core.registry import CPUDispatcher
 from numba.extending import typeof_impl
 
-from vfguide.geometry.machine_code import MachineCode
+from vfguide.kernels.machine_code import MachineCode
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -34,7 +34,7 @@ def cache_folder() -> Path:
     digest = hashlib.sha256()
     for source in sorted(package.rglob("*.py")):
         text = source.read_bytes()
-        if b"geometry.compiled import" in text or b"NamedTuple" in text:
+        if b"kernels.compiled import" in text or b"NamedTuple" in text:
             digest.update(text)
     return cache_home() / "vfguide" / digest.hexdigest()[:16]
 

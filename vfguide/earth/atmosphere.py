@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 DENSITY_0 = 1.225
 """Air density at sea level in the standard atmosphere [kg/m^3] (ISO 2533)."""

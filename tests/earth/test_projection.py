@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
-from vfguide.geometry.projection import (
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.projection import (
     EARTH_RADIUS,
     Projection,
     geodetic_of,

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.geometry.atmosphere import calibrated_airspeed, isa_density, true_airspeed
+from vfguide.earth.atmosphere import calibrated_airspeed, isa_density, true_airspeed
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import math
 from enum import IntEnum
 
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 EARTH_RADIUS = 6_371_000.0
 """Radius of the spherical earth of PX4's map projection [m] (CONSTANTS_RADIUS_OF_EARTH)."""

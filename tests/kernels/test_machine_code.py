@@ -22,8 +22,8 @@ for each in seen:
     print(each.message)
 """
 KERNELS = """
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.over_points import over_points
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.over_points import over_points
 
 @compiled
 def root(x):

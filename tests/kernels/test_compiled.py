@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numba import TypingError
 
-from vfguide.geometry.compiled import EntryPoint, compiled, compiled_source
-from vfguide.geometry.rows import source_function
+from vfguide.kernels.compiled import EntryPoint, compiled, compiled_source
+from vfguide.kernels.rows import source_function
 
 
 @compiled

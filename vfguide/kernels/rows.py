@@ -18,7 +18,7 @@ from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args, get_orig
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.geometry.compiled import compiled_source
+from vfguide.kernels.compiled import compiled_source
 
 Row = NDArray[np.float64]
 """The numbers of one record, (width,)."""

@@ -9,8 +9,8 @@ their scale, undulation / earth radius: 16 mm a km at the most.
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, sub, transpose
+from vfguide.kernels.compiled import compiled
 
 SEMI_MAJOR = 6_378_137.0
 """Semi-major axis of the WGS-84 ellipsoid [m] (NIMA TR8350.2)."""

@@ -1,6 +1,6 @@
 """Pressure altitude: the height at which the standard atmosphere (ISO 2533) has a pressure."""
 
-from vfguide.geometry.atmosphere import EXPONENT, LAPSE, TEMPERATURE_0
+from vfguide.earth.atmosphere import EXPONENT, LAPSE, TEMPERATURE_0
 
 PRESSURE_0 = 101_325.0
 """Pressure at sea level in the standard atmosphere [Pa] (ISO 2533)."""
