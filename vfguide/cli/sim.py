@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD
+from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from socket import socket
@@ -37,9 +37,6 @@ def sim(
 
     All are airborne, armed and in hold. Example: vfguide sim first-flight
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import complain, out
-    from vfguide.cli.signals import REQUESTS
     from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError
     from vfguide.runs.models import require_models
@@ -47,6 +44,9 @@ def sim(
     from vfguide.scenario.load import load_scenario
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import complain, out
+    from vfguide.terminal.signals import REQUESTS
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from vfguide.cli.console import err
+from vfguide.terminal.console import err
 
 
 class Compiling:

@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from vfguide.cli.flight_display import assurance_lines
 from vfguide.results.interventions import AssuranceResult, Episode
+from vfguide.terminal.flight_display import assurance_lines
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.cli.console import shown
-from vfguide.cli.streams import MAX_PENDING, TolerantStream
+from vfguide.terminal.console import shown
+from vfguide.terminal.streams import MAX_PENDING, TolerantStream
 
 ANY_TEXT = st.text(st.characters(exclude_categories=()))
 """Half characters among it, of which a path or a callsign that is no text consists."""

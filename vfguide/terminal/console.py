@@ -7,8 +7,8 @@ from typing import Any, TextIO
 
 from rich.console import Console
 
-from vfguide.cli.streams import TolerantStream
 from vfguide.files.errors import InputError
+from vfguide.terminal.streams import TolerantStream
 
 
 def shown(text: str) -> str:

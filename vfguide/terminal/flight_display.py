@@ -8,11 +8,11 @@ from typing import Self
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from vfguide.cli.console import err, out, shown
 from vfguide.results.closest import closest
 from vfguide.results.result import Result
 from vfguide.runs.fleet import Flown
 from vfguide.scenario.resolved import Scenario
+from vfguide.terminal.console import err, out, shown
 
 REFRESH = 1.0
 """Simulated time between two updates of the progress bar [s]; chosen."""
