@@ -10,7 +10,7 @@ from vfguide.files.errors import InputError
 
 def test_a_new_log_is_made_with_its_folder(tmp_path):
     path = tmp_path / "new" / "flight.tlog"
-    new_log(path)
+    new_log(path).close()
     assert path.read_bytes() == b""
 
 
