@@ -19,9 +19,9 @@ from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType, ModeFlag
 from vfguide.link.messages import CommandLong, GlobalPositionInt, Heartbeat, HilStateQuaternion
 from vfguide.link.tlog import TlogReader
+from vfguide.preflight.load import load_scenario
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.runs.vehicle_setup import start_us
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolve import place_of
 
 COMPILING = 240.0

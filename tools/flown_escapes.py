@@ -20,7 +20,7 @@ from vfguide.geometry.vector import Indices, Series, Vectors
 from vfguide.kernels.compiled import compiled
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.hazards import hazards_of
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 

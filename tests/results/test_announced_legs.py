@@ -9,7 +9,8 @@ import pytest
 from flight_samples import record_of
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
 from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.results.announced_legs import AnnouncedLegs, TimedAnnouncement, announced_legs

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from drawings import drawn
 from flight_samples import moved, record_of, spiral, straight
-from scenario_samples import MINIMAL, SECOND, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SECOND
 
 from vfguide.report.distance_figures import MAX_OBSTACLES, draw_clearance, draw_separation, nearest
 from vfguide.report.drawing import Flights, to_png

@@ -29,10 +29,10 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

@@ -14,7 +14,7 @@ def check(
     Example: vfguide check first-flight
     """
     from vfguide.files.data import find_scenario
-    from vfguide.scenario.load import check_file
+    from vfguide.preflight.load import check_file
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import out, warn
 

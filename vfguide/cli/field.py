@@ -23,8 +23,9 @@ def field(
     """
     import json
 
-    from vfguide.scenario.field_points import fields_at, read_points
-    from vfguide.scenario.load import load_scenario
+    from vfguide.field_points.field_points import fields_at
+    from vfguide.field_points.points_file import read_points
+    from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import vehicle_of
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import deliver

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from vfguide.aircraft.identification import Identified
     from vfguide.daemon.transport import Transport
     from vfguide.link.tlog import TlogWriter
-    from vfguide.scenario.load import LoadedScenario
+    from vfguide.scenario.loaded import LoadedScenario
 
 
 def fly(
@@ -41,7 +41,7 @@ def fly(
     from vfguide.daemon.daemon import Daemon, Outcome
     from vfguide.daemon.flight_log import FlightLog
     from vfguide.daemon.warm_up import warm_up
-    from vfguide.scenario.load import load_scenario
+    from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, warn

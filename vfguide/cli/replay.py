@@ -37,9 +37,9 @@ def replay(
     from contextlib import ExitStack
 
     from vfguide.link.tlog import TlogWriter, UsableTimes
+    from vfguide.preflight.load import load_scenario
     from vfguide.replay.compare import Replay
     from vfguide.runs.run import prepared
-    from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import out as console

@@ -30,8 +30,8 @@ def run(
 
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
+    from vfguide.preflight.load import load_scenario
     from vfguide.runs.run import run_scenario
-    from vfguide.scenario.load import load_scenario
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, warn
     from vfguide.terminal.flight_display import FlightDisplay, print_result

@@ -12,7 +12,7 @@ from vfguide.terminal.exit_status import BAD, GOOD
 if TYPE_CHECKING:
     from socket import socket
 
-    from vfguide.scenario.load import LoadedScenario
+    from vfguide.scenario.loaded import LoadedScenario
     from vfguide.scenario.resolved import Scenario, Vehicle
     from vfguide.sim.real_time_pacing import RealTimePacing
     from vfguide.sim.realtime import Station
@@ -39,9 +39,9 @@ def sim(
     """
     from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError
+    from vfguide.preflight.load import load_scenario
     from vfguide.runs.models import require_models
     from vfguide.runs.vehicle_setup import simulate
-    from vfguide.scenario.load import load_scenario
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
     from vfguide.terminal.compiling import COMPILING

@@ -22,7 +22,7 @@ from vfguide.results.result import TOUCH
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.plans import plan_of
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle

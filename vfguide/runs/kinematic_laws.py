@@ -17,7 +17,7 @@ from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle

@@ -19,7 +19,7 @@ from vfguide.runs.fleet import Ending
 from vfguide.runs.kinematic_laws import FlightKinematicLaw, KinematicLaw, PaperKinematicLaw
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, body_message
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle, start_us
 from vfguide.sim.kinematic import Bodies, Commands, Sighting, advance, sightings

@@ -10,7 +10,7 @@ from vfguide.geometry.units import DEG, HPA
 from vfguide.link.enums import AdsbAltitudeType
 from vfguide.runs.instruments import instruments_from, motor_from
 from vfguide.runs.models import model_of
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of

@@ -9,7 +9,7 @@ from scenario_samples import loaded_from, message_for
 from vfguide.field.obstacle_arrays import levels
 from vfguide.files.obstacle_entry import SIZES
 from vfguide.geometry.shapes.shape import SHAPES
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.obstacles import rows_of
 
 PAPER = """\

@@ -7,7 +7,7 @@ import pytest
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, find_aircraft
 from vfguide.files.errors import InputError
-from vfguide.scenario.load import check_file
+from vfguide.preflight.load import check_file
 
 SHIPPED = find_aircraft("aerosonde")
 

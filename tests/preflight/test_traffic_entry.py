@@ -5,8 +5,8 @@ import pytest
 from vfguide.airspace.hazards import Intruder
 from vfguide.files.errors import InputError
 from vfguide.kernels.rows import width
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.hazards import hazards_of
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 BASE = """

@@ -9,9 +9,9 @@ import numpy as np
 
 from vfguide.files.source import Source
 from vfguide.geometry.vector import Vectors
-from vfguide.scenario.prediction import PREDICTION_STEP, predict
+from vfguide.preflight.prediction import PREDICTION_STEP, predict
+from vfguide.preflight.route_checks import Flies
 from vfguide.scenario.resolved import Scenario, Vehicle
-from vfguide.scenario.route_checks import Flies
 
 AFTER_LAST_GOAL = 5.0
 """Time after the last goal of the last vehicle up to which encounters are looked for [s]: that for

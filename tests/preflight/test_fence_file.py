@@ -4,11 +4,12 @@ import math
 import re
 
 import pytest
-from scenario_samples import MINIMAL, SQUARE, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SQUARE
 
 from vfguide.files.errors import InputError
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
-from vfguide.scenario.load import load_scenario
 
 
 @pytest.mark.parametrize(

@@ -8,15 +8,16 @@ from typing import NamedTuple
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
 from vfguide.aircraft.point_mass import PointMass, advance
 from vfguide.assurance.decision import assurance
 from vfguide.files.data import shipped_scenarios
 from vfguide.geometry.vector import ZERO
-from vfguide.scenario.detection_range import Escape, escape_of, escape_range, side_step, turn_back
-from vfguide.scenario.load import load_scenario
-from vfguide.scenario.route_checks import Flies
+from vfguide.preflight.detection_range import Escape, escape_of, escape_range, side_step, turn_back
+from vfguide.preflight.load import load_scenario
+from vfguide.preflight.route_checks import Flies
 
 pytestmark = pytest.mark.slow
 

@@ -24,11 +24,11 @@ from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs, leg_rows
 from vfguide.loop.state import fresh_state, read_state, row_of_state, write_state
 from vfguide.loop.step import step
+from vfguide.preflight.route_checks import Flies
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.resolved import Vehicle as ScenarioVehicle
-from vfguide.scenario.route_checks import Flies
 
 PREDICTION_STEP = 0.1
 """Time between two predicted positions [s]; chosen, 2.5 m of flight at 25 m/s."""

@@ -3,10 +3,11 @@
 from pathlib import Path
 
 import pytest
-from scenario_samples import MINIMAL, SECOND, message_for
+from scenario_samples import message_for
+from scenario_texts import MINIMAL, SECOND
 
 from vfguide.files.errors import InputError
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 
 HEAD = "[[vehicle]]\nid = 1"
 SENSORS = {

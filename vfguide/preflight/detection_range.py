@@ -25,9 +25,9 @@ from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import norm
+from vfguide.preflight.route_checks import Flies
 from vfguide.scenario.obstacles import shape_of
 from vfguide.scenario.resolved import Obstacle, Scenario
-from vfguide.scenario.route_checks import Flies
 
 LATENCY_PERIODS = 3.0
 """Number of guidance periods from an obstacle in range to its first effect; chosen: one to the next

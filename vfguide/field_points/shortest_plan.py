@@ -1,4 +1,4 @@
-"""Law `flight` at points of a scenario: where the plan leads from there, and how that is flown.
+"""The shortest plan from a point: the course on which law `flight` would leave it.
 
 A plan depends on the course that one has already. The direction of a point is the one in which the
 shortest of its plans begins: courses all round are planned from, and from the best of them the
@@ -7,27 +7,20 @@ as beside a goal that is nearer than a turn, the plan begins with it.
 """
 
 import math
-from dataclasses import replace
 from typing import NamedTuple
 
-from vfguide.aircraft.air_density import in_air
-from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn
-from vfguide.aircraft.envelope import usable_bank
-from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace, in_sight
 from vfguide.companion.plan import Plan
 from vfguide.companion.route import ASSUMED_GUST
-from vfguide.earth.atmosphere import isa_density
-from vfguide.estimation.estimation import Inputs, known_state
+from vfguide.estimation.estimation import Inputs
 from vfguide.field.obstacle import obstacle_distance
+from vfguide.field_points.field_point import Point
 from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.geometry.se2 import composed
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import G0
-from vfguide.geometry.vector import ZERO, Mat3, Vec3, matvec, transpose
-from vfguide.guidance.flight_law import height_above_floor, wanted_course, wanted_slope
-from vfguide.guidance.guidance_state import fresh_guidance
+from vfguide.geometry.vector import ZERO, Vec3
+from vfguide.guidance.flight_law import wanted_course
 from vfguide.guidance.wind_triangle import heading_for_course
 from vfguide.loop.legs import target_of
 from vfguide.loop.state import fresh_state
@@ -35,12 +28,10 @@ from vfguide.loop.step import step
 from vfguide.paths.course_laws import Course
 from vfguide.paths.edge import Edge
 from vfguide.paths.leg import FIELD, OUTBOUND
-from vfguide.planning.excess_wind import EXCESS_RATIO
 from vfguide.planning.objective import Objective, objective_at
 from vfguide.planning.replanning import entry_of
 from vfguide.planning.route import Route
 from vfguide.planning.route_following import edge_at, is_on_route
-from vfguide.scenario.field_point import FieldPoint, Point
 
 COURSES = 24
 """Number of courses all round from which plans are made; chosen, 15 degrees apart."""
@@ -54,8 +45,6 @@ DIRECTION_REFINEMENTS = 40
 a golden section is below 1e-8 of the first."""
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 """Ratio of two intervals of a golden section, dimensionless."""
-SLOPE_STEPS = 2000
-"""Largest number of steps in which the slope settles; chosen, 40 s of flight at 50 Hz."""
 
 
 class NoPlanError(Exception):
@@ -91,28 +80,6 @@ class Surroundings(NamedTuple):
     """Time on the clock of the obstacles [s]."""
     wind_n: Vec3
     """The wind, NED [m/s]."""
-
-
-def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
-    """The direction of the plan to the first goal from a point, and the attitude that flies it.
-
-    Args:
-        plan: the plan of the vehicle.
-        point: the point; of two plans that are equally short the one nearer to its velocity counts.
-        wind_n: wind, blowing toward, NED [m/s].
-
-    Raises:
-        NoPlanError: there is none from there.
-    """
-    if math.hypot(*wind_n) > EXCESS_RATIO * plan.vehicle.gains.airspeed:
-        raise NoPlanError("the wind is about as fast as the aircraft, no course can be planned")
-    density = isa_density(plan.origin[2] - point.p_n[2])
-    plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
-    around = surroundings_at(plan, point, wind_n)
-    start = best_start(around, math.atan2(point.v_n[1], point.v_n[0]))
-    if start.route.following.clearance < 0.0:
-        raise NoPlanError("no way to the goal is found among what is known there")
-    return settled(around, start)
 
 
 def surroundings_at(plan: Plan, point: Point, wind_n: Vec3) -> Surroundings:
@@ -215,51 +182,3 @@ def state_on(around: Surroundings, course: float) -> FlightState:
     v_n = (speed * math.cos(course), speed * math.sin(course), 0.0)
     level = from_euler(0.0, 0.0, heading.psi)
     return FlightState(around.time, around.p_n, v_n, level, airspeed, around.wind_n)
-
-
-def settled(around: Surroundings, start: Start) -> FieldPoint:
-    """The direction, attitude and body rates of a vehicle that has settled on a plan."""
-    airspeed = around.plan.vehicle.gains.airspeed
-    gamma = settled_path_angle(around, start)
-    wind = around.wind_n[0], around.wind_n[1]
-    level = airspeed * math.cos(gamma)
-    heading = heading_for_course(start.course, start.course_rate, wind, level)
-    aircraft, gains, _ = around.plan.vehicle
-    bank_max = usable_bank(aircraft, gains, airspeed)
-    lift = lift_for_turn(level * heading.psi_rate, gamma, bank_max, aircraft.load_max)
-    R_a = attitude_of(around.plan, heading.psi, gamma, lift)
-    turn = (0.0, 0.0, G0 * math.tan(lift.bank) / airspeed)
-    F = (
-        math.cos(gamma) * math.cos(heading.psi),
-        math.cos(gamma) * math.sin(heading.psi),
-        -math.sin(gamma),
-    )
-    return FieldPoint(F, None, None, R_a, matvec(transpose(R_a), turn), ())
-
-
-def attitude_of(plan: Plan, azimuth: float, gamma: float, lift: Lift) -> Mat3:
-    """The attitude that flies along a direction [rad] with a lift; a rigid body needs none."""
-    aircraft, gains, is_point = plan.vehicle
-    if is_point:
-        return from_euler(lift.bank, gamma, azimuth)
-    alpha = aircraft.alpha_zero + aircraft.alpha_load * lift.load / gains.airspeed**2
-    return attitude_for_lift(azimuth, gamma, lift.bank, alpha)
-
-
-def settled_path_angle(around: Surroundings, start: Start) -> float:
-    """The path angle through the air [rad] once the slope has followed the altitude profile."""
-    aircraft, gains, _ = vehicle = around.plan.vehicle
-    state, airspeed = start.objective.state, gains.airspeed
-    wind, nav = (around.wind_n[0], around.wind_n[1]), known_state(state, -1.0)
-    heading = heading_for_course(start.course, start.course_rate, wind, airspeed)
-    s = fresh_guidance()
-    for _ in range(SLOPE_STEPS):
-        slope = wanted_slope(nav, start.objective, start.route, start.wanted, heading, s, vehicle)
-        if slope == s.slope:
-            break
-        s = s._replace(slope=slope)
-    above = height_above_floor(state, around.airspace)
-    limits = path_limits(airspeed, airspeed, above, aircraft)
-    asked = path_angle(s.slope, heading.groundspeed, around.wind_n[2], airspeed)
-    gamma, _ = allowed_path(asked, limits)
-    return gamma

@@ -33,7 +33,7 @@ from vfguide.planning.objective import GuidanceTarget
 from vfguide.planning.overflight import altitude_plan_by, band_of, left_in_path, levels_for
 from vfguide.planning.replanning import CHECK_INTERVAL
 from vfguide.planning.route_search import CLEARANCES, find_route
-from vfguide.scenario.enclosure_checks import is_enclosed
+from vfguide.preflight.enclosure_checks import is_enclosed
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Goal, Scenario, Vehicle

@@ -12,8 +12,8 @@ from vfguide.companion.plan import Plan
 from vfguide.earth.atmosphere import isa_density
 from vfguide.field.obstacle import PlacedObstacle
 from vfguide.kernels.rows import columns
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.hazards import hazard_names, hazards_of
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 

@@ -9,7 +9,7 @@ from flight_states import NORTH
 from vfguide.companion.circuit import circuit, least_room
 from vfguide.companion.identification_flight import NEEDED_ROOM
 from vfguide.companion.plan import Plan
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scenario_samples import loaded_from
 
-from vfguide.scenario.encounter_checks import closest_approach
-from vfguide.scenario.prediction import PREDICTION_STEP
+from vfguide.preflight.encounter_checks import closest_approach
+from vfguide.preflight.prediction import PREDICTION_STEP
 
 pytestmark = pytest.mark.slow
 

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import pytest
-from scenario_samples import BOX, MINIMAL, box, loaded_from, message_for
+from scenario_samples import loaded_from, message_for
+from scenario_texts import BOX, MINIMAL, box
 
 HEAD = "[[vehicle]]\nid = 1"
 SHUT = "".join(
