@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vfguide.companion.goal_announcement import Outcome
+from vfguide.annunciations.goal_announcement import Outcome
 from vfguide.preflight.load import load_scenario
 from vfguide.results.announced_legs import TimedAnnouncement
 from vfguide.results.record import FlightRecord

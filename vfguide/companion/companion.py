@@ -5,11 +5,12 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import STOOD_STILL, TOO_SLOW, choice_note
-from vfguide.companion.contact import Contact
-from vfguide.companion.control import Control
-from vfguide.companion.engagement import FINAL_PHASES, SENDING, Phase
-from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
+from vfguide.annunciations.clock_notes import TimeAnnunciator
+from vfguide.annunciations.phase_notes import STOOD_STILL, TOO_SLOW, choice_note
+from vfguide.annunciations.setpoint_notes import SetpointAnnunciator
+from vfguide.autopilots.engagement import FINAL_PHASES, SENDING, Phase
+from vfguide.companion.guided_flight import GuidedFlight, Step
+from vfguide.companion.mode_control import ModeControl
 from vfguide.companion.place import PlaceWatch
 from vfguide.companion.plan import Plan
 from vfguide.companion.requests import (
@@ -18,11 +19,7 @@ from vfguide.companion.requests import (
     request_pressure,
     requested_streams,
 )
-from vfguide.companion.round_trip import RoundTrip
-from vfguide.companion.route import Route, Step
-from vfguide.companion.setpoint_annunciations import SetpointAnnunciator
 from vfguide.companion.setpoints import Setpoints
-from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
@@ -43,6 +40,9 @@ from vfguide.link.messages import (
 )
 from vfguide.loop.rows import step_measured
 from vfguide.surveillance.heights import is_by_pressure
+from vfguide.telemetry.contact import Contact
+from vfguide.telemetry.knowledge import OBSERVED, Knowledge, lacking, observe
+from vfguide.telemetry.round_trip import RoundTrip
 
 ORIGIN_RETRY = SECOND
 """Time after which the origin of the local frame is asked for again [us]; chosen."""
@@ -85,9 +85,9 @@ class Companion:
             step: of the control loop.
         """
         self.sysid = sysid
-        self.route = Route(plan, step)
+        self.flight = GuidedFlight(plan, step)
         """The flight along the plan."""
-        self._control = Control(sysid, engage=engage)
+        self._control = ModeControl(sysid, engage=engage)
         self._setpoints = Setpoints(sysid)
         self._known = Knowledge()
         self._requests = Requests()
@@ -96,7 +96,7 @@ class Companion:
         self._time_notes = TimeAnnunciator()
         self._setpoint_notes = SetpointAnnunciator()
         self._news: list[str] = []
-        self.route.notes = self._control.notes = self._news  # in the order of what happens
+        self.flight.notes = self._control.notes = self._news  # in the order of what happens
         self._slow: str | None = None
         self._unfit: str | None = None
         self._unfit_until = 0
@@ -184,7 +184,7 @@ class Companion:
 
     def _new_place_watch(self) -> PlaceWatch:
         """A watch over the place that has not looked yet."""
-        return PlaceWatch(self.route.plan, self._news)
+        return PlaceWatch(self.flight.plan, self._news)
 
     @property
     def _needs_origin(self) -> bool:
@@ -195,7 +195,7 @@ class Companion:
         """Record that the link to the autopilot is lost."""
         if self.phase is not Phase.SEARCHING and (why := self._contact.silence(now)):
             self._control.lose_link(why)
-            self.route.pause()
+            self.flight.pause()
 
     def _wake(self, now: int) -> None:
         """Record that it runs at `now` [us]; what waited while it stood still is not new."""
@@ -214,7 +214,7 @@ class Companion:
         if is_by_pressure(report) and not self._pressure_asked:
             self._pressure_asked = True
             self._requests.ask([request_pressure(self.sysid)])
-        self.route.hear_traffic(report, self._known)
+        self.flight.hear_traffic(report, self._known)
 
     def _hear_timesync(self, now: int, message: Timesync) -> None:
         """Take an answer to a question of our own; nothing is guided over too slow a link."""
@@ -249,7 +249,7 @@ class Companion:
             self._place = self._new_place_watch()
             self._weigh(now)
             self._requests, self._pressure_asked = Requests(), False
-            self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
+            self._requests.ask(requested_streams(self.sysid, autopilot, self.flight.plan.rate))
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""
@@ -276,18 +276,18 @@ class Companion:
         known = self._place.checked(self._known, follows=self._control.is_followed)
         self._weigh(now)
         if not self._control.may_send:
-            self.route.pause()
+            self.flight.pause()
             return []
         if self._contact.waited(now):
             return []
-        setpoint = self.route.guide(known, self._control.follows, self._round_trip.delay)
+        setpoint = self.flight.guide(known, self._control.follows, self._round_trip.delay)
         if setpoint is None:
             return []
-        if self.route.unfit is not None:
-            self._unfit, self._unfit_until = self.route.unfit, now + UNFIT_TIME
+        if self.flight.unfit is not None:
+            self._unfit, self._unfit_until = self.flight.unfit, now + UNFIT_TIME
             self._weigh(now)
             return []
-        if self.route.take_jump():  # the origin may have moved: autopilots report that if asked
+        if self.flight.take_jump():  # the origin may have moved: autopilots report that if asked
             self._requests.ask([request_origin(self.sysid)])
         self._news += self._setpoint_notes.send(now, self._choice())
         self._news += self._setpoint_notes.lag(self._round_trip)
@@ -298,7 +298,7 @@ class Companion:
 
         After it the autopilot's own failsafe acts.
         """
-        setpoint = self._setpoints.coast(now, self._known.attitude, self.route.plan)
+        setpoint = self._setpoints.coast(now, self._known.attitude, self.flight.plan)
         if setpoint is None:
             return []
         is_flown = self._control.is_followed and self._control.may_send
@@ -330,7 +330,7 @@ class Companion:
         elif control.hindrance is not None:
             self._news += notes.fail(now, control.hindrance)
         elif notes.is_silent(now):
-            objection = lacking(self._known) or self.route.objection(self._known)
+            objection = lacking(self._known) or self.flight.objection(self._known)
             self._news += notes.fail(now, objection or NO_ATTITUDE)
         if self.phase is Phase.FLYING:
             notes.follow()

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace, in_sight
+from vfguide.companion.guided_flight import ASSUMED_GUST
 from vfguide.companion.plan import Plan
-from vfguide.companion.route import ASSUMED_GUST
 from vfguide.estimation.estimation import Inputs
 from vfguide.field.obstacle import obstacle_distance
 from vfguide.field_points.field_point import Point

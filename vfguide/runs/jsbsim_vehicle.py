@@ -122,12 +122,12 @@ class JsbsimVehicle:
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         sample = Sample(truth.time, p_n, v_n)
-        if self.companion.route.is_testing:
+        if self.companion.flight.is_testing:
             self._goals_from = math.inf
         else:
             self._goals_from = min(self._goals_from, truth.time)
             self.legs.feed(sample)
-            for said in self.companion.route.announced[len(self.legs.announced) :]:
+            for said in self.companion.flight.announced[len(self.legs.announced) :]:
                 self.legs.announce(said)
         self._noted.extend(numbers_of(self._instant(truth, sample)))
 
@@ -149,7 +149,7 @@ class JsbsimVehicle:
             altitude=truth.altitude,
             height_above_ground=truth.height_above_ground,
             position_error_n=self._position_error(at.p_n),
-            step=self.companion.route.noted,
+            step=self.companion.flight.noted,
         )
 
     def _position_error(self, p_n: Vec3) -> Vec3:
@@ -192,8 +192,8 @@ class JsbsimVehicle:
             ),
             goals_from=self._goals_from,
             announced=tuple(self.legs.announced),
-            identified=self.companion.route.identified,
-            decisions=decided if self.companion.route.plan.is_assured else None,
+            identified=self.companion.flight.identified,
+            decisions=decided if self.companion.flight.plan.is_assured else None,
         )
 
 

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from vfguide.companion.goal_announcement import announcement, is_passed
+from vfguide.annunciations.goal_announcement import announcement, is_passed
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm

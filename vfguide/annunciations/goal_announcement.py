@@ -3,8 +3,8 @@
 from enum import IntEnum
 from typing import NamedTuple
 
-from vfguide.companion.loop_report import goal_of_row
 from vfguide.kernels.rows import Row, getter
+from vfguide.loop.loop_report import goal_of_row
 from vfguide.loop.state import LoopState, state_of_row
 
 _missed_of_row = getter(LoopState, "mission.attempts.missed")

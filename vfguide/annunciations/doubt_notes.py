@@ -8,7 +8,7 @@ as it takes: many aircraft tell neither.
 
 from typing import NamedTuple
 
-from vfguide.companion.loop_report import Doubts
+from vfguide.loop.loop_report import Doubts
 
 TOLD_AFTER = 0.5
 """Time of a doubt after which the operator is told [s]; chosen, so that a reset is no news."""

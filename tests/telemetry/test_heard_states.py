@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.companion.knowledge import STALE, Knowledge, heard, observe
 from vfguide.earth.projection import project
 from vfguide.estimation.local_frame import place_state
 from vfguide.geometry.units import DEG, DEG_E7, MM
@@ -19,6 +18,7 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
+from vfguide.telemetry.knowledge import STALE, Knowledge, heard, observe
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 PLANE = (ORIGIN[0] * DEG, ORIGIN[1] * DEG, ORIGIN[2])

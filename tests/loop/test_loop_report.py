@@ -3,7 +3,9 @@
 import pytest
 from loop_rows import flown, numbered
 
-from vfguide.companion.loop_report import (
+from vfguide.estimation.air_state import report_air
+from vfguide.kernels.rows import leaves, place, row_of
+from vfguide.loop.loop_report import (
     air_report,
     decision_of_row,
     goal_of_row,
@@ -14,8 +16,6 @@ from vfguide.companion.loop_report import (
     route_of_row,
     trusts_sensor_of_row,
 )
-from vfguide.estimation.air_state import report_air
-from vfguide.kernels.rows import leaves, place, row_of
 from vfguide.loop.state import (
     LoopState,
 )

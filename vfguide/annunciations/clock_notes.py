@@ -1,8 +1,8 @@
 """Annunciations of the autopilot's clock and date where they go wrong."""
 
-from vfguide.companion.date import LEAP_LASTS
-from vfguide.companion.knowledge import Knowledge
 from vfguide.geometry.units import MS, US
+from vfguide.telemetry.date import LEAP_LASTS
+from vfguide.telemetry.knowledge import Knowledge
 
 LEAP_NOTE_INTERVAL = 10_000
 """Least time between two notes of leaps of the counter [ms]; chosen."""

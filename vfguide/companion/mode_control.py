@@ -2,15 +2,15 @@
 
 from enum import IntEnum
 
-from vfguide.autopilots.makes import ASSUMED, autopilot_of, describe, flown
-from vfguide.companion.annunciations import (
+from vfguide.annunciations.phase_notes import (
     FALLEN_BACK,
     INTRUDER,
     SILENT_UNTIL_CHANGE,
     STRANGER,
     phase_notes,
 )
-from vfguide.companion.engagement import SENDING, TRANSITIONS, Event, Phase
+from vfguide.autopilots.engagement import SENDING, TRANSITIONS, Event, Phase
+from vfguide.autopilots.makes import ASSUMED, autopilot_of, describe, flown
 from vfguide.companion.requests import ModeRequest
 from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavAutopilot, MavState
@@ -27,7 +27,7 @@ MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 
 
-class Control:
+class ModeControl:
     """What the companion may do with one autopilot."""
 
     def __init__(self, sysid: int, *, engage: bool) -> None:

@@ -7,25 +7,31 @@ from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
 from vfguide.airspace.hazards import Hazards
-from vfguide.assurance.decision import Reason
-from vfguide.companion.air_annunciations import AirspeedAnnunciator
-from vfguide.companion.annunciations import (
+from vfguide.annunciations.airspeed_notes import AirspeedAnnunciator
+from vfguide.annunciations.doubt_notes import doubt_notes, unfit
+from vfguide.annunciations.flight_notes import progress_notes, reset_notes, wind_notes
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, announcement
+from vfguide.annunciations.goal_notes import leg_note, passage_note
+from vfguide.annunciations.hazard_notes import HazardAnnunciator
+from vfguide.annunciations.identification_notes import (
     BROKEN_OFF,
     NO_ROOM,
     TESTING,
     identified_notes,
-    passage_note,
-    progress_notes,
-    reset_notes,
-    route_note,
-    wind_notes,
 )
-from vfguide.companion.doubt_annunciations import doubt_notes, unfit
-from vfguide.companion.goal_announcement import GoalAnnouncement, announcement
-from vfguide.companion.hazard_annunciations import HazardAnnunciator
+from vfguide.assurance.decision import Reason
 from vfguide.companion.identification_flight import IdentificationFlight
-from vfguide.companion.knowledge import Knowledge, heard
-from vfguide.companion.loop_report import (
+from vfguide.companion.obstacle_clock import ObstacleClock
+from vfguide.companion.plan import Plan
+from vfguide.estimation.air_state import AirReport
+from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
+from vfguide.geometry.units import MS
+from vfguide.geometry.vector import Vec3
+from vfguide.guidance.laws import crossing
+from vfguide.kernels.rows import Row
+from vfguide.link.messages import AdsbVehicle
+from vfguide.loop.attempts import no_attempts
+from vfguide.loop.loop_report import (
     Noted,
     air_report,
     decision_of_row,
@@ -37,16 +43,6 @@ from vfguide.companion.loop_report import (
     number_of_resets,
     trusts_sensor_of_row,
 )
-from vfguide.companion.obstacle_clock import ObstacleClock
-from vfguide.companion.plan import Plan
-from vfguide.estimation.air_state import AirReport
-from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
-from vfguide.geometry.units import MS
-from vfguide.geometry.vector import Vec3
-from vfguide.guidance.laws import crossing
-from vfguide.kernels.rows import Row
-from vfguide.link.messages import AdsbVehicle
-from vfguide.loop.attempts import no_attempts
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import (
     begin_leg,
@@ -62,6 +58,7 @@ from vfguide.loop.state import (
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship
 from vfguide.surveillance.surveillance import Surveillance
+from vfguide.telemetry.knowledge import Knowledge, heard
 
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
@@ -77,7 +74,7 @@ ASSUMED_GUST = 1.0
 measured."""
 
 
-class Route:
+class GuidedFlight:
     """One vehicle's flight along its plan."""
 
     def __init__(self, plan: Plan, step: Step = step_measured) -> None:
@@ -96,7 +93,7 @@ class Route:
         """The goals that were passed, as it saw them, in the order of time."""
         self.unfit: str | None = None
         """Why what the autopilot tells cannot be flown on; None where it can."""
-        self._annunciator = HazardAnnunciator(plan)
+        self._annunciator = HazardAnnunciator(plan.hazard_names)
         self._airspeed_notes = AirspeedAnnunciator()
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._obstacle_clock = ObstacleClock(plan)
@@ -167,8 +164,7 @@ class Route:
         self._tell_doubts(before, after)
         self._state = after if follows else watching(before, after)
         if follows:
-            self._tell_news(before, after, not math.isnan(state.calibrated))
-            self.notes += self._annunciator.notes(after, t)
+            self._tell_news(before, after, not math.isnan(state.calibrated), t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._identification is not None:
             self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
@@ -177,7 +173,7 @@ class Route:
             self.notes += progress_notes(before, after)
             if math.isfinite(miss):
                 self.announced.append(announcement(before, after, miss))
-                self.notes.append(passage_note(self.announced[-1], plan))
+                self.notes.append(passage_note(self.announced[-1], len(plan.goals)))
         return setpoint
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
@@ -201,14 +197,16 @@ class Route:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
 
-    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool) -> None:
-        """Tell of what a step has changed in air, position and progress."""
+    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool, t: float) -> None:
+        """Tell of what a step at `t` [s] has changed in air, position, wind and among hazards."""
         if has_news(before, after):
             believes = trusts_sensor_of_row(after)
             self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
             self.notes += reset_notes(before, after)
-            self.notes += wind_notes(before, after, self.plan)
+            self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
             self._jumped |= number_of_resets(after) != number_of_resets(before)
+        if self.plan.hazards is not None:
+            self.notes += self._annunciator.notes(after, t)
 
     def _tell_doubts(self, before: Row, after: Row) -> None:
         """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""
@@ -221,10 +219,10 @@ class Route:
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
         before = state_of_row(self._state)
-        self._annunciator = HazardAnnunciator(self.plan)
+        self._annunciator = HazardAnnunciator(self.plan.hazard_names)
         if self._identification is None:
             self._state = row_of_state(take_over(before))
-            self.notes.append(route_note(before.mission.goal, self.plan))
+            self.notes.append(leg_note(before.mission.goal, len(self.plan.goals)))
             return
         self._state = row_of_state(begin_mission(before))
         if hazards is not None:
@@ -253,10 +251,14 @@ class Route:
     def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
         """Fly to the goals, with what the test flight has shown if it has."""
         before, after = self.plan.aircraft, identification.plan_after(self.identified)
-        self._identification, self.plan, self._annunciator = None, after, HazardAnnunciator(after)
+        self._identification, self.plan, self._annunciator = (
+            None,
+            after,
+            HazardAnnunciator(after.hazard_names),
+        )
         s = forget_learned(state_of_row(self._state), before, after.aircraft)
         self._state = row_of_state(begin_leg(s, 0, no_attempts()))
-        self.notes += (*notes, route_note(0, after))
+        self.notes += (*notes, leg_note(0, len(after.goals)))
 
     def _due(self, now_ms: int) -> bool:
         """Whether the next step is due at the autopilot's time [ms]."""

@@ -5,8 +5,8 @@ It says what happened: that they go out is told when one has gone out.
 
 import re
 
-from vfguide.companion.round_trip import RoundTrip
 from vfguide.geometry.units import SECOND
+from vfguide.telemetry.round_trip import RoundTrip
 
 SILENCE_TIMEOUT = SECOND
 """Time without a setpoint after which the operator is told why [us]; chosen."""

@@ -4,7 +4,8 @@ import math
 from itertools import pairwise
 
 from vfguide.assurance.decision import Reason
-from vfguide.companion.loop_report import (
+from vfguide.kernels.rows import Row
+from vfguide.loop.loop_report import (
     decision_of_row,
     goal_of_row,
     looked_of_row,
@@ -12,8 +13,6 @@ from vfguide.companion.loop_report import (
     route_of_row,
     sought_of_row,
 )
-from vfguide.companion.plan import Plan
-from vfguide.kernels.rows import Row
 from vfguide.paths.dubins import DubinsPath, length_of
 from vfguide.paths.edge import edge_in
 from vfguide.planning.replanning import CHECK_INTERVAL, SEARCH_INTERVAL
@@ -41,8 +40,9 @@ TOLD_LENGTH = 0.0175
 class HazardAnnunciator:
     """Makes notes of what a companion does among hazards, and remembers those it made."""
 
-    def __init__(self, plan: Plan) -> None:
-        self._plan = plan
+    def __init__(self, names: tuple[str, ...]) -> None:
+        """No note was made yet; the `names` are those of the hazards, by their numbers."""
+        self._names = names
         self._told: dict[str, float] = {}
         """Time of the last note of each kind [s]."""
         self._acted: float | None = None
@@ -61,8 +61,6 @@ class HazardAnnunciator:
 
         The time is that on the clock of the obstacles [s].
         """
-        if self._plan.hazards is None:
-            return []
         return [*self._assurance(after, now), *self._routes(after, now)]
 
     def _assurance(self, after: Row, now: float) -> list[str]:
@@ -74,7 +72,7 @@ class HazardAnnunciator:
             return [BACK_ON_ROUTE]
         decision = decision_of_row(after)
         new, self._acted = self._acted is None, now
-        what = conflict_note(decision.conflict, decision.hazard, self._plan.hazard_names)
+        what = conflict_note(decision.conflict, decision.hazard, self._names)
         if decision.reason == Reason.BEST_EFFORT:
             return self._nothing_clear(decision.hazard, what, now)
         return self._tell("escape", f"escape: {what or NO_ESCAPE_LEFT}", now) if new else []

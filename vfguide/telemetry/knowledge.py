@@ -4,7 +4,6 @@ import math
 from typing import Any, NamedTuple
 
 from vfguide.autopilots.makes import ASSUMED
-from vfguide.companion.date import Date, date_after
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
@@ -23,6 +22,7 @@ from vfguide.link.messages import (
 )
 from vfguide.link.plausibility import is_plausible, undulation_of
 from vfguide.surveillance.heights import HeightDatum, pressure_offset
+from vfguide.telemetry.date import Date, date_after
 
 STALE = 0.5
 """Age above which a position, an attitude or an airspeed is not used [s]; chosen. The flight goes

@@ -3,12 +3,9 @@
 import math
 
 import pytest
-from conversations import plan
-from plans import AMONG_TOWERS
 
+from vfguide.annunciations.hazard_notes import BACK_ON_ROUTE, HazardAnnunciator, route_summary
 from vfguide.assurance.decision import Reason
-from vfguide.companion.hazard_annunciations import BACK_ON_ROUTE, HazardAnnunciator, route_summary
-from vfguide.companion.plan import Plan
 from vfguide.geometry.se2 import Pose
 from vfguide.kernels.rows import Row
 from vfguide.loop.state import fresh_state, row_of_state
@@ -20,11 +17,7 @@ from vfguide.planning.route_following import RouteFollowing, fresh_following
 CLEAR, ESCAPE, BEST_EFFORT = Reason.NOMINAL, Reason.RECOVERY, Reason.BEST_EFFORT
 HERE = Pose(0.0, 0.0, 0.0)
 STEP = 0.02
-
-
-@pytest.fixture(scope="module")
-def among_towers() -> Plan:
-    return AMONG_TOWERS
+NAMES = ("south tower", "middle tower", "north tower")
 
 
 def decided(reason: Reason, conflict: float = math.inf, hazard: int = -1) -> Row:
@@ -47,25 +40,24 @@ def sought(clearance: float, at: float, looked: float | None = None) -> Row:
     return on(searched(clearance, at, looked))
 
 
-def with_hops(route: RouteFollowing, radius: float, *words: DubinsPath) -> RouteFollowing:
+def with_edges(route: RouteFollowing, radius: float, *paths: DubinsPath) -> RouteFollowing:
     edges = route.route_edges.copy()
-    edges[: len(words)] = [edge_row(Edge(HERE, word)) for word in words]
-    return route._replace(length=len(words), radius=radius, route_edges=edges)
+    edges[: len(paths)] = [edge_row(Edge(HERE, path)) for path in paths]
+    return route._replace(length=len(paths), radius=radius, route_edges=edges)
 
 
-def told(its: Plan, *stretches: tuple[float, Row]) -> list[tuple[float, str]]:
+def told(*stretches: tuple[float, Row]) -> list[tuple[float, str]]:
     """Times and notes of stretches of so many seconds with the same row."""
-    lookout, notes, now = HazardAnnunciator(its), [], 0.0
+    annunciator, notes, now = HazardAnnunciator(NAMES), [], 0.0
     for seconds, row in stretches:
         for _ in range(round(seconds / STEP)):
             now = round(now + STEP, 6)
-            notes += [(now, note) for note in lookout.notes(row, now)]
+            notes += [(now, note) for note in annunciator.notes(row, now)]
     return notes
 
 
-def test_an_escape_is_told_when_it_begins_and_when_it_is_over(among_towers: Plan) -> None:
+def test_an_escape_is_told_when_it_begins_and_when_it_is_over() -> None:
     notes = told(
-        among_towers,
         (1.0, decided(CLEAR)),
         (2.0, decided(ESCAPE, 4.21, 1)),
         (3.0, decided(CLEAR)),
@@ -73,62 +65,56 @@ def test_an_escape_is_told_when_it_begins_and_when_it_is_over(among_towers: Plan
     assert notes == [(1.02, "escape: middle tower in 4.2 s"), (4.0, BACK_ON_ROUTE)]
 
 
-def test_an_escape_without_a_conflict_says_so(among_towers: Plan) -> None:
-    ((_, note),) = told(among_towers, (1.0, decided(ESCAPE)))
+def test_an_escape_without_a_conflict_says_so() -> None:
+    ((_, note),) = told((1.0, decided(ESCAPE)))
     assert note == "escape: else no way out would be left"
 
 
-def test_where_nothing_is_clear_is_said_loudly_and_once_of_each_hazard(among_towers: Plan) -> None:
+def test_where_nothing_is_clear_is_said_loudly_and_once_of_each_hazard() -> None:
     south, middle = (decided(BEST_EFFORT, 1.5, tower) for tower in (0, 1))
     free = decided(CLEAR)
-    notes = told(among_towers, (2.5, south), (2.0, middle), (2.0, south), (2.0, free), (1.0, south))
+    notes = told((2.5, south), (2.0, middle), (2.0, south), (2.0, free), (1.0, south))
     assert [time for time, _ in notes] == pytest.approx([0.02, 2.52, 7.5, 8.52])
     names = ("south tower", "middle tower", "south tower")
     texts = [note for _, note in notes if note != BACK_ON_ROUTE]
     assert len(texts) == len(names)
     for name, text in zip(names, texts, strict=True):
         assert text.startswith(f"NOTHING IS CLEAR: {name} in 1.5 s, ")
-    ((_, nameless),) = told(among_towers, (1.0, decided(BEST_EFFORT)))
+    ((_, nameless),) = told((1.0, decided(BEST_EFFORT)))
     assert nameless == "NOTHING IS CLEAR: the least bad is flown, take over if you can"
 
 
-def test_a_way_that_is_found_again_is_told_once(among_towers: Plan) -> None:
+def test_a_way_that_is_found_again_is_told_once() -> None:
     path = DubinsPath(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)
-    found = [on(with_hops(searched(12.0, at), 80.0, path)) for at in (0.5, 1.5, 2.5)]
-    notes = told(among_towers, *((1.5, each) for each in found))
+    found = [on(with_edges(searched(12.0, at), 80.0, path)) for at in (0.5, 1.5, 2.5)]
+    notes = told(*((1.5, each) for each in found))
     assert [note for _, note in notes] == ["a way round: 2 turns, 240 m"]
 
 
-def test_a_decision_that_chatters_does_not_flood(among_towers: Plan) -> None:
+def test_a_decision_that_chatters_does_not_flood() -> None:
     chatter = [(0.04, decided(reason, 3.0, 0)) for _ in range(200) for reason in (ESCAPE, CLEAR)]
-    assert len(told(among_towers, *chatter)) == 1
+    assert len(told(*chatter)) == 1
 
 
-def test_a_way_that_is_not_found_is_told_once_and_when_there_is_one_again(
-    among_towers: Plan,
-) -> None:
+def test_a_way_that_is_not_found_is_told_once_and_when_there_is_one_again() -> None:
     searches = [(1.0, sought(-1.0, at)) for at in (0.5, 1.5, 2.5, 3.5)]
-    found = on(with_hops(searched(12.0, 4.5), 80.0, DubinsPath(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)))
-    notes = [note for _, note in told(among_towers, *searches, (2.0, found))]
+    found = on(with_edges(searched(12.0, 4.5), 80.0, DubinsPath(1.0, 0.5, 0.0, 2.0, -1.0, 0.5)))
+    notes = [note for _, note in told(*searches, (2.0, found))]
     assert notes[0].startswith("no way to goal 1 found")
     assert notes[1:] == ["a way round: 2 turns, 240 m"]
 
 
-def test_a_way_that_became_clear_by_itself(among_towers: Plan) -> None:
-    notes = told(among_towers, (1.0, sought(-1.0, 0.5)), (1.0, sought(-1.0, 0.5, looked=1.9)))
+def test_a_way_that_became_clear_by_itself() -> None:
+    notes = told((1.0, sought(-1.0, 0.5)), (1.0, sought(-1.0, 0.5, looked=1.9)))
     assert notes[1:] == [(1.02, "the way to goal 1 is clear again")]
 
 
-def test_without_hazards_there_is_nothing_to_tell() -> None:
-    assert told(plan(), (2.0, decided(ESCAPE, 1.0, 0))) == []
-
-
-def test_turns_of_hops_that_join_in_one_are_one() -> None:
+def test_turns_of_edges_that_join_in_one_are_one() -> None:
     first, second = (
         DubinsPath(1.0, 0.4, 0.0, 1.0, 1.0, 0.3),
         DubinsPath(1.0, 0.2, 0.0, 1.0, -1.0, 0.6),
     )
-    route = with_hops(searched(12.0, 0.0), 100.0, first, second)
+    route = with_edges(searched(12.0, 0.0), 100.0, first, second)
     assert route_summary(route) == "a way round: 3 turns, 350 m"
 
 

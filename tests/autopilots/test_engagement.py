@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.companion.engagement import FINAL_PHASES, SENDING, TRANSITIONS, Event, Phase
+from vfguide.autopilots.engagement import FINAL_PHASES, SENDING, TRANSITIONS, Event, Phase
 
 ALL = [(phase, event) for phase in Phase for event in Event]
 CONTROL = {Phase.FLYING, Phase.INTERRUPTED, Phase.RETURNING}
