@@ -6,7 +6,7 @@ import tempfile
 import pytest
 from hypothesis import settings
 
-from vfguide.geometry.compiled import cache_home
+from vfguide.kernels.compiled import cache_home
 
 
 def keep_machine_code() -> None:

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vfguide.companion.engagement import SENDING
+from vfguide.autopilots.engagement import SENDING
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
+from vfguide.preflight.load import load_scenario
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs
-from vfguide.scenario.load import load_scenario
 
 Alter = Callable[[float, object], Sequence[object]]
 """The messages that arrive in place of one that was sent, `time` [s] after the start."""

@@ -61,7 +61,7 @@ def test_nothing_goes_out_while_setpoints_are_only_offered():
 @settings(max_examples=60)
 def test_a_second_without_attitudes_leaves_the_envelope_of_no_aircraft(rate, bank, load, speed):
     """From any bank, roll rate and load that guidance flies: the turn goes on as it is by then."""
-    aircraft = flying().companion.route.plan.aircraft
+    aircraft = flying().companion.flight.plan.aircraft
     aircraft = aircraft._replace(alpha_load=aircraft.alpha_load * (speed / 25.0) ** 2)
     start = level((0.0, 0.0, -100.0), 0.0, speed, aircraft)
     alpha = aircraft.alpha_zero + aircraft.alpha_load * load / speed**2

@@ -7,10 +7,10 @@ from conversations import Conversation, flying, heartbeat, modes_asked, plan, se
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
 from vfguide.companion.place import LEAST_REACH, reach_of
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import GpsFixType, MavResult
 from vfguide.link.messages import (

@@ -6,8 +6,8 @@ import pytest
 from flights import FIRST_FLIGHT, scenario_file, vfguide
 
 from vfguide.files.data import shipped_scenarios
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from vfguide.preflight.encounter_checks import encounters
+from vfguide.preflight.load import load_scenario
+from vfguide.preflight.route_checks import Flies
 from vfguide.results.result import min_separation
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.encounter_checks import encounters
-from vfguide.scenario.load import load_scenario
-from vfguide.scenario.route_checks import Flies
 
 pytestmark = pytest.mark.slow
 

@@ -10,15 +10,16 @@ from flights import vfguide
 from point_mass import Body, fly
 
 from vfguide.aircraft.envelope import usable_bank
+from vfguide.field_points.field_point import Point
+from vfguide.field_points.field_points import fields_at
+from vfguide.field_points.flight_points import flight_field
+from vfguide.field_points.shortest_plan import best_start, start_on, surroundings_at
 from vfguide.files.errors import InputError
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 from vfguide.loop.state import fresh_state
 from vfguide.paths.leg import FIELD
-from vfguide.scenario.field_point import Point
-from vfguide.scenario.field_points import fields_at
-from vfguide.scenario.flight_points import best_start, flight_field, start_on, surroundings_at
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import plan_of, vehicle_of
 from vfguide.scenario.wind import blowing
 

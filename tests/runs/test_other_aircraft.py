@@ -19,9 +19,9 @@ from flights import vfguide
 from pose_options import options
 
 from vfguide.files.data import data_folder
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

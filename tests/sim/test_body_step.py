@@ -8,13 +8,13 @@ from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.companion.loop_report import goal_of_row
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT
+from vfguide.kernels.rows import row_of
 from vfguide.loop.legs import Goal, leg_rows
+from vfguide.loop.loop_report import goal_of_row
 from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.sim.kinematic import Bodies, Commands, advance

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reported import ALL, ORIGIN, said
 
-from vfguide.geometry.pressure_altitude import isa_pressure, pressure_altitude
+from vfguide.earth.pressure_altitude import isa_pressure, pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.surveillance.height_notes import ANSWER_TIME

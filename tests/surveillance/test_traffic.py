@@ -9,7 +9,7 @@ from reported import ALL, ORIGIN, said
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
 from vfguide.field.obstacle import obstacle_rows
-from vfguide.geometry.rows import columns, width
+from vfguide.kernels.rows import columns, width
 from vfguide.link.boot_time import ROLLOVER
 from vfguide.link.enums import AdsbFlags
 from vfguide.surveillance.heights import ANY_HEIGHT, HeightDatum

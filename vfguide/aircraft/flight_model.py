@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
+from vfguide.kernels.compiled import compiled
 
 STEEPEST_BANK = 60.0 * DEG
 """Bank above which the load factor of a level turn is taken as that at this bank [rad]; chosen,

@@ -20,11 +20,11 @@ from vfguide.control.airspeed_control import integrate_error, thrust_for
 from vfguide.control.envelope_protection import load_of, within_envelope
 from vfguide.estimation.estimation import SHORTEST_STEP, NavState, step_time
 from vfguide.field.rate_law import rate_law
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import from_euler, log, rot_z, to_quaternion
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, norm, scale, sub, transpose
 from vfguide.geometry.velocity import azimuth_of, path_of
+from vfguide.kernels.compiled import compiled
 
 MAX_REFERENCE_RATE = 1.5
 """Largest angular velocity of the reference attitude that is fed forward [rad/s]; chosen, so that a

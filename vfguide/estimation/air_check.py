@@ -9,10 +9,10 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.flight_model import sideslip_about_vertical
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO, Vec3, add, scale, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 FAST_TIME = 0.7
 """Time constant with which large errors of the wind triangle are smoothed [s]; chosen, so that they

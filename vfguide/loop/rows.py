@@ -5,6 +5,7 @@ import numpy as np
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import AirspaceTuple, airspace_of
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
@@ -13,11 +14,10 @@ from vfguide.estimation.local_frame import (
     place_measured,
     place_state,
 )
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law, law_of
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step

@@ -7,17 +7,17 @@ from typing import Protocol
 
 import numpy as np
 
-from vfguide.companion.goal_announcement import announcement, is_passed
+from vfguide.annunciations.goal_announcement import announcement, is_passed
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
-from vfguide.geometry.rows import row_of, width
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.rows import row_of, width
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle

@@ -7,18 +7,18 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vfguide.daemon.warm_up import warm_up as warm_up_companion
+from vfguide.field_points.field_point import Point
+from vfguide.field_points.field_points import fields_at
 from vfguide.files.data import shipped_scenarios
-from vfguide.geometry.rows import table_of
 from vfguide.geometry.vector import ZERO
+from vfguide.kernels.rows import table_of
+from vfguide.preflight.load import load_scenario
+from vfguide.preflight.prediction import predict
+from vfguide.preflight.route_checks import Flies
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.field_point import Point
-from vfguide.scenario.field_points import fields_at
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
-from vfguide.scenario.prediction import predict
-from vfguide.scenario.route_checks import Flies
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
 FIELD_SCENARIOS = ("first-flight", "towers")

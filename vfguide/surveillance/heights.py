@@ -8,7 +8,7 @@ the ownship's pressure altitude less the own height. Geometric heights are above
 
 from typing import NamedTuple
 
-from vfguide.geometry.pressure_altitude import pressure_altitude
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle

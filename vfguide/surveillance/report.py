@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.airspace.hazards import Intruder
-from vfguide.geometry.geodesy import place_in_plane
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MS
 from vfguide.geometry.vector import Vec3, add, scale
 from vfguide.link.boot_time import elapsed
