@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.files.errors import InputError
 from vfguide.scenario.field_points import fields_at, read_points

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 from point_mass import Body, fly
 
 from vfguide.aircraft.envelope import usable_bank

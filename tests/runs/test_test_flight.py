@@ -7,7 +7,7 @@ import tomllib
 
 import pytest
 import tomli_w
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, data_folder, find_aircraft
