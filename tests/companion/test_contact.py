@@ -19,6 +19,8 @@ from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import CurrentMode, Heartbeat, VfrHud
 from vfguide.telemetry.contact import LONGEST_HICCUP, MODE_UNKNOWN
 
+pytestmark = pytest.mark.slow
+
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 
 

@@ -22,6 +22,8 @@ from vfguide.link.messages import (
     VfrHud,
 )
 
+pytestmark = pytest.mark.slow
+
 LATITUDE, LONGITUDE, ALTITUDE = plan().origin
 ANYWHERE = st.tuples(
     st.floats(-90.0, 90.0), st.floats(-180.0, 180.0), st.floats(-400.0, 9000.0)

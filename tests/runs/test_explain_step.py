@@ -3,8 +3,8 @@
 import json
 
 import pytest
+from commands import vfguide
 from explain_step import explained
-from flights import vfguide
 from world_tables import northward, world_file
 
 from vfguide.cli.replay import open_log

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.field_points.field_points import fields_at
 from vfguide.preflight.load import load_scenario

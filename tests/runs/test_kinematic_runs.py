@@ -5,7 +5,8 @@ import math
 
 import numpy as np
 import pytest
-from flights import interrupted, messages, vfguide
+from commands import vfguide
+from flights import interrupted, messages
 from scipy.spatial.transform import Rotation
 
 from vfguide.earth.geodesy import place_in_plane

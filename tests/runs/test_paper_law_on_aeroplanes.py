@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.guidance.laws import PAPER
 from vfguide.loop.rows import step_measured

@@ -7,7 +7,7 @@ import tomllib
 
 import pytest
 import tomli_w
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.earth.atmosphere import isa_density
 from vfguide.files.aircraft_file import load_aircraft
