@@ -9,7 +9,7 @@ from flights import scenario_file
 
 from vfguide.geometry.units import CDEG
 from vfguide.link.enums import AdsbFlags
-from vfguide.link.messages import AdsbVehicle, GlobalPositionInt
+from vfguide.link.messages import AdsbVehicle, GlobalPositionInt, GpsRawInt
 
 pytestmark = pytest.mark.slow
 
@@ -174,6 +174,21 @@ def test_it_is_kept_clear_of_whatever_its_reports_say_besides_its_place(tmp_path
     assert separation(flight) > COLLISION
     assert flight.result.verdict == "good"
     assert not flight.notes("NOTHING IS CLEAR")
+
+
+@pytest.mark.parametrize("off", [-100.0, 100.0])
+@pytest.mark.parametrize("begin", [1.0, 15.0])
+def test_an_undulation_that_changes_in_flight_is_not_believed_alone(tmp_path, off, begin):
+    """The traffic was put 100 m above or below where it was, and flown through."""
+
+    def alter(t, message):
+        if isinstance(message, GpsRawInt) and t > begin:
+            return [message._replace(alt_ellipsoid=message.alt_ellipsoid + round(off * 1e3))]
+        return [message]
+
+    flight = fly_altered(tmp_path, alter, scenario=scenario_file(tmp_path, HEAD_ON))
+    assert separation(flight) > COLLISION
+    assert flight.result.verdict == "good"
 
 
 class SentFromEverywhere:
