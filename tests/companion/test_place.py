@@ -191,5 +191,5 @@ def test_the_undulation_is_what_a_receiver_with_a_fix_tells(altitude, ellipsoid,
     talk = flying()
     told = GpsRawInt(0, fix, 0, 0, round(altitude * 1e3), 0, 0, 0, 0, 9, round(ellipsoid * 1e3))
     talk.hear(heartbeat(Px4Mode.OFFBOARD), told, *state(talk.boot_ms + 20))
-    known = talk.companion._known.undulation
+    known = talk.companion._known.datum.undulation
     assert known == (None if undulation is None else pytest.approx(undulation))

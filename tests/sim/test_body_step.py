@@ -41,7 +41,7 @@ def fly(goals, p_n, euler, seconds, side=1.0):
     row, flown = row_of_state(fresh_state()), []
     for k in range(round(seconds / UPDATE)):
         p, R = bodies.p_n[0], bodies.R_nb[0]
-        omega_b, row = step_body(k * UPDATE, p, R, row, legs, FLIGHT, vehicle)
+        omega_b, row, _ = step_body(k * UPDATE, p, R, row, legs, FLIGHT, vehicle)
         flown.append((p, R, omega_b, goal_of_row(row)))
         bodies = advance(bodies, Commands(np.array([SPEED]), np.array([omega_b])), UPDATE)
     return [np.array(column) for column in zip(*flown, strict=True)]

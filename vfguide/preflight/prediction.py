@@ -1,7 +1,7 @@
 """Predicted flights: the control loop flies the point mass of an aircraft through its plan.
 
 The state is known exactly, the air moves as the scenario says without gusts, and setpoints act at
-once. Each vehicle flies as if it were alone.
+once. Each vehicle flies as if it were alone. A rigid body of plant `kinematic` is flown as itself.
 """
 
 import math
@@ -24,6 +24,7 @@ from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs, leg_rows
 from vfguide.loop.state import fresh_state, read_state, row_of_state, write_state
 from vfguide.loop.step import step
+from vfguide.preflight.body_prediction import predict_body
 from vfguide.preflight.route_checks import Flies
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
@@ -41,13 +42,17 @@ def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple
     """
     goals = [goal_of(goal) for goal in vehicle.goals]
     legs = leg_rows(goals, circle_side(scenario), circle_radius(scenario, vehicle))
+    steps = math.ceil(scenario.duration_s / PREDICTION_STEP) + 1
+    if scenario.plant == "kinematic":
+        flown, number = predict_body(scenario, vehicle, flies, legs)
+        period, times = 1.0 / scenario.guidance.rate_hz, PREDICTION_STEP * np.arange(steps)
+        axes = [np.interp(times, period * np.arange(len(flown)), axis) for axis in flown.T]
+        return np.column_stack(axes), min(steps, math.ceil(number * period / PREDICTION_STEP))
     heading, airspeed = vehicle.euler_deg[2] * DEG, flies.gains.airspeed
-    hazards = hazards_of(scenario) if scenario.plant == "jsbsim" else None
-    airspace, known = None, 0
+    hazards, airspace, known = hazards_of(scenario), None, 0
     if hazards is not None:
         zones, known = keep_out_zones_of(scenario.fence), len(hazards.obstacles)
         airspace = unnested_airspace(Airspace(hazards, zones, 0.0, 0.0))
-    steps = math.ceil(scenario.duration_s / PREDICTION_STEP) + 1
     path = np.empty((steps, 3))
     circles_from = fly_plan(
         tuple(PointMass(vehicle.position_m, heading, 0.0, 0.0, airspeed)),

@@ -1,6 +1,5 @@
 """The laws that steer the rigid bodies of plant `kinematic`: `paper` or `flight`."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
@@ -99,7 +98,7 @@ class FlightKinematicLaw:
         omega_b = np.empty_like(bodies.p_n)
         for i, plan in enumerate(self._plans):
             before = self._states[i]
-            omega_b[i], self._states[i] = self._step(
+            omega_b[i], self._states[i], miss = self._step(
                 time,
                 bodies.p_n[i],
                 bodies.R_nb[i],
@@ -109,5 +108,5 @@ class FlightKinematicLaw:
                 plan.vehicle_row,
             )
             if is_passed(before, self._states[i]):
-                self._legs[i].announce(announcement(before, self._states[i], math.nan))
+                self._legs[i].announce(announcement(before, self._states[i], miss))
         return Commands(self._speed, omega_b)

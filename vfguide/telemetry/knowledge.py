@@ -21,7 +21,8 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.link.plausibility import is_plausible, undulation_of
-from vfguide.surveillance.heights import HeightDatum, pressure_offset
+from vfguide.surveillance.heights import HeightDatum, datum_of, pressure_offset
+from vfguide.surveillance.told_height import ToldHeight, told_again
 from vfguide.telemetry.date import Date, date_after
 
 STALE = 0.5
@@ -58,16 +59,16 @@ class Knowledge(NamedTuple):
     """The `Projection` of the autopilot's local frame."""
     place: GlobalPositionInt | None = None
     """Latitude and longitude of the vehicle."""
-    undulation: float | None = None
+    undulation: ToldHeight | None = None
     """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
-    pressure_offset: float | None = None
+    pressure_offset: ToldHeight | None = None
     """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot tells
     no pressure that weather can make."""
 
     @property
     def datum(self) -> HeightDatum:
         """How heights that others report relate to those above mean sea level."""
-        return HeightDatum(self.pressure_offset, self.undulation)
+        return datum_of(self.pressure_offset, self.undulation)
 
     @property
     def time_ms(self) -> int:
@@ -128,7 +129,8 @@ def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPress
         case SystemTime():
             return known._replace(date=date_after(known.date, message, known.clock))
         case GpsRawInt():
-            return known._replace(undulation=undulation_of(message))
+            height = undulation_of(message)
+            return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
         case ScaledPressure():
             return with_pressure(known, message)
 
@@ -139,7 +141,10 @@ def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
     if origin is None or position is None:
         return known
     altitude = origin.altitude * MM - position.z
-    return known._replace(pressure_offset=pressure_offset(message.press_abs * HPA, altitude))
+    offset = pressure_offset(message.press_abs * HPA, altitude)
+    if offset is None:
+        return known._replace(pressure_offset=None)
+    return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
 
 
 def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
