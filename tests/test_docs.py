@@ -180,7 +180,7 @@ RESULT_TABLES = (
     result.GoalResult,
     result.ObstacleResult,
     interventions.AssuranceResult,
-    interventions.Episode,
+    interventions.Intervention,
 )
 
 

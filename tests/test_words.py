@@ -29,19 +29,48 @@ def test_the_check_sees_what_is_named_so():
         check_words.table_under(check_words.WORDS_HEADING, f"{check_words.WORDS_HEADING}\n## More")
 
 
-def test_the_check_reads_docstrings_and_comments_and_nothing_else():
+def test_the_check_reads_names_docstrings_comments_and_texts():
     words = check_words.table_under(check_words.WORDS_HEADING, GLOSSARY)
     source = '''"""Hops of a detour.
 
 The wishes of a law.
 """
-def hop(detour):
+def hop(detourLength):
     """One way out."""
     # no hope for a passer
-    return "a wish"
+    its.wish_of = f"{1} ways out, no ways, {'lookout'}"
+    return {"episodes": "least bad", "reason": "the least bad"}
 '''
-    used = sorted(check_words.words_used(source, words))
-    assert used == [(1, "detour"), (1, "hop"), (3, "wish"), (6, "way out"), (7, "passer")]
+    used = sorted(check_words.used_in(check_words.texts(source), words))
+    assert used == [
+        (1, "detour"),
+        (1, "hop"),
+        (3, "wish"),
+        (5, "detour"),
+        (5, "hop"),
+        (6, "way out"),
+        (7, "passer"),
+        (8, "lookout"),
+        (8, "no way"),
+        (8, "ways out"),
+        (8, "wish"),
+        (9, "least bad"),
+    ]
+
+
+def test_the_check_reads_the_prose_of_pages_and_templates():
+    words = check_words.table_under(check_words.WORDS_HEADING, GLOSSARY)
+    page = """A hop, `a hop`, {{ hop.hop }} {% if hop %}
+```sh
+vfguide --hop
+```
+that is shut in; who gives way to whom.
+
+## Words that are not used any more
+
+| hop | edge |
+"""
+    assert list(check_words.used_in(check_words.prose(page), words)) == [(1, "hop"), (5, "shut in")]
 
 
 def test_a_constant_of_two_modules_is_refused(tmp_path, monkeypatch):

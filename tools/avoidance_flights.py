@@ -46,9 +46,9 @@ class Logged(NamedTuple):
     time: float
     """[s]."""
     motion: PointMass
-    wish: tuple[float, float]
+    command: tuple[float, float]
     """Bank and path angle [rad]."""
-    stored: BackupManoeuvre
+    backup: BackupManoeuvre
     """What the decision before left."""
     decision: Decision
     distance: float
@@ -73,7 +73,7 @@ class Flown(NamedTuple):
     hazard: int
     escapes: int
     """Ticks on which an escape was flown, ..."""
-    least_bad: int
+    best_effort: int
     """... and on which nothing was clear."""
     first_bad: float
     """Time of the first of these [s]."""
@@ -84,7 +84,7 @@ class Flown(NamedTuple):
 
 
 @compiled
-def wish_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
+def command_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
     """Bank towards the goal, path angle towards its height."""
     north, east = goal[0] - motion.p_n[0], goal[1] - motion.p_n[1]
     error = wrap(math.atan2(east, north) - motion.azimuth)
@@ -178,7 +178,7 @@ def hazards_among(world: World, rows: Rows) -> Hazards:
 def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
     """The whole flight, a tick every 0.05 s; `log` takes what was decided, a `Logged` a row."""
     rows, motion, goal = world.rows.copy(), world.start, world.goal
-    known, limits, stored = np.zeros(len(rows)), aircraft.limits, no_backup()
+    known, limits, backup = np.zeros(len(rows)), aircraft.limits, no_backup()
     slow = slowed(limits)
     least, when, hazard, escapes, bad, first_bad, legs = math.inf, 0.0, -1, 0, 0, math.inf, 0
     for k in range(len(log)):
@@ -186,19 +186,19 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
         move_obstacles(rows, world.turning, t)
         come_in_sight(rows, motion.p_n, t, known)
         hazards = hazards_among(world, rows[known > 0.0])
-        wish = wish_for(motion, goal, limits)
-        before = stored
-        decision = Decision(wish[0], wish[1], Reason.NOMINAL.value, 0.0, 0.0, -1)
+        command = command_for(motion, goal, limits)
+        before = backup
+        decision = Decision(command[0], command[1], Reason.NOMINAL.value, 0.0, 0.0, -1)
         if assured:
-            decision, stored = assure(
-                motion, wish, world.wind_n, world.gust, hazards, t, TICK, aircraft, stored
+            decision, backup = assure(
+                motion, command, world.wind_n, world.gust, hazards, t, TICK, aircraft, backup
             )
         escapes += decision.reason != Reason.NOMINAL.value
         if decision.reason == Reason.BEST_EFFORT.value:
             bad, first_bad = bad + 1, min(first_bad, t)
         distance, nearest = true_distance(world, rows, motion.p_n, t)
         seen = len(hazards.obstacles)
-        write_logged(Logged(t, motion, wish, before, decision, distance, nearest, seen), log[k])
+        write_logged(Logged(t, motion, command, before, decision, distance, nearest, seen), log[k])
         if distance < least:
             least, when, hazard = distance, t, nearest
         gust = (world.gusts_n[k, 0], world.gusts_n[k, 1], world.gusts_n[k, 2])
@@ -218,14 +218,14 @@ def repeat_decision(world: World, aircraft: Assurance, row: Row, times: int) -> 
     for _ in range(times):
         decision, _ = assure(
             logged.motion,
-            logged.wish,
+            logged.command,
             world.wind_n,
             world.gust,
             hazards,
             logged.time,
             TICK,
             aircraft,
-            logged.stored,
+            logged.backup,
         )
         total += decision.bank
     return total

@@ -85,7 +85,7 @@ def standing(rng: np.random.Generator) -> list[Obstacle]:
 def crossing(
     rng: np.random.Generator, course: float, speed: float, seen: float, radius: float
 ) -> Obstacle:
-    """A mover that meets the straight way to the goal, more or less."""
+    """A mover that meets the straight path to the goal, more or less."""
     meeting = rng.uniform(8.0, 30.0)
     v_n = (speed * math.cos(course), speed * math.sin(course), 0.0)
     at = (AIRSPEED * meeting, rng.uniform(-20.0, 20.0), -HEIGHT + rng.uniform(-15.0, 15.0))

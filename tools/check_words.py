@@ -4,9 +4,10 @@
     python tools/check_words.py
 
 Reads the tables of names and of words that are not used any more in docs/glossary.md, and prints
-every place in vfguide/ and tools/ where such a name is given to something, or a docstring or a
-comment has such a word. Prints besides every public constant of vfguide/ whose name stands for
-another constant in another module, unless it is one of `SHARED`. Exit status 1 if there is any.
+every place in vfguide/ and tools/ where such a name is given to something, or where such a word is
+in a name, a docstring, a comment or a text; and every place in the pages and the template of the
+report where it is in the prose. Prints besides every public constant of vfguide/ whose name stands
+for another constant in another module, unless it is one of `SHARED`. Exit status 1 if there is any.
 """
 
 import ast
@@ -25,6 +26,9 @@ GLOSSARY = ROOT / "docs" / "glossary.md"
 NAMES_HEADING = "## Names that are not used any more"
 WORDS_HEADING = "## Words that are not used any more"
 FOLDERS = ("vfguide", "tools")
+PAGES = ("README.md", "docs/*.md", "vfguide/report/*.j2")
+KEPT = frozenset({"episodes", "least_bad", "least bad"})
+"""Keys and values of result.json, which keeps its words."""
 SHARED = {
     "MAX_DATAGRAM": "one fact of UDP, in two rooms that may not import each other",
 }
@@ -64,23 +68,39 @@ def names_given(tree: ast.AST) -> Iterator[tuple[int, str]]:
                 pass
 
 
-def prose(source: str) -> Iterator[tuple[int, str]]:
-    """The lines of a module's docstrings and comments, with their numbers."""
-    for node in ast.walk(ast.parse(source)):
+def words_of(name: str) -> str:
+    """The words of a name with blanks between them."""
+    return " ".join(re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+", name)).lower()
+
+
+def texts(source: str) -> Iterator[tuple[int, str]]:
+    """What a module says: its docstrings, comments and texts, and the words of its names."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
         match node:
-            case ast.Expr(value=ast.Constant(value=str(text))):
+            case ast.Constant(value=str(text)) if text not in KEPT:
                 yield from enumerate(text.splitlines(), start=node.lineno)
             case _:
                 pass
     for token in tokenize.generate_tokens(StringIO(source).readline):
         if token.type == tokenize.COMMENT:
             yield token.start[0], token.string
+    yield from ((line, words_of(name)) for line, name in names_given(tree) if name not in KEPT)
 
 
-def words_used(source: str, words: frozenset[str]) -> Iterator[tuple[int, str]]:
-    """The given-up words in a module's prose, also in the plural, with their lines."""
-    pattern = re.compile(rf"\b({'|'.join(sorted(words))})(?:s|es)?\b", re.IGNORECASE)
-    for line, text in prose(source):
+def prose(page: str) -> Iterator[tuple[int, str]]:
+    """The lines of a page without code, the tags of a template and the glossary's old words."""
+    page = page.partition(WORDS_HEADING)[0]
+    for mark in (r"(?s)^```.*?^```", r"`[^`\n]*`", r"\{\{.*?\}\}", r"\{%.*?%\}"):
+        page = re.sub(mark, lambda code: "\n" * code[0].count("\n"), page, flags=re.MULTILINE)
+    yield from enumerate(page.splitlines(), start=1)
+
+
+def used_in(lines: Iterator[tuple[int, str]], words: frozenset[str]) -> Iterator[tuple[int, str]]:
+    """The given-up words in lines, also in the plural, with the numbers of the lines."""
+    each = (r"(?:s|es)?\s".join(word.split()) for word in sorted(words))
+    pattern = re.compile(rf"\b({'|'.join(each)})(?:s|es)?\b", re.IGNORECASE)
+    for line, text in lines:
         yield from ((line, word.lower()) for word in pattern.findall(text))
 
 
@@ -106,8 +126,11 @@ def violations() -> Iterator[str]:
             for line, name in names_given(ast.parse(source)):
                 if name.lstrip("_") in names:
                     yield f"{at}:{line}: {name}, see docs/glossary.md"
-            for line, word in words_used(source, words):
+            for line, word in used_in(texts(source), words):
                 yield f'{at}:{line}: "{word}", see docs/glossary.md'
+    for path in sorted(path for pages in PAGES for path in ROOT.glob(pages)):
+        for line, word in used_in(prose(path.read_text()), words):
+            yield f'{path.relative_to(ROOT)}:{line}: "{word}", see docs/glossary.md'
     yield from shared_constants()
 
 

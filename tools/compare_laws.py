@@ -14,7 +14,7 @@ ours        ours
 The paper leaves the reactive level of obstacles open: here the area of every obstacle reaches
 --reach-m beyond its surface where it is narrowest. Reached is who entered nothing and came within
 5 m and 5 deg; the length of the path is that of these flights, over the shortest one if nothing
-were in the way, or over that of BIT* where --reference-s is given and nothing moves. Cost is
+were to be avoided, or over that of BIT* where --reference-s is given and nothing moves. Cost is
 processor time of one step.
 """
 
@@ -161,9 +161,9 @@ def timed(function: Any, took: list[float]) -> Any:
     """The function, which notes what each call takes [us]."""
 
     def noting(*arguments: Any) -> Any:
-        begun = time.process_time()
+        began = time.process_time()
         value = function(*arguments)
-        took.append(1e6 * (time.process_time() - begun))
+        took.append(1e6 * (time.process_time() - began))
         return value
 
     return noting

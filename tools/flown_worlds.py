@@ -16,7 +16,7 @@ ROOM = 60.0
 SPEED = 25.0
 HEARD_FROM = 400.0
 """Before the surface of its volume other traffic is heard [m]."""
-PIECE = 1.5
+CHANGE_TIME = 1.5
 """A turn is made of changes of the velocity that take so long [s]."""
 MANOEUVRES = 60.0
 """Movers turn and climb until then [s]."""
@@ -96,7 +96,7 @@ def field(rng: Generator, number: int) -> Table:
 
 
 def mover(rng: Generator, course: float, speed: float, seen: float, radius: float) -> Table:
-    """One that meets the straight way to the goal, more or less."""
+    """One that meets the straight path to the goal, more or less."""
     meeting = float(rng.uniform(10.0, 35.0))
     v = (speed * math.cos(course), speed * math.sin(course))
     x, y = SPEED * meeting - meeting * v[0], float(rng.uniform(-20.0, 20.0)) - meeting * v[1]
@@ -193,26 +193,26 @@ def unforeseen(rng: Generator, course: float, speed: float) -> list[Turn]:
     time = int(rng.integers(0, 100)) / 4.0
     while time < MANOEUVRES:
         rate = float(rng.uniform(-0.15, 0.15)) if rng.random() < 0.75 else 0.0
-        down, pieces = float(rng.uniform(-3.0, 3.0)), int(rng.integers(2, 9))
-        for _ in range(pieces):
-            course += rate * PIECE
+        down, changes = float(rng.uniform(-3.0, 3.0)), int(rng.integers(2, 9))
+        for _ in range(changes):
+            course += rate * CHANGE_TIME
             v_n = (speed * math.cos(course), speed * math.sin(course), down)
-            turns.append(Turn(time, PIECE, v_n))
-            time += PIECE
+            turns.append(Turn(time, CHANGE_TIME, v_n))
+            time += CHANGE_TIME
     return turns
 
 
 def turner(rng: Generator, number: int) -> Table:
-    """Traffic that turns and climbs, and yet meets the straight way to the goal, more or less."""
+    """Traffic that turns and climbs, and yet meets the straight path to the goal, more or less."""
     course, speed = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(5.0, 20.0))
     meeting = float(rng.uniform(10.0, 35.0))
     begin = (speed * math.cos(course), speed * math.sin(course), 0.0)
     turns = unforeseen(rng, course, speed)
-    gone = motion_at(flight_of((0.0, 0.0, 0.0), begin, turns), np.array([meeting]))[0][0]
+    moved = motion_at(flight_of((0.0, 0.0, 0.0), begin, turns), np.array([meeting]))[0][0]
     at = (SPEED * meeting, float(rng.uniform(-20.0, 20.0)), -HEIGHT + float(rng.uniform(-15, 15)))
     return {
         "name": f"MOVER{number}",
-        "position_m": [round(a - float(b), 2) for a, b in zip(at, gone, strict=True)],
+        "position_m": [round(a - float(b), 2) for a, b in zip(at, moved, strict=True)],
         "velocity_mps": [round(x, 3) for x in begin],
         "change": [
             {

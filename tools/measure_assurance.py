@@ -6,7 +6,7 @@
     python tools/measure_assurance.py --kind popup --only 144
     python tools/measure_assurance.py --cost
 
-The command is a turn towards the goal whatever is in the way. World k of a kind is drawn from
+The command is a turn towards the goal whatever is in between. World k of a kind is drawn from
 (seed, k) alone. The aircraft's lags are 15 % longer than the assurance believes. Worlds in which
 nothing is clear at the start are counted apart. Where something was hit, a tree of all hard
 manoeuvres tells whether it could be missed from each moment at which an obstacle came in sight.
@@ -92,7 +92,7 @@ def show(kind: str, outcomes: list[Outcome], args: argparse.Namespace) -> None:
         f" {len(hit):8} {sum(o.best <= 0.0 for o in hit):10}"
         f" {min(o.assured.least for o in flown):9.2f}"
         f" {100.0 * sum(o.assured.escapes for o in flown) / ticks:8.1f}"
-        f" {100.0 * sum(o.assured.least_bad for o in flown) / ticks:8.2f}"
+        f" {100.0 * sum(o.assured.best_effort for o in flown) / ticks:8.2f}"
         f" {np.mean([o.assured.legs for o in flown]):8.2f}",
         flush=True,
     )
@@ -116,11 +116,11 @@ def show_cost(args: argparse.Namespace) -> None:
         fly(world, aircraft, True, log)
         repeat_decision(world, aircraft, log[0], 1)
         for row in log[::10]:
-            begun = time.process_time()
+            began = time.process_time()
             repeat_decision(world, aircraft, row, 1)
             once = time.process_time()
             repeat_decision(world, aircraft, row, 1 + REPEATS)
-            took.append((time.process_time() - once - (once - begun)) / REPEATS * 1e6)
+            took.append((time.process_time() - once - (once - began)) / REPEATS * 1e6)
     median, high, most = np.quantile(took, (0.5, 0.99, 1.0))
     print(f"seed {args.seed}, {len(took)} decisions among 15 obstacles [us]:")
     print(f"median {median:.1f}  99 % {high:.1f}  most {most:.1f}")
@@ -164,7 +164,7 @@ def main() -> None:
     print(f"seed {args.seed}, {args.runs} worlds of each kind, {args.duration:g} s, ticks in %")
     print(
         "kind       worlds no start  without     with  no escape"
-        "     least   acting least bad    legs"
+        "     least   acting   nothing    legs"
     )
     for kind in kinds:
         show(kind, [try_world(kind, k, args) for k in range(args.runs)], args)

@@ -66,7 +66,7 @@ class Outcome:
     reference_m: float
     """Of the shortest path that BIT* finds; infinite where none, NaN where it was not asked."""
     free_m: float
-    """Of the shortest path where nothing is in the way, by Dubins."""
+    """Of the shortest path without obstacles, by Dubins."""
     best_m: float
     """Least clearance that the tree finds to be possible; NaN where it was not asked."""
     reasons: tuple[str, ...]
@@ -143,18 +143,18 @@ def reference(loaded: LoadedScenario, number: int, args: argparse.Namespace) -> 
     goal, rows = loaded.scenario.vehicles[0].goals[0], rows_of(loaded.scenario.obstacles)
     rows[:, place(PlacedObstacle, "p_n.2")] -= goal.position_m[2] + HEIGHT
     wind = loaded.scenario.wind.speed_mps if args.reference_in_wind else 0.0
-    start, end, radius = way_between(loaded, wind)
+    start, end, radius = ends_between(loaded, wind)
     world = World("flown", start, end, rows)
     return reference_length(world, radius, 5.0, args.reference_s, number)
 
 
 def free_length(loaded: LoadedScenario) -> float:
-    """Shortest path in the plane with turns in still air, were there nothing in the way [m]."""
-    start, end, radius = way_between(loaded, 0.0)
+    """Shortest path in the plane with turns in still air, without obstacles [m]."""
+    start, end, radius = ends_between(loaded, 0.0)
     return dubins_length(tuple(start)[:3], tuple(end)[:3], radius)
 
 
-def way_between(loaded: LoadedScenario, wind: float) -> tuple[Pose, Pose, float]:
+def ends_between(loaded: LoadedScenario, wind: float) -> tuple[Pose, Pose, float]:
     """Start and goal in the plane, and the radius [m] of turns downwind in so much wind [m/s]."""
     vehicle = loaded.scenario.vehicles[0]
     goal, gains = vehicle.goals[0], loaded.gains(vehicle)

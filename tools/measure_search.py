@@ -4,7 +4,7 @@
     python tools/measure_search.py --fields 100 --dead-ends 200 --reference-s 1
 
 World k of seed S is drawn from (S, k) alone; fields and dead ends are numbered separately. The
-reference is BIT* with a clearance of 5 m where ompl is installed; worlds in which it finds no way
+reference is BIT* with a clearance of 5 m where ompl is installed; worlds in which it finds no route
 either are counted apart.
 """
 
@@ -40,10 +40,10 @@ class Outcome:
     free: float
     """Length without obstacles [m]."""
     reference: float
-    """Infinite where no way was found, NaN where none was looked for."""
+    """Infinite where no route was found, NaN where none was looked for."""
     time_ms: float
     check_us: float
-    """Of a look at the whole way."""
+    """Of a look at the whole route."""
 
 
 def seconds_of(function, *args) -> float:
@@ -98,7 +98,7 @@ def show(name: str, outcomes: list[Outcome]) -> None:
     hopeless = [o for o in missed if o.reference == math.inf]
     both = [o for o in found if math.isfinite(o.reference)]
     print(f"{name}: {len(outcomes)} worlds, {len(found)} found, {len(hopeless)} by neither")
-    print(f"  missed though there is a way: {[o.number for o in missed if o not in hopeless]}")
+    print(f"  missed though there is a route: {[o.number for o in missed if o not in hopeless]}")
     print(f"  found here alone: {sum(o.reference == math.inf for o in found)}")
     ratios = [o.following.length / o.reference for o in both]
     print(f"  length over the reference, 50 90 100 %: {figures(ratios, (0.5, 0.9, 1.0))}")
@@ -107,7 +107,7 @@ def show(name: str, outcomes: list[Outcome]) -> None:
     times = [o.time_ms for o in outcomes]
     print(f"  time of a search [ms], 50 95 100 %:     {figures(times, (0.5, 0.95, 1.0))}")
     times = [o.check_us for o in found]
-    print(f"  a look at the way [us], 50 95 100 %:    {figures(times, (0.5, 0.95, 1.0))}")
+    print(f"  a look at the route [us], 50 95 100 %:  {figures(times, (0.5, 0.95, 1.0))}")
     kept = sorted({o.following.clearance for o in found}, reverse=True)
     counts = ", ".join(f"{c:g} m: {sum(o.following.clearance == c for o in found)}" for c in kept)
     most = max((len(o.following.route_edges) for o in found), default=0)

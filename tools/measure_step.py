@@ -35,9 +35,9 @@ def main() -> None:
     took: list[float] = []
 
     def timed(*arguments):
-        begun = time.process_time()
+        began = time.process_time()
         after = step_measured(*arguments)
-        took.append(time.process_time() - begun)
+        took.append(time.process_time() - began)
         return after
 
     number, flown = 0, 0

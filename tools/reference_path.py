@@ -1,4 +1,4 @@
-"""Reference for the length of ways: BIT* of the Open Motion Planning Library on Dubins paths.
+"""Reference for the length of routes: BIT* of the Open Motion Planning Library on Dubins paths.
 
 Not a dependency of the project; `pip install ompl`. Clearance is looked up on a fine grid of exact
 distances from the obstacles.

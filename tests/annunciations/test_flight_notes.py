@@ -61,4 +61,4 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
     ((time, note),) = notes
     period = FULL_TURN * 80.0 / 25.0
     assert period < time < 3.0 * period
-    assert note.startswith("no progress to goal 1: flown a full circle more than its way has")
+    assert note.startswith("no progress to goal 1: flown a full circle more than its path has")

@@ -11,8 +11,8 @@ from vfguide.telemetry.knowledge import (
     STALE,
     WIND_STALE,
     Knowledge,
-    heard,
     lacking,
+    measurement,
 )
 from vfguide.telemetry.knowledge import observe as observe_at
 
@@ -82,7 +82,7 @@ def test_the_state_is_that_of_the_newest_messages_whatever_their_order():
     known = Knowledge()
     for message in messages:
         known = observe(known, message)
-    assert heard(known) == heard(known_at())
+    assert measurement(known) == measurement(known_at())
 
 
 @pytest.mark.parametrize("age_ms", [0, 100, 499, 500, 501, 10_000])
@@ -90,7 +90,7 @@ def test_the_state_is_that_of_the_newest_messages_whatever_their_order():
 def test_position_and_attitude_are_flown_on_together_up_to_half_a_second_apart(number, age_ms):
     later = state(5000 + age_ms)[number]
     known = observe(observe(known_at(), later), state(5000)[2])
-    assert (heard(known) is not None) == (age_ms <= 1000 * STALE)
+    assert (measurement(known) is not None) == (age_ms <= 1000 * STALE)
     assert (lacking(known) is None) == (age_ms <= 1000 * STALE)
 
 
@@ -99,12 +99,12 @@ def test_what_lacks_is_named():
     for field in ("attitude", "position", "hud", "origin"):
         without = known_at()._replace(**{field: None})
         assert lacking(without).startswith("not heard yet")
-        assert heard(without) is None
+        assert measurement(without) is None
     assert lacking(known_at()) is None
 
 
 def airspeed_in(known):
-    return heard(known)[6]
+    return measurement(known)[6]
 
 
 def test_an_airspeed_before_any_attitude_is_taken_up_with_the_next_one():
@@ -121,7 +121,7 @@ def test_a_wind_is_flown_on_for_five_seconds(age_ms):
     known = known_at(5000)
     for message in state(5000 + age_ms)[1:]:
         known = observe(known, message)
-    assert math.isnan(heard(known).wind_l[0]) == (age_ms > 1000 * WIND_STALE)
+    assert math.isnan(measurement(known).wind_l[0]) == (age_ms > 1000 * WIND_STALE)
 
 
 def test_no_airspeed_sensor_is_told_as_not_a_number_and_is_flown_on():

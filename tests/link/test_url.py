@@ -31,10 +31,10 @@ def test_the_forms(text, url):
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("", "no way"),
-        ("udp:127.0.0.1:14540", "'udp' is no way"),
-        ("UDPIN:127.0.0.1:14540", "'UDPIN' is no way"),
-        ("127.0.0.1:14540", "no way"),
+        ("", "does not reach"),
+        ("udp:127.0.0.1:14540", "'udp' does not reach"),
+        ("UDPIN:127.0.0.1:14540", "'UDPIN' does not reach"),
+        ("127.0.0.1:14540", "does not reach"),
         ("udpin", "host"),
         ("udpin:", "host"),
         ("udpin:14540", "host"),

@@ -72,14 +72,14 @@ def test_only_the_last_straight_of_the_approach_counts(tmp_path: Path) -> None:
 
 def test_a_goal_that_is_shut_in_is_message_for(tmp_path: Path) -> None:
     assert message_for(tmp_path, MINIMAL + SHUT) == (
-        "vehicle[0].goal[0] = [0.0, 0.0, -100.0]: shut in, no way leads there at these heights; "
+        "vehicle[0].goal[0] = [0.0, 0.0, -100.0]: enclosed, no route leads there at these heights; "
         "move it, or open a gap"
     )
 
 
 def test_a_gap_is_enough_to_fly(tmp_path: Path) -> None:
     opened = SHUT.replace("[350, 0, -100]", "[350, 100, -100]")
-    assert not any("shut in" in told for told in warnings_of(tmp_path, MINIMAL + opened))
+    assert not any("enclosed" in told for told in warnings_of(tmp_path, MINIMAL + opened))
 
 
 def test_walls_that_fly_away_shut_nothing_in(tmp_path: Path) -> None:
@@ -113,7 +113,7 @@ def test_a_dam_across_a_fence_is_no_hindrance_where_there_is_room_over_it(
     """25 m are kept: 2 of them are missing under the lower ceiling. Seen late it is too near."""
     far = MINIMAL.replace("[-500, 0, -100]", "[-1500, 0, -100]").replace("[0, 0,", "[1000, 0,")
     dam = CORRIDOR.format(ceiling=ceiling) + box([-400, 0, -63.5], [60, 420, 127], seen)
-    found = [its for its in warnings_of(tmp_path, far + dam) if "no way there was found" in its]
+    found = [its for its in warnings_of(tmp_path, far + dam) if "no route there was found" in its]
     assert bool(found) == told
 
 

@@ -13,7 +13,7 @@ from matplotlib.patches import Circle, Polygon
 from scenario_samples import loaded_from
 from scenario_texts import MINIMAL
 
-from vfguide.report.assurance_figure import EPISODE_SHADES, draw_assurance
+from vfguide.report.assurance_figure import SHADES, draw_assurance
 from vfguide.report.drawing import Flights
 from vfguide.report.figures import draw_figures
 from vfguide.report.path_figures import draw_plan, draw_side
@@ -85,7 +85,7 @@ def test_the_side_shows_floor_and_ceiling(flights: Flights) -> None:
 def test_the_nearest_hazard_over_time_is_shaded_where_the_assurance_acted(flights: Flights) -> None:
     (axes,) = drawn(draw_assurance, flights).axes
     shown = [(its.get_x(), its.get_width(), its.get_facecolor()[:3]) for its in axes.patches]
-    colours = [to_rgb(EPISODE_SHADES[reason]["facecolor"]) for reason in ("escape", "least bad")]
+    colours = [to_rgb(SHADES[reason]["facecolor"]) for reason in ("escape", "least bad")]
     assert [left for left, *_ in shown] == pytest.approx([10.0, 16.0])
     assert [width for _, width, _ in shown] == pytest.approx([1.0, 0.2])
     assert [colour for *_, colour in shown] == colours
@@ -105,7 +105,7 @@ def test_the_report_has_a_table_of_the_episodes(flights: Flights) -> None:
     page = render(flights.loaded, result, [], "vfguide run x.toml")
     assert "Run-time assurance" in page
     assert "<td>10.0</td>" in page
-    assert "the least bad" in page
+    assert "best effort" in page
     assert "<td>fence.zone[1]</td>" in page
     assert "<td>tower</td>" in page
 

@@ -146,10 +146,10 @@ NOTES = (
     Said("the wind has fallen: .*", FLYING, ends="wind hold"),
     Said("escape: .*", FLYING, begins="escape"),
     Said("NOTHING IS CLEAR: .*", FLYING, begins="escape", is_event=True),
-    Said("back on the way", FLYING, ends="escape"),
-    Said("a way round: .*|over what is in the way, .*", FLYING, ends="no way?", is_event=True),
-    Said(r"no way to goal \d+ found .*", FLYING, begins="no way"),
-    Said(r"the way to goal \d+ is clear again", FLYING, ends="no way"),
+    Said("escape over: back to guidance", FLYING, ends="escape"),
+    Said("new route: .*", FLYING, ends="no route?", is_event=True),
+    Said(r"no route to goal \d+ found .*", FLYING, begins="no route"),
+    Said(r"the route to goal \d+ is clear again", FLYING, ends="no route"),
     Said(r"traffic (?P<traffic>.*) in \d+ s, \d+ m", HEARD, begins="traffic"),
     Said("traffic (?P<traffic>.*) is no conflict any more", HEARD, ends="traffic"),
     Said("moving obstacles.*", HEARD),
@@ -159,7 +159,7 @@ NOTES = (
 )
 FORGOTTEN = {S.UNHEARD, S.HELD, S.LOST, S.TAKEN_OVER}
 """States on entering which a condition of the flight, as an escape, is over without a word."""
-OF_THE_FLIGHT = ("escape", "no way")
+OF_THE_FLIGHT = ("escape", "no route")
 
 
 class Line(NamedTuple):

@@ -93,7 +93,7 @@ def test_circles_that_lead_nowhere_are_told_once(tmp_path):
     flight = fly(tmp_path, "autopilot.thrust_scale=0.25", high, "duration_s=450.0")
     assert not goal_of(flight).reached
     (alarm,) = [note for _, note in flight.told if "no progress" in note]
-    assert alarm.startswith("no progress to goal 1: flown a full circle more than its way has")
+    assert alarm.startswith("no progress to goal 1: flown a full circle more than its path has")
 
 
 def test_no_airspeed_sensor(tmp_path):

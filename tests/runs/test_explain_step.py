@@ -26,14 +26,14 @@ def test_an_escape_is_explained_by_what_the_command_would_have_come_to(tmp_path)
     world = world_file(northward("sudden", obstacle=[BALLOON]), tmp_path)
     vfguide("run", str(world), "--out", "flown", "--no-report", cwd=tmp_path)
     result = json.loads((tmp_path / "flown/result.json").read_text())
-    (episode, *_) = result["vehicles"][0]["assurance"]["episodes"]
+    (intervention, *_) = result["vehicles"][0]["assurance"]["episodes"]
     loaded = load_scenario(tmp_path / "flown/scenario.toml")
     plan = plan_of(loaded, loaded.scenario.vehicles[0])
 
     def lines(at):
         return list(explained(open_log(tmp_path / "flown/vehicle-1.tlog"), 1, plan, at))
 
-    before, during = lines(episode["from_s"] - 1.0), lines(episode["from_s"] + 0.1)
+    before, during = lines(intervention["from_s"] - 1.0), lines(intervention["from_s"] + 0.1)
     assert any(line.startswith("decision: NOMINAL") for line in before)
     (decision,) = [line for line in during if line.startswith("decision: ")]
     assert "the command would come to balloon in" in decision

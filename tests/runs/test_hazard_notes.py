@@ -22,5 +22,5 @@ def test_a_flight_among_towers_tells_of_its_way(
     monkeypatch.setattr(JsbsimVehicle, "__init__", kept)
     fly_scenario(load_scenario("towers"), tmp_path)
     notes = members[-1].companion.news()  # the first warms up
-    assert any(note.startswith("a way round: ") for note in notes)
+    assert any(note.startswith("new route: ") for note in notes)
     assert sum(note.startswith(("a way", "escape", "NOTHING")) for note in notes) < 20

@@ -193,7 +193,7 @@ def test_figures_of_paths_say_what_is_an_obstacle(run: Run, tmp_path: Path) -> N
     (legend,) = drawn(draw_plan, run.flights).legends
     labels = [text.get_text() for text in legend.get_texts()]
     assert labels[:3] == ["Vehicle 1", "Vehicle 2", "Vehicle 3"]
-    assert labels[-3:] == ["Obstacle, at the end", "Obstacle, before", "Way of its centre"]
+    assert labels[-3:] == ["Obstacle, at the end", "Obstacle, before", "Path of its centre"]
     (legend,) = drawn(draw_space, flown(tmp_path, scenario_text(1, OBSTACLES[:1]))).legends
     assert [text.get_text() for text in legend.get_texts()][-1] == "Obstacle"
 

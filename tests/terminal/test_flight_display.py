@@ -4,12 +4,12 @@ from types import SimpleNamespace
 
 import pytest
 
-from vfguide.results.interventions import AssuranceResult, Episode
+from vfguide.results.interventions import AssuranceResult, Intervention
 from vfguide.terminal.flight_display import assurance_lines
 
 
 @pytest.mark.parametrize(
-    ("unclear", "episodes", "said"),
+    ("unclear", "interventions", "said"),
     [
         (0, 1, "assurance: vehicle 1 acted 1 time, in 2.0 % of its setpoints"),
         (
@@ -20,8 +20,8 @@ from vfguide.terminal.flight_display import assurance_lines
         ),
     ],
 )
-def test_setpoints_that_nothing_was_clear_for_are_no_escapes(unclear, episodes, said):
-    each = Episode(1.0, 2.0, "escape", "tower")
-    acted = AssuranceResult(1000, 20 - unclear, unclear, 0.02, 1.0, (each,) * episodes)
+def test_setpoints_that_nothing_was_clear_for_are_no_escapes(unclear, interventions, said):
+    each = Intervention(1.0, 2.0, "escape", "tower")
+    acted = AssuranceResult(1000, 20 - unclear, unclear, 0.02, 1.0, (each,) * interventions)
     result = SimpleNamespace(vehicles=[SimpleNamespace(id=1, assurance=acted)])
     assert assurance_lines(result) == [said]

@@ -122,7 +122,7 @@ def traffic_zones(traffic: Rows, band: Band, margin: float, t: float) -> KeepOut
     """
     table, used = np.zeros((len(traffic), ZONE_ROW_WIDTH)), 0
     for row in traffic:
-        zone = traffic_outline(read_intruder(row), band, margin, t)
+        zone = traffic_zone(read_intruder(row), band, margin, t)
         if zone.since <= zone.until:
             write_zone_row(zone, table[used])
             used += 1
@@ -130,7 +130,7 @@ def traffic_zones(traffic: Rows, band: Band, margin: float, t: float) -> KeepOut
 
 
 @compiled
-def traffic_outline(intruder: Intruder, band: Band, margin: float, t: float) -> KeepOutZone:
+def traffic_zone(intruder: Intruder, band: Band, margin: float, t: float) -> KeepOutZone:
     """The keep-out zone of one intruder; it ends before it begins if the band is never reached.
 
     Args:

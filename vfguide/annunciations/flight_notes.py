@@ -14,7 +14,7 @@ ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
 WEAK_AGAIN = "the wind has fallen"
 """Note at the end of a wind hold."""
 NO_PROGRESS = (
-    "no progress to goal {goal}: flown a full circle more than its way has, "
+    "no progress to goal {goal}: flown a full circle more than its path has, "
     "and no nearer than {least:.0f} m along it"
 )
 """Note on a leg without progress."""

@@ -21,17 +21,19 @@ from vfguide.planning.route_following import RouteFollowing
 NOTE_INTERVAL = 1.0
 """Least time between two notes of a kind, and after the last action of an escape until it is over
 [s]; chosen."""
-BACK_ON_ROUTE = "back on the way"
+ESCAPE_OVER = "escape over: back to guidance"
 """Note at the end of an escape."""
-NO_ROUTE = "no way to goal {goal} found among what is known: only the assurance keeps it clear"
+NO_ROUTE = (
+    "no route to goal {goal} found among the known hazards: only the assurance keeps it clear"
+)
 """Note where the search finds no route to a goal."""
-ROUTE_AGAIN = "the way to goal {goal} is clear again"
+ROUTE_AGAIN = "the route to goal {goal} is clear again"
 """Note where the route to a goal is clear again."""
 NOTHING_CLEAR = "NOTHING IS CLEAR"
 """Beginning of the note where no escape stays clear."""
-TAKE_OVER = "the least bad is flown, take over if you can"
+TAKE_OVER = "best effort is flown, take over if you can"
 """End of that note."""
-NO_ESCAPE_LEFT = "else no way out would be left"
+NO_ESCAPE_LEFT = "else no escape would be left"
 """Reason of an escape where the command itself would hit nothing."""
 TOLD_LENGTH = 0.0175
 """Length of a segment above which a note counts it [turn radii]; chosen, a turn by one degree."""
@@ -69,7 +71,7 @@ class HazardAnnunciator:
                 return []
             self._acted = None
             self._unclear.clear()
-            return [BACK_ON_ROUTE]
+            return [ESCAPE_OVER]
         decision = decision_of_row(after)
         new, self._acted = self._acted is None, now
         what = conflict_note(decision.conflict, decision.hazard, self._names)
@@ -95,7 +97,7 @@ class HazardAnnunciator:
             if route.clearance > 0.0:
                 return self._found(route_summary(route), now)
             if self._lost is None and (
-                told := self._tell("no way", NO_ROUTE.format(goal=goal + 1), now)
+                told := self._tell("no route", NO_ROUTE.format(goal=goal + 1), now)
             ):
                 self._lost, self._route = goal, None
                 return told
@@ -112,7 +114,7 @@ class HazardAnnunciator:
         self._lost = None
         if route == self._route:
             return []
-        if told := self._tell("way", route, now):
+        if told := self._tell("route", route, now):
             self._route = route
         return told
 
@@ -134,13 +136,13 @@ def conflict_note(conflict: float, hazard: int, names: tuple[str, ...]) -> str:
 def route_summary(route: RouteFollowing) -> str:
     """The turns and the length of a route, or the level of an overflight."""
     if math.isfinite(route.level) and route.length == 0:
-        return f"over what is in the way, at {-route.level:.0f} m"
+        return f"new route: over the obstacles, at {-route.level:.0f} m"
     route_edges = route.length or route.present + 1  # the last one flies as the leg's own
     paths = [edge_in(route.route_edges, i).path for i in range(route_edges)]
     sides = [side for path in paths for side in sides_of(path)]
     turns = sum(one != other for one, other in pairwise((0.0, *sides)) if other != 0.0)
     length = route.radius * sum(length_of(path) for path in paths)
-    return f"a way round: {turns} turn{'s' if turns != 1 else ''}, {length:.0f} m"
+    return f"new route: {turns} turn{'s' if turns != 1 else ''}, {length:.0f} m"
 
 
 def sides_of(path: DubinsPath) -> list[float]:

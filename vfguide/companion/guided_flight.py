@@ -58,7 +58,7 @@ from vfguide.loop.state import (
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import Ownship
 from vfguide.surveillance.surveillance import Surveillance
-from vfguide.telemetry.knowledge import Knowledge, heard
+from vfguide.telemetry.knowledge import Knowledge, measurement
 
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
@@ -130,7 +130,7 @@ class GuidedFlight:
         self.notes += self._obstacle_clock.notes(known)
         if self.objection(known) is not None:
             return None
-        state = heard(known, delay + HELD_PERIODS / self.plan.rate)
+        state = measurement(known, delay + HELD_PERIODS / self.plan.rate)
         if state is None:
             return None
         if follows:
@@ -180,7 +180,7 @@ class GuidedFlight:
         """Take a report of another aircraft; without an attitude its time is unknown."""
         if known.attitude is None:
             return
-        state, now_ms = heard(known), known.time_ms
+        state, now_ms = measurement(known), known.time_ms
         ownship = None if state is None else ownship_of(state, now_ms, self.plan)
         self.notes += self._surveillance.hear(said, now_ms, ownship, known.datum)
 

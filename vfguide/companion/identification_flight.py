@@ -58,15 +58,15 @@ class IdentificationFlight:
             unknown = np.zeros(len(plan.hazards.obstacles))
             room((0.0, 0.0, 0.0), in_sight(plan.hazards, unknown, (0.0, 0.0, 0.0), 0.0), 0.0)
 
-    def begin(self, heard: Measurement, hazards: Hazards | None, t: float) -> str | None:
+    def begin(self, measured: Measurement, hazards: Hazards | None, t: float) -> str | None:
         """Lay out the legs from where the vehicle is; returns what is flown first.
 
         The turns go to the side with more room among what is known of the `hazards` at the time
         `t` [s]; None: there is too little on both.
         """
-        state = place_measured(heard, self._then.origin)
-        wide = with_wide_turns(self._then, heard.density)
-        flown = vehicle_in_air(wide.vehicle, heard.density)
+        state = place_measured(measured, self._then.origin)
+        wide = with_wide_turns(self._then, measured.density)
+        flown = vehicle_in_air(wide.vehicle, measured.density)
         layouts = [circuit(state, flown, side) for side in (1.0, -1.0)]
         rooms = [least_room(legs, hazards, t) for legs in layouts]
         if max(rooms) < NEEDED_ROOM + 0.5 * ROOM_SPACING:
@@ -83,16 +83,18 @@ class IdentificationFlight:
         rows = self._vehicles
         return rows[min(leg, len(rows) - 1)] if rows else self.plan.vehicle_row
 
-    def take(self, heard: Measurement, setpoint: RateSetpoint, delay: float, trusts: bool) -> None:
+    def take(
+        self, measured: Measurement, setpoint: RateSetpoint, delay: float, trusts: bool
+    ) -> None:
         """Note a state and the setpoint that answers it, which acts `delay` [s] later.
 
         The airspeed counts only if the companion `trusts` its sensor.
         """
-        told = place_measured(heard, self._then.origin)
-        airspeed = told.airspeed if trusts else math.nan
-        (roll_rate, _, _), (roll_rate_asked, _, _) = heard.omega_b, setpoint.omega_b
-        air, asked = (airspeed, heard.density), (roll_rate_asked, setpoint.thrust, delay)
-        self._flown.append(Sample(told.time, told.R_nb, told.v_n, *air, roll_rate, *asked))
+        state = place_measured(measured, self._then.origin)
+        airspeed = state.airspeed if trusts else math.nan
+        (roll_rate, _, _), (roll_rate_asked, _, _) = measured.omega_b, setpoint.omega_b
+        air, asked = (airspeed, measured.density), (roll_rate_asked, setpoint.thrust, delay)
+        self._flown.append(Sample(state.time, state.R_nb, state.v_n, *air, roll_rate, *asked))
 
     def enters(self, leg: int) -> str | None:
         """The name of a leg that begins now; None: the one before goes on, or it is over."""
@@ -119,7 +121,7 @@ class IdentificationFlight:
         """What is flown after it; `found` None: it has shown nothing."""
         if found is None:
             return self._then
-        seen = any(finding.key == "roll_s" and finding.used for finding in found.estimates)
+        seen = any(estimate.key == "roll_s" and estimate.used for estimate in found.estimates)
         roll_time = found.roll_time if seen else self._then.roll_time
         return replace(self._then, aircraft=found.aircraft, roll_time=roll_time)
 
@@ -131,8 +133,8 @@ def with_wide_turns(plan: Plan, density: float) -> Plan:
     """
     aircraft, gains, _ = vehicle_in_air(plan.vehicle, density)
     bank = usable_bank(aircraft, gains, gains.airspeed)
-    wider = max(1.0, math.tan(bank) / math.tan(TEST_BANK))
-    wide = plan.gains._replace(turn_margin=wider * plan.gains.turn_margin)
+    factor = max(1.0, math.tan(bank) / math.tan(TEST_BANK))
+    wide = plan.gains._replace(turn_margin=factor * plan.gains.turn_margin)
     return replace(plan, gains=wide)
 
 

@@ -17,7 +17,7 @@ from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed
-from vfguide.telemetry.knowledge import Knowledge, heard
+from vfguide.telemetry.knowledge import Knowledge, measurement
 
 PLACE_INTERVAL = 200
 """Time between two looks at the place in flight [ms]; chosen."""
@@ -119,7 +119,7 @@ class PlaceWatch:
     def _look(self, known: Knowledge, *, follows: bool) -> None:
         """Look at the place, and tell where it goes wrong in flight."""
         self._looked = now = known.time_ms
-        measured = heard(known)
+        measured = measurement(known)
         if measured is None:
             return
         wrong = wrong_place(self._plan, known, measured, follows=follows)

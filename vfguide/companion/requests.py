@@ -34,7 +34,7 @@ class Requests:
     def __init__(self) -> None:
         self._queue: deque[CommandLong] = deque()
         self._sent_at = 0
-        self._tries = 0
+        self._attempts = 0
 
     def ask(self, commands: list[CommandLong]) -> None:
         """Append commands to the queue, but those that wait in it already."""
@@ -42,17 +42,17 @@ class Requests:
 
     def due(self, now: int) -> CommandLong | None:
         """The command to send now [us], if it is time for one."""
-        if self._tries >= MAX_ATTEMPTS:
+        if self._attempts >= MAX_ATTEMPTS:
             self._drop()
-        if not self._queue or (self._tries and now - self._sent_at < RETRY):
+        if not self._queue or (self._attempts and now - self._sent_at < RETRY):
             return None
         self._sent_at = now
-        self._tries += 1
-        return self._queue[0]._replace(confirmation=self._tries - 1)
+        self._attempts += 1
+        return self._queue[0]._replace(confirmation=self._attempts - 1)
 
     def answer(self, ack: CommandAck) -> str | None:
         """Note an answer; returns a complaint when the autopilot refuses for good."""
-        if not self._tries or ack.command != self._queue[0].command:
+        if not self._attempts or ack.command != self._queue[0].command:
             return None
         if ack.result in (MavResult.IN_PROGRESS, MavResult.TEMPORARILY_REJECTED):
             return None
@@ -65,7 +65,7 @@ class Requests:
 
     def _drop(self) -> None:
         self._queue.popleft()
-        self._tries = 0
+        self._attempts = 0
 
 
 class ModeRequest:

@@ -48,7 +48,7 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     around = surroundings_at(plan, point, wind_n)
     start = best_start(around, math.atan2(point.v_n[1], point.v_n[0]))
     if start.route.following.clearance < 0.0:
-        raise NoPlanError("no way to the goal is found among what is known there")
+        raise NoPlanError("no route to the goal is found among the hazards known there")
     return settled(around, start)
 
 

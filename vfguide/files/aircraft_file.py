@@ -158,7 +158,7 @@ class Aircraft(Table):
 
     def as_identified(self, found: Identified, how: str) -> "Aircraft":
         """The aircraft with the estimates of a flight; `how` says which flight."""
-        each, used = found.aircraft, [finding for finding in found.estimates if finding.used]
+        each, used = found.aircraft, [estimate for estimate in found.estimates if estimate.used]
         table = self.model_dump(exclude_none=True)
         table["thrust"] |= {
             "per_climb": each.thrust_per_climb,
@@ -166,8 +166,8 @@ class Aircraft(Table):
             "per_airspeed": each.thrust_per_airspeed,
             "integral": each.thrust_integral,
         }
-        for finding in used:
-            table[finding.table][finding.key] = finding.value
+        for estimate in used:
+            table[estimate.table][estimate.key] = estimate.value
         shown = ", ".join(map(str, used))
         table["source"] = f"{how}: {shown or 'nothing was seen'}; the rest: {self.source}"
         return Aircraft.model_validate(table)

@@ -67,7 +67,7 @@ def parse_url(text: str) -> Url:
         return _serial(text, *_parts(text, rest, "device", "baud rate"))
     if scheme in list(Transport):
         return _network(text, Transport(scheme), *_parts(text, rest, "host", "port"))
-    raise UrlError(text, f"{scheme!r} is no way to reach an autopilot")
+    raise UrlError(text, f"{scheme!r} does not reach an autopilot")
 
 
 def _parts(text: str, rest: str, place: str, number: str) -> tuple[str, str]:

@@ -134,8 +134,8 @@ def along(progress: PathProgress, at: Planar) -> PathProgress:
 @compiled
 def into_next(progress: PathProgress, whole: float, at: Planar) -> PathProgress:
     """The progress in the next segment, the `whole` of which [rad, or turn radii] lies ahead."""
-    begun = at_segment(progress, progress.segment + 1, whole)
-    return at_segment(begun, begun.segment, segment_left(begun, at))
+    following = at_segment(progress, progress.segment + 1, whole)
+    return at_segment(following, following.segment, segment_left(following, at))
 
 
 @compiled

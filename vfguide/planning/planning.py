@@ -68,9 +68,9 @@ def clear_route(
 def scene_of(airspace: Airspace, context: PlanningContext, route: Route) -> Scene:
     """What may block the route; no overflight starts while there is traffic."""
     hazards, t = airspace.hazards, airspace.time
-    shut, highest = airspace.zones, CLEARANCES[0] - hazards.ceiling
+    zones, highest = airspace.zones, CLEARANCES[0] - hazards.ceiling
     if len(hazards.traffic) > 0:
         band = band_of(altitude_plan_of(context, route.following))
         moving = traffic_zones(hazards.traffic, band, CLEARANCES[0], t)
-        shut, highest = joined(shut, moving), math.inf
-    return Scene(hazards.obstacles, shut, highest, t)
+        zones, highest = joined(zones, moving), math.inf
+    return Scene(hazards.obstacles, zones, highest, t)

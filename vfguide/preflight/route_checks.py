@@ -102,7 +102,7 @@ def _check_start(
     names, place = hazard_names(scenario), (*at, "position_m")
     what = f'"{names[decision.hazard]}"' if decision.hazard >= 0 else "what is near"
     if decision.margin <= 0.0:
-        rule = f"no way out from here, straight on leads into {what}; allowed farther from it"
+        rule = f"no escape from here, straight on leads into {what}; allowed farther from it"
         raise source.error(place, f"{rule}, or with another heading_deg", vehicle.position_m)
     rule = f"begins with an escape from {what}, which leaves {decision.margin:.0f} m"
     return [_warning(source, place, f"{rule}; start farther away, or turn heading_deg")]
@@ -162,15 +162,15 @@ def _check_route(
         if not avoids_traffic(scenario):
             return []
         rule = (
-            "the way there leads over what is in it, and no climb over something begins while "
+            "the route there leads over obstacles, and no climb over one begins while "
             "other aircraft are known; open a gap, or start higher"
         )
         return [_warning(source, at, rule)]
     if is_enclosed(rows, fence, band, (from_x, from_y), (x, y)):
-        rule = "shut in, no way leads there at these heights; move it, or open a gap"
+        rule = "enclosed, no route leads there at these heights; move it, or open a gap"
         raise source.error(at, rule, goal.position_m)
     rule = (
-        f"with turns of {radius:.0f} m no way there was found from the start that keeps "
+        f"with turns of {radius:.0f} m no route there was found from the start that keeps "
         f"{in_words(CLEARANCES[-1])} m clear; if it is not reached, move it, turn its course or "
         "widen the gaps"
     )

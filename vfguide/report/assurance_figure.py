@@ -21,26 +21,26 @@ from vfguide.scenario.obstacles import rows_of
 
 STRIP_HEIGHT = 2.8
 """Height of a panel [inch]."""
-EPISODE_SHADES: dict[str, Any] = {
+SHADES: dict[str, Any] = {
     "escape": {"facecolor": "#f6c667", "alpha": 0.6, "linewidth": 0},
     "least bad": {"facecolor": "#d9480f", "alpha": 0.6, "linewidth": 0},
 }
 """Style of the shade of an intervention, by its reason."""
-EPISODE_LABELS = {"escape": "An escape is flown", "least bad": "Nothing is clear"}
+LABELS = {"escape": "An escape is flown", "least bad": "Nothing is clear"}
 """Legend entry of an intervention, by its reason."""
 MARGIN_LINE: Any = {"color": GOAL_COLOUR, "linestyle": (0, (1, 1.5)), "linewidth": 1.2}
 """Style of the line at the margin of the assurance."""
-SHORTEST_EPISODE = 0.004
+SHORTEST_INTERVENTION = 0.004
 """Least width of a drawn intervention, as a share of the flight."""
 
 
 def draw_assurance(figure: Figure, flights: Flights) -> None:
-    """Distance of each vehicle from its nearest hazard, the margin, and the episodes shaded."""
+    """Distance of each vehicle from its nearest hazard, the margin, interventions shaded."""
     marks = [
         Line2D([], [], **line_of(0), label="Nearest obstacle, aircraft or fence"),
         Line2D([], [], **MARGIN_LINE, label="Margin of the assurance"),
         Line2D([], [], **LIMIT_LINE, label="Surface, volume or the fence"),
-        *(Patch(label=EPISODE_LABELS[reason], **look) for reason, look in EPISODE_SHADES.items()),
+        *(Patch(label=LABELS[reason], **look) for reason, look in SHADES.items()),
     ]
     title = "Nearest hazard, and when the assurance acted"
     grid = lay_out(figure, title, len(flights.records), marks, STRIP_HEIGHT)
@@ -64,9 +64,9 @@ def _draw_vehicle(axes: Axes, flights: Flights, record: FlightRecord) -> None:
     margin = assurance(
         loaded.performance_aloft(record.vehicle), loaded.gains(record.vehicle)
     ).margin
-    for episode in interventions_of(loaded.scenario, record):
-        end = max(episode.to_s, episode.from_s + SHORTEST_EPISODE * seconds)
-        axes.axvspan(episode.from_s, end, zorder=0.5, **EPISODE_SHADES[episode.reason])
+    for each in interventions_of(loaded.scenario, record):
+        end = max(each.to_s, each.from_s + SHORTEST_INTERVENTION * seconds)
+        axes.axvspan(each.from_s, end, zorder=0.5, **SHADES[each.reason])
     axes.axhline(0.0, **LIMIT_LINE)
     axes.axhline(margin, **MARGIN_LINE)
     axes.plot(record.time, nearest_hazard(flights, record), **line_of(0))

@@ -70,7 +70,7 @@ class Flights:
         return self.loaded.scenario.plant == "kinematic"
 
     @property
-    def guarded(self) -> bool:
+    def assured(self) -> bool:
         """The run-time assurance had something to keep clear of."""
         return any(record.decisions is not None for record in self.records)
 

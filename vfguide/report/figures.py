@@ -54,7 +54,7 @@ _CLEARANCE = Drawing(
 _ASSURANCE = Drawing(
     "assurance",
     "Distance from the nearest obstacle, volume of another aircraft or border of the fence, the "
-    "margin that ways out keep, and the times in which the run-time assurance overruled the "
+    "margin that escapes keep, and the times in which the run-time assurance overruled the "
     "guidance.",
     draw_assurance,
 )
@@ -84,7 +84,7 @@ def draw_figures(flights: Flights) -> list[Picture]:
     drawings = (
         *_PATHS,
         *((_CLEARANCE,) if flights.loaded.scenario.obstacles else ()),
-        *((_ASSURANCE,) if flights.guarded else ()),
+        *((_ASSURANCE,) if flights.assured else ()),
         *((_SEPARATION,) if flights.several else ()),
         *_MOTION,
         *(_RIGID_BODY if flights.kinematic else _AEROPLANE),

@@ -48,9 +48,9 @@ class Body:
     @property
     def places(self) -> list[tuple[Vector, float]]:
         """The displacements at which it is shown, (3,) each, and its opacity there."""
-        way = self.track[1] - self.track[0]
+        shift = self.track[1] - self.track[0]
         parts: Series = np.linspace(0.0, 1.0, SHOWN_TIMES if self.moves else 1)
-        return [(part * way, EARLIER_OPACITY) for part in parts[:-1]] + [(way, 1.0)]
+        return [(part * shift, EARLIER_OPACITY) for part in parts[:-1]] + [(shift, 1.0)]
 
 
 def body_of(obstacle: Obstacle, seconds: float) -> Body:
@@ -70,8 +70,8 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
     """Their outlines on the plane that `onto`, (3, 2), projects to."""
     for body in bodies:
         corners = outline(body.surface @ onto)
-        for way, opacity in body.places:
-            x, y = (corners + way @ onto).T
+        for shift, opacity in body.places:
+            x, y = (corners + shift @ onto).T
             face, edge = (OBSTACLE_COLOUR, 0.6 * opacity), (EDGE_COLOUR, opacity)
             axes.fill(x, y, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=1.2)
         if body.moves:
@@ -94,8 +94,8 @@ def write_name(axes: Axes, name: str, at: Vector, color: str) -> None:
 def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
     """Their surfaces in axes east, north, up, with their outlines on the floor at its height."""
     for body in bodies:
-        for way, opacity in body.places:
-            x, y, z = np.moveaxis(east_north_up(body.surface + way), -1, 0)
+        for shift, opacity in body.places:
+            x, y, z = np.moveaxis(east_north_up(body.surface + shift), -1, 0)
             grid: Any = {"rcount": len(x), "ccount": len(x.T), "axlim_clip": True}
             look: Any = {"color": OBSTACLE_COLOUR, "alpha": 0.35 * opacity, "linewidth": 0.0}
             axes.plot_surface(x, y, z, zorder=1.0, **grid, **look)
@@ -130,4 +130,4 @@ def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
         alpha=EARLIER_OPACITY * 0.7,
         label="Obstacle, before",
     )
-    return [here, before, Line2D([], [], **_TRACK, label="Way of its centre")]
+    return [here, before, Line2D([], [], **_TRACK, label="Path of its centre")]

@@ -90,7 +90,7 @@ def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -
     fence = places_of(flights.loaded.scenario.fence, flights.records[0].p_n[0]) @ axes_n.T
     if len(fence):
         yield np.clip((fence.min(axis=0), fence.max(axis=0)), low, high)
-    shown = [body.surface + way for body in flights.bodies for way, _ in body.places]
+    shown = [body.surface + shift for body in flights.bodies for shift, _ in body.places]
     for surface in (*shown, *(path.volume for path in flights.traffic)):
         corners = surface.reshape(-1, 3) @ axes_n.T
         least, most = corners.min(axis=0), corners.max(axis=0)

@@ -28,7 +28,7 @@ class Arrivals(Legs):
         """The robot is where it stays: at the last goal, or at one that it met askew."""
         return self.finished or bool(self.passes[self.leg])
 
-    def is_try(self, a_pass: Pass, goal: Goal) -> bool:
+    def is_attempt(self, a_pass: Pass, goal: Goal) -> bool:
         """Every arrival is one, in whatever direction."""
         return True
 

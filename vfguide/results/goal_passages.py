@@ -47,7 +47,7 @@ near its goal for height."""
 class Legs:
     """The legs of one vehicle from goal to goal, fed with its path one sample at a time.
 
-    A goal is passed where the distance to it is least; a vehicle that has missed it tries again,
+    A goal is passed where the distance to it is least; a vehicle that has missed it attempts again,
     as often as the goal says.
     """
 
@@ -91,10 +91,10 @@ class Legs:
     def gives_up(self) -> bool:
         """Whether the present goal was tried in vain as often as it may be."""
         goal = self.goals[self.leg]
-        tries = sum(self.is_try(a_pass, goal) for a_pass in self.passes[self.leg])
-        return 0 < goal.attempts <= tries
+        attempts = sum(self.is_attempt(a_pass, goal) for a_pass in self.passes[self.leg])
+        return 0 < goal.attempts <= attempts
 
-    def is_try(self, a_pass: Pass, goal: Goal) -> bool:
+    def is_attempt(self, a_pass: Pass, goal: Goal) -> bool:
         """Whether a pass counts as one that was meant to reach the goal."""
         return (
             a_pass.miss <= max(ATTEMPT_MISS, goal.tolerance_m)

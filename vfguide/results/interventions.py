@@ -18,8 +18,8 @@ one."""
 
 
 @dataclass(frozen=True)
-class Episode:
-    """An intervention: a time in which the command of guidance was not followed."""
+class Intervention:
+    """A time in which the command of guidance was not followed, as result.json has it."""
 
     from_s: float
     to_s: float
@@ -31,14 +31,14 @@ class Episode:
 
 @dataclass(frozen=True)
 class AssuranceResult:
-    """What the assurance did in a flight, setpoint by setpoint."""
+    """What the assurance did in a flight, setpoint by setpoint, as result.json has it."""
 
     decided: int
     escape: int
     least_bad: int
     acting_share: float | None
     min_margin_m: float | None
-    episodes: tuple[Episode, ...]
+    episodes: tuple[Intervention, ...]
 
 
 def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | None:
@@ -59,7 +59,7 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
     )
 
 
-def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode, ...]:
+def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Intervention, ...]:
     """The interventions of a flight; those less than `APART` from each other count as one."""
     decisions = record.decisions
     if decisions is None:
@@ -67,12 +67,12 @@ def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Episode,
     acting = np.flatnonzero(decisions.reason > 0.0)
     new = np.flatnonzero(np.diff(record.time[acting]) > APART) + 1
     each = [each for each in np.split(acting, new) if each.size]
-    return tuple(_episode(scenario, record, decisions, each) for each in each)
+    return tuple(_intervention(scenario, record, decisions, each) for each in each)
 
 
-def _episode(
+def _intervention(
     scenario: Scenario, record: FlightRecord, decisions: Decisions, samples: NDArray[np.intp]
-) -> Episode:
+) -> Intervention:
     step = float(record.time[1] - record.time[0]) if len(record.time) > 1 else 0.0
     first, last = samples[0], samples[-1]
     names = [
@@ -81,7 +81,7 @@ def _episode(
     ]
     known = Counter(name for name in names if name is not None).most_common(1)
     bad = (decisions.reason[samples] == Reason.BEST_EFFORT).any()
-    return Episode(
+    return Intervention(
         from_s=round(float(record.time[first]), 6),
         to_s=round(float(record.time[last]) + step, 6),
         reason="least bad" if bad else "escape",

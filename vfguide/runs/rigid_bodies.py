@@ -47,20 +47,20 @@ class RigidBodies:
         self._start = start_us(scenario)
         self._write = write
         self._bodies = bodies_at_start(by_id := sorted(scenario.vehicles, key=lambda each: each.id))
-        self._pilot: KinematicLaw
+        self._law: KinematicLaw
         if scenario.law == "paper":
             arrivals = [Arrivals(vehicle.goals) for vehicle in by_id]
-            self._pilot, legs = PaperKinematicLaw(scenario, arrivals, steps), arrivals
+            self._law, legs = PaperKinematicLaw(scenario, arrivals, steps), arrivals
         else:
             announced = [AnnouncedLegs(vehicle.goals) for vehicle in by_id]
-            self._pilot, legs = FlightKinematicLaw(loaded, by_id, announced, steps), announced
+            self._law, legs = FlightKinematicLaw(loaded, by_id, announced, steps), announced
         self._sorted = [RigidBody(*each) for each in zip(by_id, legs, strict=True)]
         self._order = [by_id.index(vehicle) for vehicle in scenario.vehicles]
         self._encoders = [Encoder(vehicle.id, TRUTH_COMPONENT) for vehicle in by_id]
         self._updates = 0
         self._noted: list[tuple[Bodies, Commands, Array]] = []
         self._look()
-        self._commands = self._pilot.steer(0.0, self._bodies)
+        self._commands = self._law.steer(0.0, self._bodies)
         self._note()
 
     @property
@@ -87,7 +87,7 @@ class RigidBodies:
         self._updates += 1
         self._look()
         self._note()
-        self._commands = self._pilot.steer(self._time, self._bodies)
+        self._commands = self._law.steer(self._time, self._bodies)
 
     def records(self) -> tuple[FlightRecord, ...]:
         """What was noted, in the order of the scenario."""
@@ -103,7 +103,7 @@ class RigidBodies:
 
     def _look(self) -> None:
         """Pass the positions of the bodies to their legs."""
-        courses = self._pilot.courses(self._bodies).tolist()
+        courses = self._law.courses(self._bodies).tolist()
         rows = zip(self._sorted, self._bodies.p_n.tolist(), courses, strict=True)
         for body, p_n, course in rows:
             if not body.legs.finished:
@@ -140,7 +140,7 @@ class RigidBodies:
             height_above_ground=none,
             setpoints=self._updates,
             R_nb=R_nb,
-            arrives=isinstance(self._pilot, PaperKinematicLaw),
+            arrives=isinstance(self._law, PaperKinematicLaw),
             announced=tuple(legs.announced) if isinstance(legs, AnnouncedLegs) else None,
         )
 

@@ -19,16 +19,16 @@ class DelayLine:
     def __init__(self, delay: int) -> None:
         """An empty line that holds every frame for `delay` [us]."""
         self._delay = delay
-        self._on_the_way: deque[Parcel] = deque()
+        self._in_transit: deque[Parcel] = deque()
 
     def send(self, now: int, frames: Sequence[bytes]) -> None:
         """Put frames in at `now`."""
         if frames:
-            self._on_the_way.append(Parcel(now + self._delay, b"".join(frames)))
+            self._in_transit.append(Parcel(now + self._delay, b"".join(frames)))
 
     def arrived(self, now: int) -> bytes:
         """Take out what has arrived at `now`, one frame after the other."""
         arrived = b""
-        while self._on_the_way and self._on_the_way[0].due <= now:
-            arrived += self._on_the_way.popleft().frames
+        while self._in_transit and self._in_transit[0].due <= now:
+            arrived += self._in_transit.popleft().frames
         return arrived

@@ -147,7 +147,7 @@ def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
     return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
 
 
-def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
+def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:
     """The measurement for `place_state`; None while anything is missing or too old.
 
     Airspeed and wind are not numbers where they are missing or too old. `lead` is the time after

@@ -4,8 +4,8 @@ It flies a circle as PX4's NPFG does, in any wind:
 
 1. Far from the circle the bearing points straight at it, on the circle along it, between the two
    it turns as a quadratic of the distance.
-2. The wind triangle turns the bearing into an air velocity; where the wind allows no way along the
-   bearing, into the one that drifts least away.
+2. The wind triangle turns the bearing into an air velocity; where the wind allows no course along
+   the bearing, into the one that drifts least away.
 3. The lateral acceleration turns the air velocity to that one, and along with it on the circle.
 
 T. Stastny and R. Siegwart, *On Flying Backwards: Preventing Run-away of Small, Low-speed,

@@ -18,7 +18,7 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
-from vfguide.telemetry.knowledge import STALE, Knowledge, heard, observe
+from vfguide.telemetry.knowledge import STALE, Knowledge, measurement, observe
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 PLANE = (ORIGIN[0] * DEG, ORIGIN[1] * DEG, ORIGIN[2])
@@ -47,7 +47,7 @@ def known_from(messages):
 
 
 def state_from(messages):
-    return place_state(heard(known_from(messages)), PLANE)
+    return place_state(measurement(known_from(messages)), PLANE)
 
 
 @given(st.floats(47.35, 47.45), st.floats(8.48, 8.62), st.floats(500.0, 1500.0))
@@ -86,7 +86,7 @@ def test_the_airspeed_is_true():
 def test_without_any_part_there_is_no_state(missing):
     messages = told(47.4, 8.55, 600.0)
     del messages[missing]
-    assert heard(known_from(messages)) is None
+    assert measurement(known_from(messages)) is None
 
 
 def test_a_wind_that_is_not_told_is_not_a_number():
@@ -97,7 +97,7 @@ def test_a_wind_that_is_not_told_is_not_a_number():
 def test_an_old_position_is_not_flown_on(age):
     times = (5000, 5000 + round(1000 * age))
     assert abs(age) > STALE
-    assert heard(known_from(told(47.4, 8.55, 600.0, time=times))) is None
+    assert measurement(known_from(told(47.4, 8.55, 600.0, time=times))) is None
 
 
 def test_an_old_airspeed_is_not_flown_on():
@@ -105,12 +105,12 @@ def test_an_old_airspeed_is_not_flown_on():
     later = told(47.4, 8.55, 600.0, time=(5700, 5700))[1:3]
     for message in later:
         known = observe(known, message, 0)
-    assert math.isnan(heard(known).calibrated)
+    assert math.isnan(measurement(known).calibrated)
 
 
 def test_time_boot_ms_may_wrap_in_flight():
     known = known_from(told(47.4, 8.55, 600.0, time=(2**32 - 20, 20)))
-    assert heard(known) is not None
+    assert measurement(known) is not None
 
 
 def test_what_cannot_be_true_is_not_taken():
@@ -131,6 +131,6 @@ def test_the_wire_scales_are_those_of_mavlink():
 
 def test_a_state_is_told_ahead():
     known = known_from(told(47.4, 8.55, 600.0))
-    now, then = place_state(heard(known), PLANE), place_state(heard(known, 0.2), PLANE)
+    now, then = place_state(measurement(known), PLANE), place_state(measurement(known, 0.2), PLANE)
     assert np.subtract(then.p_n, now.p_n) == pytest.approx(0.2 * np.array(now.v_n), abs=5e-3)
     assert (then.time, then.airspeed) == (now.time, now.airspeed)
