@@ -27,7 +27,7 @@ GUST = 6.0
 in moderate turbulence."""
 LASTING_ERROR = 3.5
 """Error of the length that no gust has for SLOW_TIME [m/s]; chosen."""
-WIND_TIME = 1.5
+TOLD_WIND_TIME = 1.5
 """Time constant with which the told wind is followed [s]; chosen, so that one that grows wrong by
 more than 2.7 m/s^2 counts as a jump."""
 WIND_JUMP = 4.0
@@ -61,7 +61,7 @@ class AirCheck(NamedTuple):
     is_first: bool
     """Whether nothing was measured yet."""
     wind_n: Vec3
-    """The told wind, followed with WIND_TIME, NED [m/s]."""
+    """The told wind, followed with TOLD_WIND_TIME, NED [m/s]."""
     ahead: float
     """Cosine of the sideslip, smoothed."""
     right: float
@@ -111,7 +111,7 @@ def smoothed_triangle(s: AirCheck, seen: Triangle, wind_n: Vec3, dt: float) -> A
     """The check with one more triangle, `dt` [s] later, and the told wind, NED [m/s]."""
     ahead, right = math.cos(seen.sideslip), math.sin(seen.sideslip)
     fast = 1.0 if s.is_first else dt / (FAST_TIME + dt)
-    followed = 1.0 if s.is_first else dt / (WIND_TIME + dt)
+    followed = 1.0 if s.is_first else dt / (TOLD_WIND_TIME + dt)
     return AirCheck(
         False,
         add(s.wind_n, scale(followed, sub(wind_n, s.wind_n))),

@@ -23,7 +23,7 @@ CONTRADICTION_TIME = 2.0
 REPORT_DELAY = 3.0
 """Error of the time between two reports that does not count against a velocity [s]; chosen, since
 receivers pass reports on up to 3 s late."""
-CONTRADICTION = 30.0
+POSITION_CONTRADICTION = 30.0
 """Distance that told velocities may miss a later position by [m]; chosen above errors of 10 m in
 each of two reports."""
 CLIMB_CONTRADICTION = 16.0
@@ -85,7 +85,7 @@ def allowed_miss(report: Report, past: Sequence[Report]) -> float:
     In a turn, a wrong time moves a place by as much as the velocity has changed since.
     """
     turned = sub(report.intruder.v_n, past[0].intruder.v_n)
-    return CONTRADICTION + REPORT_DELAY * norm(level(turned))
+    return POSITION_CONTRADICTION + REPORT_DELAY * norm(level(turned))
 
 
 def miss_of_climb(report: Report, past: Sequence[Report]) -> float:

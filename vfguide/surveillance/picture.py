@@ -8,7 +8,7 @@ from vfguide.surveillance.heights import UNKNOWN_DATUM, HeightDatum
 from vfguide.surveillance.own_track import OwnTrack, extended
 from vfguide.surveillance.ownship_echo import after_report
 from vfguide.surveillance.report import Ownship, Report, Volume, refusal, report_of
-from vfguide.surveillance.track import Track, begun, distance_from, extended_track, nearest_fit
+from vfguide.surveillance.track import Track, distance_from, extended_track, nearest_fit, new_track
 
 LONGEST_SILENCE = 20.0
 """Age at which a report is dropped [s]; chosen: twenty reports were missed, and its volume has
@@ -49,7 +49,7 @@ class Picture:
         self._origin, self._volume, self._own_icao = origin, volume, own_icao
         self._tracks: dict[int, Track] = {}
         """By their numbers."""
-        self._begun = 0
+        self._number = 0
         self._track = OwnTrack()
         self._told: set[str] = set()
         self._height_notes = HeightNotes()
@@ -107,8 +107,8 @@ class Picture:
         track = nearest_fit(of_address, report)
         if track is not None:
             return extended_track(track, report, self._volume)
-        self._begun += 1
-        return begun(self._begun, report, is_first=not of_address)
+        self._number += 1
+        return new_track(self._number, report, is_first=not of_address)
 
     def _drop_farthest(self, ownship: Ownship | None) -> list[str]:
         """Forget the farthest where there are more than MAX_AIRCRAFT; returns a note of it."""

@@ -42,7 +42,7 @@ class Track(NamedTuple):
         return self.is_confirmed and not self.recognition.is_ignored
 
 
-def begun(number: int, report: Report, *, is_first: bool) -> Track:
+def new_track(number: int, report: Report, *, is_first: bool) -> Track:
     """The track of a `number` that begins with a report; `is_first`: of its address."""
     return Track(number, report, is_first, (report,))
 
