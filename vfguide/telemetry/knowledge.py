@@ -8,7 +8,7 @@ from vfguide.autopilots.makes import ASSUMED
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
-from vfguide.geometry.written_functions import maker
+from vfguide.kernels.written_functions import maker
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
