@@ -17,7 +17,7 @@ from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import PX4, Px4Mode
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import CurrentMode, Heartbeat, VfrHud
-from vfguide.telemetry.contact import LONGEST_HICCUP, MODE_UNKNOWN
+from vfguide.telemetry.contact import LINK_TIMEOUT, LONGEST_HICCUP, MODE_UNKNOWN, Contact
 
 pytestmark = pytest.mark.slow
 
@@ -165,3 +165,30 @@ def test_a_silent_autopilot_is_no_stall_while_this_program_runs():
     assert talk.companion.phase is Phase.FLYING
     assert not any("stood still" in note for note in talk.told)
     assert LONGEST_HICCUP < SECOND < PX4.loss_time + 1
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(
+                (0, 1, LONGEST_HICCUP, LONGEST_HICCUP + 1, LINK_TIMEOUT, LINK_TIMEOUT + 1)
+            ),
+            st.sampled_from(("hear", "hear_heartbeat", "nothing")),
+        ),
+        max_size=30,
+    )
+)
+def test_where_it_goes_on_neither_this_program_nor_the_link_is_late(events):
+    """`goes_on` says in one call what `wake`, `act` and `silence` say, and leaves the same."""
+    now, quick, slow = 0, Contact(), Contact()
+    for step, event in events:
+        now += step
+        gap = slow.wake(now)
+        slow.act(now)
+        assert quick.goes_on(now) == (gap == 0 and slow.silence(now) is None)
+        if gap:
+            assert quick.wake(now) == gap
+        quick.act(now)
+        assert vars(quick) == vars(slow)
+        for contact in (quick, slow):
+            getattr(contact, event, lambda _: None)(now)

@@ -21,9 +21,10 @@ class Recorded:
 
     def __init__(self, sysid=1, engage=False):
         self.record = []
-        self.session = Session(
-            Companion(sysid, plan(), engage=engage), lambda now, raw: self.record.append((now, raw))
-        )
+        self.session = Session(Companion(sysid, plan(), engage=engage), self.keep)
+
+    def keep(self, now, frames):
+        self.record += [(now, raw) for raw in frames]
 
 
 def frames_of(encoder, seconds=1.0):
@@ -154,6 +155,24 @@ def test_what_is_due_without_anything_received_is_recorded_too():
     out = heard.session.poll(START)
     assert out
     assert heard.record == [(START, raw) for raw in out]
+
+
+def test_the_record_of_a_fault_has_the_frames_up_to_the_one_that_brought_it_about(monkeypatch):
+    ours, heard = frames_of(Encoder(1, 1), 0.1), Recorded()
+    flown(heard.session, ours[:5])
+    before, companion = len(heard.record), heard.session.companion
+    receive, left = companion.receive, [1]
+
+    def break_down(now, message):
+        if not left:
+            raise ZeroDivisionError
+        left.pop()
+        return receive(now, message)
+
+    monkeypatch.setattr(companion, "receive", break_down)
+    with pytest.raises(ZeroDivisionError):
+        heard.session.receive(START, b"".join(data for _, data in ours[5:8]))
+    assert [raw for _, raw in heard.record[before:]] == [data for _, data in ours[5:7]]
 
 
 def test_two_frames_in_one_datagram_are_answered_one_after_the_other():

@@ -144,9 +144,9 @@ def test_the_date_never_goes_back(monkeypatch):
 def test_the_log_reaches_the_file_while_it_is_written(tmp_path):
     log = FlightLog(TlogWriter(tmp_path / "a.tlog"))
     (frame,) = heartbeat(Px4Mode.HOLD)
-    log.write(START, frame.raw)
+    log.write(START, [frame.raw])
     log.flush(START)
-    log.write(START, frame.raw)
+    log.write(START, [frame.raw])
     log.flush(START + FLUSH_INTERVAL - 1)
     assert (tmp_path / "a.tlog").stat().st_size == 8 + len(frame.raw)
     log.flush(START + FLUSH_INTERVAL)
@@ -157,7 +157,7 @@ def test_the_log_reaches_the_file_while_it_is_written(tmp_path):
 class FullDisk:
     """A log on a disk that is full."""
 
-    def write(self, time_us, raw):
+    def write_all(self, time_us, frames):
         self.flush()
 
     def flush(self):
@@ -171,7 +171,7 @@ def test_a_full_disk_is_told_once_and_does_not_end_the_flight(action):
     log = FlightLog(FullDisk())
     for _ in range(3):
         {
-            "write": lambda: log.write(0, b""),
+            "write": lambda: log.write(0, [b""]),
             "flush": lambda: log.flush(FLUSH_INTERVAL),
             "close": log.close,
         }[action]()

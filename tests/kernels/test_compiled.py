@@ -5,7 +5,7 @@ import pytest
 from numba import TypingError
 
 from vfguide.kernels.compiled import EntryPoint, compiled, compiled_source
-from vfguide.kernels.rows import source_function
+from vfguide.kernels.written_functions import source_function
 
 
 @compiled

@@ -51,6 +51,21 @@ def test_what_is_written_is_read(tmp_path_factory, pairs, buffer_bytes):
     assert (reader.frames, reader.unknown, reader.junk_bytes) == (len(records), 0, 0)
 
 
+@given(
+    st.lists(st.tuples(st.integers(0, 2**64 - 1), st.lists(any_record, min_size=1, max_size=5))),
+    st.integers(1, 300),
+)
+def test_frames_of_one_time_are_written_as_one_after_the_other(
+    tmp_path_factory, batches, buffer_bytes
+):
+    path, encoder = tmp_path_factory.mktemp("log") / "flight.tlog", Encoder(1, 195)
+    timed = [(time, [encoder.encode(each) for each in messages]) for time, messages in batches]
+    with TlogWriter(path, buffer_bytes) as log:
+        for time_us, frames in timed:
+            log.write_all(time_us, frames)
+    assert path.read_bytes() == as_bytes((time, raw) for time, frames in timed for raw in frames)
+
+
 def test_pymavlink_reads_what_is_written(tmp_path):
     path = tmp_path / "flight.tlog"
     records = attitudes(100)
@@ -159,6 +174,12 @@ def write_all(path, records, buffer_bytes):
             log.write(*record)
 
 
+def write_batches(path, time_us, batches, buffer_bytes):
+    with TlogWriter(path, buffer_bytes) as log:
+        for frames in batches:
+            log.write_all(time_us, frames)
+
+
 def interrupted_once(monkeypatch):
     """The next write to a file stops half way with Ctrl-C."""
     whole = os.pwrite
@@ -199,6 +220,21 @@ def test_a_full_disk_keeps_whole_records_and_says_so(tmp_path, disk_bytes, buffe
     with pytest.raises(TlogError, match=r"flight\.tlog: File too large"):
         write_all(path, records, buffer_bytes)
     assert path.read_bytes() == as_bytes(records[: disk_bytes // size])
+
+
+@pytest.mark.parametrize("buffer_bytes", [1, 100, 1 << 16])
+@pytest.mark.parametrize("together", [2, 3, 50])
+def test_a_full_disk_keeps_whole_records_of_those_written_together(
+    tmp_path, disk_bytes, buffer_bytes, together
+):
+    path, records = tmp_path / "flight.tlog", attitudes(50)
+    size, time_us = len(as_bytes(records[:1])), records[0][0]
+    raws = [raw for _, raw in records]
+    batches = [raws[begin : begin + together] for begin in range(0, 50, together)]
+    with pytest.raises(TlogError):
+        write_batches(path, time_us, batches, buffer_bytes)
+    kept = [(time_us, raw) for raw in raws[: disk_bytes // size]]
+    assert path.read_bytes() == as_bytes(kept)
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no /dev/full")

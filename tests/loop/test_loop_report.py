@@ -7,10 +7,12 @@ from vfguide.estimation.air_state import report_air
 from vfguide.kernels.rows import leaves, place, row_of
 from vfguide.loop.loop_report import (
     air_report,
+    changes,
     decision_of_row,
     goal_of_row,
     has_news,
     is_alarmed,
+    is_in_doubt,
     noted_numbers,
     number_of_resets,
     route_of_row,
@@ -56,3 +58,40 @@ def test_the_first_look_at_the_air_is_news():
     before = numbered()
     before[place(LoopState, "estimation.air.time")] = -1.0
     assert has_news(before, numbered())
+
+
+DOUBTS = [
+    f"estimation.consistency.{name}"
+    for name in (
+        "yaw_doubt",
+        "velocity_doubt",
+        "attitude_doubt",
+        "air.wind_doubt",
+        "air.airspeed_doubt",
+    )
+]
+
+
+def undoubted():
+    row = numbered()
+    for name in DOUBTS:
+        row[place(LoopState, name)] = 0.0
+    return row
+
+
+@pytest.mark.parametrize("name", DOUBTS)
+def test_a_doubt_that_begins_lasts_or_ends_may_have_to_be_told(name):
+    doubted, sure = undoubted(), undoubted()
+    doubted[place(LoopState, name)] = 0.5
+    assert is_in_doubt(doubted)
+    assert not is_in_doubt(sure)
+    for before, after in ((sure, doubted), (doubted, doubted), (doubted, sure)):
+        assert changes(before, after) == (True, False)
+    assert changes(sure, sure) == (False, False)
+
+
+@pytest.mark.parametrize("name", sorted(NEWS))
+def test_news_is_told_without_a_doubt(name):
+    before, after = undoubted(), undoubted()
+    after[place(LoopState, name)] -= 1.0
+    assert changes(before, after) == (False, True)

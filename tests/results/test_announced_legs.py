@@ -78,6 +78,7 @@ def test_each_goal_is_judged_on_the_leg_to_it(flown: list[tuple[float, float, fl
         assert believed is not None
         assert believed.miss == told
     assert legs.finished is (abs(misses[-1]) < 5.0)
+    assert legs.reached == sum(abs(miss) < 5.0 for miss in misses)
 
 
 def test_without_announcements_a_missed_goal_hides_all_others() -> None:

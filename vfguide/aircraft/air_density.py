@@ -90,10 +90,12 @@ def steepest_climb(aircraft: Performance, density: float, airspeed: float) -> fl
 
     Arguments as of `in_air`.
     """
+    if density >= DENSITY_0:
+        return aircraft.climb_max
     here = excess_thrust(aircraft, density, airspeed, 1.0)
     equivalent = airspeed * math.sqrt(density / DENSITY_0)
     at_sea_level = excess_thrust(aircraft, DENSITY_0, equivalent, 1.0)
-    if density >= DENSITY_0 or here >= at_sea_level:
+    if here >= at_sea_level:
         return aircraft.climb_max
     left = max(here, 0.0) / max(at_sea_level, 1e-6)
     climb = max(THIN_AIR_SHARE * here, left * math.sin(aircraft.climb_max))

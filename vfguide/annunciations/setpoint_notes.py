@@ -4,6 +4,7 @@ It says what happened: that they go out is told when one has gone out.
 """
 
 import re
+from collections.abc import Callable
 
 from vfguide.geometry.units import SECOND
 from vfguide.telemetry.round_trip import RoundTrip
@@ -48,12 +49,14 @@ class SetpointAnnunciator:
         """Record that the autopilot follows, which tells that they go out."""
         self._is_told |= self._why is None
 
-    def send(self, now: int, what_follows: str) -> list[str]:
+    def send(self, now: int, what_follows: Callable[[], str]) -> list[str]:
         """The note of a setpoint that goes out at `now` [us], and of what follows, if anything."""
-        self._silent_from, is_told = now, self._is_told
         note = SENT_AGAIN if self._has_sent else SENT
-        self._has_sent, self._is_told, self._why = True, True, None
-        return [] if is_told else [f"{note}, {what_follows}" if what_follows else note]
+        self._silent_from, self._has_sent, self._why = now, True, None
+        if self._is_told:
+            return []
+        self._is_told, follows = True, what_follows()
+        return [f"{note}, {follows}" if follows else note]
 
     def lag(self, link: RoundTrip) -> list[str]:
         """The note of a setpoint that goes out over a link that has become slow."""

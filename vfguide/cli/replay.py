@@ -8,6 +8,8 @@ import typer
 from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from vfguide.link.tlog import TlogReader
     from vfguide.replay.compare import Comparison
 
@@ -56,7 +58,7 @@ def replay(
         record = ignore
         if out is not None:
             prepared(out)
-            record = stack.enter_context(TlogWriter(out / f"vehicle-{sysid}.tlog")).write
+            record = stack.enter_context(TlogWriter(out / f"vehicle-{sysid}.tlog")).write_all
         COMPILING.stage("the control loop")
         found = Replay(sysid, plan, record).compare(times)
     warn(flaws_of(log, reader))
@@ -73,7 +75,7 @@ def replay(
     raise typer.Exit(BAD)
 
 
-def ignore(_: int, __: bytes) -> None:
+def ignore(_: int, __: "Sequence[bytes]") -> None:
     """Record nothing."""
 
 

@@ -24,6 +24,7 @@ from vfguide.link.messages import (
     LocalPositionNed,
     Message,
     SetAttitudeTarget,
+    SystemTime,
     Timesync,
     VfrHud,
     WindCov,
@@ -47,6 +48,8 @@ HANDLED = frozenset(
     )
 )
 """Ids of the messages that `Companion.receive` handles."""
+TIMED = (AttitudeQuaternion, SystemTime)
+"""The kinds of messages that change the autopilot's clock or date."""
 STATUS = {
     Phase.FLYING: MavState.ACTIVE,
     Phase.RETURNING: MavState.ACTIVE,
@@ -94,21 +97,19 @@ class Companion:
 
     def receive(self, now: int, message: Message) -> list[Message]:
         """Takes one message of the autopilot at `now` [us since 1970]; returns what to send."""
-        self._wake(now)
-        self._contact.act(now)
-        self._watch_link(now)
+        if not self._contact.goes_on(now):
+            self._wake(now)
+            self._contact.act(now)
+            self._watch_link(now)
         if isinstance(message, Heartbeat) and not self._control.mode.is_vehicle(message):
             return self._housekeeping(now)
-        before, self._known = self._known, observe(self._known, message, now)
-        if self._known is not before:
-            self._contact.hear(now)
-            self._news += self._time_notes.notes(before, self._known)
+        self._observe(now, message)
         out: list[Message] = []
         match message:  # the most frequent first
-            case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
-                return out
             case AttitudeQuaternion():
                 out += self._guide(now)
+            case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
+                return out
             case Heartbeat():
                 self._hear_heartbeat(now, message)
             case CurrentMode() if self.phase is not Phase.SEARCHING:
@@ -177,6 +178,16 @@ class Companion:
             self._round_trip.forget_questions()
             self._control.stand_still(now, gap)
 
+    def _observe(self, now: int, message: Message) -> None:
+        """Know what a message tells, and tell of a clock or a date that goes wrong."""
+        before = self._known
+        self._known = after = observe(before, message, now)
+        if after is before:
+            return
+        self._contact.hear(now)
+        if isinstance(message, TIMED):
+            self._news += self._time_notes.notes(before, after)
+
     def _hear_traffic(self, report: AdsbVehicle) -> None:
         """Take a report; the first pressure altitude makes it ask for the own pressure."""
         if is_by_pressure(report):
@@ -210,7 +221,7 @@ class Companion:
         if self._beat is None or now - self._beat >= SECOND:
             self._beat = now
             out.append(self._own_heartbeat())
-        if self.phase is Phase.SEARCHING or self.phase in FINAL_PHASES:
+        if (phase := self._control.phase) is Phase.SEARCHING or phase in FINAL_PHASES:
             return out
         self._control.weigh(now)
         if self._needs_origin:

@@ -24,7 +24,12 @@ from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.companion.plan import Plan
 from vfguide.estimation.air_state import AirReport
-from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
+from vfguide.estimation.local_frame import (
+    Measurement,
+    Quaternion,
+    place_state,
+    without_names,
+)
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import crossing
@@ -34,11 +39,10 @@ from vfguide.loop.attempts import no_attempts
 from vfguide.loop.loop_report import (
     Noted,
     air_report,
+    changes,
     decision_of_row,
     doubts_of_row,
     goal_of_row,
-    has_news,
-    is_in_doubt,
     noted_numbers,
     number_of_resets,
     trusts_sensor_of_row,
@@ -125,22 +129,20 @@ class GuidedFlight:
         Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
         the present goal begins anew.
         """
-        if known.attitude is None or not self._due(known.time_ms):
+        now_ms = known.time_ms
+        if known.attitude is None or not self._due(now_ms):
             return None
         self.notes += self._obstacle_clock.notes(known)
-        if self.objection(known) is not None:
+        if self._obstacle_clock.objection(known) is not None:
             return None
         state = measurement(known, delay + HELD_PERIODS / self.plan.rate)
         if state is None:
             return None
         if follows:
             self._obstacle_clock.settle(known)
-        t, now_ms = self._obstacle_clock.time(known), known.time_ms
+        t = self._obstacle_clock.time(known)
         if self._surveillance.is_listening:
-            self._surveillance.follow(ownship_of(state, now_ms, self.plan))
-        if self._surveillance.is_due(now_ms):
-            ownship = place_state(state, self.plan.origin)
-            self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
+            self._look_for_traffic(state, now_ms)
         hazards = self.plan.hazards
         if hazards is not None:
             hazards = self._surveillance.among(hazards, now_ms, t)
@@ -149,7 +151,7 @@ class GuidedFlight:
         self._follows = follows
         plan, before = self.plan, self._state
         omega_b, thrust, q_nb, after, miss = self._step(
-            tuple(state),
+            without_names(state),
             plan.origin,
             before,
             plan.legs,
@@ -161,20 +163,27 @@ class GuidedFlight:
             if self._identification is None
             else self._identification.vehicle_row(goal_of_row(before)),
         )
-        self._tell_doubts(before, after)
+        has_news = self._heed(before, after)
         self._state = after if follows else watching(before, after)
         if follows:
-            self._tell_news(before, after, not math.isnan(state.calibrated), t)
+            if has_news:
+                self._tell_news(before, after, not math.isnan(state.calibrated))
+            if plan.hazards is not None:
+                self.notes += self._annunciator.notes(after, t)
         setpoint = RateSetpoint(omega_b, thrust, q_nb)
         if follows and self._identification is not None:
             self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
             self._test(self._identification)
         elif follows:
-            self.notes += progress_notes(before, after)
-            if math.isfinite(miss):
-                self.announced.append(announcement(before, after, miss))
-                self.notes.append(passage_note(self.announced[-1], len(plan.goals)))
+            self._tell_progress(before, after, miss, has_news)
         return setpoint
+
+    def _look_for_traffic(self, state: Measurement, now_ms: int) -> None:
+        """Look at the other aircraft from the ownship at the time `now_ms` [ms], if it is time."""
+        self._surveillance.follow(ownship_of(state, now_ms, self.plan))
+        if self._surveillance.is_due(now_ms):
+            ownship = place_state(state, self.plan.origin)
+            self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
 
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
         """Take a report of another aircraft; without an attitude its time is unknown."""
@@ -197,24 +206,35 @@ class GuidedFlight:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
 
-    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool, t: float) -> None:
-        """Tell of what a step at `t` [s] has changed in air, position, wind and among hazards."""
-        if has_news(before, after):
-            believes = trusts_sensor_of_row(after)
-            self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
-            self.notes += reset_notes(before, after)
-            self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
-            self._jumped |= number_of_resets(after) != number_of_resets(before)
-        if self.plan.hazards is not None:
-            self.notes += self._annunciator.notes(after, t)
+    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool) -> None:
+        """Tell of what a step has changed in air, position and wind."""
+        believes = trusts_sensor_of_row(after)
+        self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
+        self.notes += reset_notes(before, after)
+        self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
+        self._jumped |= number_of_resets(after) != number_of_resets(before)
+
+    def _tell_progress(self, before: Row, after: Row, miss: float, has_news: bool) -> None:
+        """Tell of a step on the way to a goal, and of one that was passed by `miss` [m]."""
+        if has_news:
+            self.notes += progress_notes(before, after)
+        if math.isfinite(miss):
+            self.announced.append(announcement(before, after, miss))
+            self.notes.append(passage_note(self.announced[-1], len(self.plan.goals)))
+
+    def _heed(self, before: Row, after: Row) -> bool:
+        """Tell of doubts, if there are any; whether there is other news of a step."""
+        in_doubt, has_news = changes(before, after)
+        self.unfit = None
+        if in_doubt:
+            self._tell_doubts(before, after)
+        return has_news
 
     def _tell_doubts(self, before: Row, after: Row) -> None:
         """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""
-        self.unfit = None
-        if is_in_doubt(after) or is_in_doubt(before):
-            doubts = doubts_of_row(after)
-            self.notes += doubt_notes(doubts_of_row(before), doubts)
-            self.unfit = unfit(doubts)
+        doubts = doubts_of_row(after)
+        self.notes += doubt_notes(doubts_of_row(before), doubts)
+        self.unfit = unfit(doubts)
 
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""

@@ -43,12 +43,13 @@ class ModeControl:
         self.engage = engage
         self.follows = False
         """Whether the autopilot says that it follows setpoints."""
+        self.hindrance: str | None = None
+        """Why the companion cannot guide; None: it can."""
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._sysid = sysid
         self._mode: int | None = None
         self._falls_back = False
-        self._hindrance: str | None = None
         self._hold_from = 0
         self._strangers: set[str] = set()
         self._offered: int | None = None
@@ -56,14 +57,9 @@ class ModeControl:
         self._request = self._ask_for(self.autopilot.follow_mode)
 
     @property
-    def hindrance(self) -> str | None:
-        """Why the companion cannot guide; None: it can."""
-        return self._hindrance
-
-    @property
     def may_send(self) -> bool:
         """Whether setpoints may go out."""
-        return self.phase in SENDING and self._hindrance is None
+        return self.phase in SENDING and self.hindrance is None
 
     @property
     def is_followed(self) -> bool:
@@ -122,7 +118,7 @@ class ModeControl:
 
     def hinder(self, now: int, hindrance: str | None) -> None:
         """Record at `now` [us] why it cannot guide, None where it can; it asks for hold at once."""
-        before, self._hindrance = self._hindrance, hindrance
+        before, self.hindrance = self.hindrance, hindrance
         if (before is None) == (hindrance is None):
             return
         if hindrance is not None:
@@ -169,7 +165,7 @@ class ModeControl:
     def _has_offered(self, now: int) -> bool:
         """Whether setpoints go out at `now` [us], and have for as long as the autopilot asks."""
         return (
-            self._hindrance is None
+            self.hindrance is None
             and self._offered is not None
             and now - self._offered_last <= OFFER_GAP
             and now - self._offered >= self.autopilot.offer
@@ -183,7 +179,7 @@ class ModeControl:
         if self._mode is None:
             return None
         if not (self.follows or self._falls_back):
-            if self._hindrance is None:
+            if self.hindrance is None:
                 self.happen(Event.ABLE_AGAIN)
             return None
         if not (self.follows and now >= self._hold_from) and self._mode != self.autopilot.hold_mode:

@@ -60,7 +60,7 @@ class OffboardControl:
     @property
     def doubts_place(self) -> bool:
         """Whether the place is wrong, as it is where the origin of the local frame is."""
-        return self._place.is_wrong
+        return self._place.wrong is not None
 
     def begin(self, now: int) -> None:
         """An autopilot was found at `now` [us]: what kept the companion from guiding is over."""
@@ -92,9 +92,11 @@ class OffboardControl:
 
     def weigh(self, now: int) -> None:
         """Record at `now` [us] whether anything keeps the companion from guiding."""
-        unfit = self._unfit if now < self._unfit_until else None
-        place = self._place.hindrance(follows=self.mode.is_followed)
-        self.mode.hinder(now, self._slow or unfit or place)
+        why = self._slow or (self._unfit if now < self._unfit_until else None)
+        if why is None and self._place.wrong is not None:
+            why = self._place.hindrance(follows=self.mode.is_followed)
+        if why is not self.mode.hindrance:
+            self.mode.hinder(now, why)
 
     def guide(self, now: int, known: Knowledge, link: RoundTrip, *, waited: bool) -> list[Message]:
         """The setpoint for a new attitude, if one goes out.
@@ -117,10 +119,13 @@ class OffboardControl:
             self._unfit, self._unfit_until = self.flight.unfit, now + UNFIT_TIME
             self.weigh(now)
             return []
-        choice = choice_note(self.mode.phase, self.mode.autopilot, self.mode.engage)
-        self._notes += self._setpoint_notes.send(now, choice)
+        self._notes += self._setpoint_notes.send(now, self._choice)
         self._notes += self._setpoint_notes.lag(link)
         return self._send(now, known, setpoint)
+
+    def _choice(self) -> str:
+        """What the operator reads of who chooses the follow mode."""
+        return choice_note(self.mode.phase, self.mode.autopilot, self.mode.engage)
 
     def coast(self, now: int, known: Knowledge) -> list[Message]:
         """One setpoint at `now` [us] where attitudes have stayed away since the last in flight.

@@ -10,9 +10,12 @@ import math
 
 from vfguide.annunciations.flight_notes import origin_notes
 from vfguide.companion.plan import Plan
-from vfguide.earth.geodesy import geodetic_to_ned, tangent_plane
-from vfguide.earth.projection import geodetic_of
-from vfguide.estimation.local_frame import Measurement, place_measured
+from vfguide.estimation.local_frame import (
+    Measurement,
+    distance_from,
+    measured_position,
+    without_names,
+)
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed
@@ -70,15 +73,11 @@ class PlaceWatch:
         self._notes = notes
         self._plan = plan
         self._looked: int | None = None
-        self._wrong: str | None = None
+        self.wrong: str | None = None
+        """Why the place is wrong, so that the origin is asked for again; None: it is right."""
         self._since = 0
         self._origin: GpsGlobalOrigin | None = None
         self._position: LocalPositionNed | None = None
-
-    @property
-    def is_wrong(self) -> bool:
-        """Whether the place is wrong, so that the origin is asked for again."""
-        return self._wrong is not None
 
     def hindrance(self, *, follows: bool) -> str | None:
         """Why the place keeps the companion from guiding; None: it does not.
@@ -86,7 +85,7 @@ class PlaceWatch:
         In flight, where the autopilot `follows`, it has to be wrong for LONGEST_GLITCH.
         """
         lasts = self._looked is not None and self._looked - self._since >= LONGEST_GLITCH
-        return self._wrong if lasts or not follows else None
+        return self.wrong if lasts or not follows else None
 
     def checked(self, known: Knowledge, *, follows: bool) -> Knowledge:
         """What to guide on: a wrong place is replaced by the motion since the last right one.
@@ -95,8 +94,9 @@ class PlaceWatch:
         """
         if not follows or self._is_due(known):
             self._look(known, follows=follows)
-        if self._wrong is None:
-            self._notes += origin_notes(self._origin, known.origin)
+        if self.wrong is None:
+            if known.origin is not self._origin:
+                self._notes += origin_notes(self._origin, known.origin)
             self._origin, self._position = known.origin, known.position
             return known
         if self._position is None or known.position is None:
@@ -107,9 +107,10 @@ class PlaceWatch:
     def _is_due(self, known: Knowledge) -> bool:
         """Whether it is time to look, or the place does not go on from the last one."""
         was, now = self._position, known.position
-        if self._wrong is not None or self._looked is None or was is None or now is None:
+        if self.wrong is not None or self._looked is None or was is None or now is None:
             return True
-        leapt = abs(now.x - was.x) + abs(now.y - was.y) + abs(now.z - was.z) > PLACE_LEAP
+        (_, x0, y0, z0, *_), (_, x, y, z, *_) = was, now
+        leapt = abs(x - x0) + abs(y - y0) + abs(z - z0) > PLACE_LEAP
         return (
             leapt
             or known.origin is not self._origin
@@ -123,11 +124,11 @@ class PlaceWatch:
         if measured is None:
             return
         wrong = wrong_place(self._plan, known, measured, follows=follows)
-        if wrong is None or self._wrong is None:
+        if wrong is None or self.wrong is None:
             self._since = now
-        if follows and (wrong is None) != (self._wrong is None):
+        if follows and (wrong is None) != (self.wrong is None):
             self._notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
-        self._wrong = wrong
+        self.wrong = wrong
 
 
 def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositionNed:
@@ -139,7 +140,7 @@ def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositio
 
 def wrong_place(plan: Plan, known: Knowledge, m: Measurement, *, follows: bool) -> str | None:
     """Why a measurement cannot be that of a vehicle at the place of `plan`; None: it can."""
-    p_n = place_measured(m, plan.origin).p_n
+    p_n = measured_position(without_names(m), plan.origin)
     distance, reach = min(norm(sub(goal.p_n, p_n)) for goal in plan.goals), reach_of(plan)
     if not distance <= reach:
         return TOO_FAR.format(distance=1e-3 * distance, reach=1e-3 * reach)
@@ -166,9 +167,7 @@ def contradiction(known: Knowledge, m: Measurement) -> str | None:
 
 def distance_between(told: GlobalPositionInt, m: Measurement) -> float:
     """Horizontal distance of a global position from that of the local frame [m]."""
-    lat, lon = geodetic_of(m.projection, m.origin[0], m.origin[1], m.p_l[0], m.p_l[1])
-    plane = tangent_plane(lat, lon, told.alt * MM)
-    return norm(geodetic_to_ned(plane, told.lat * DEG_E7, told.lon * DEG_E7, told.alt * MM))
+    return distance_from(without_names(m), (told.lat * DEG_E7, told.lon * DEG_E7, told.alt * MM))
 
 
 def reach_of(plan: Plan) -> float:

@@ -1,14 +1,14 @@
 """A companion behind bytes: what its link delivers, what it answers, and the record of both."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 
 from vfguide.companion.companion import HANDLED, Companion
 from vfguide.link.codec import Encoder, Frame, Parser, decode
 from vfguide.link.enums import MavComponent
 from vfguide.link.messages import Message
 
-Record = Callable[[int, bytes], None]
-"""Takes the time [us since 1970] and the bytes of one frame."""
+Record = Callable[[int, Sequence[bytes]], None]
+"""Takes a time [us since 1970] and the bytes of the frames that came or went then, at least one."""
 
 
 AUTOPILOT = int(MavComponent.AUTOPILOT1)
@@ -20,7 +20,7 @@ class Session:
     """One companion on one link to its autopilot."""
 
     def __init__(self, companion: Companion, record: Record) -> None:
-        """A session that has received nothing yet; `record` takes each frame in and out."""
+        """A session that has received nothing yet; `record` takes the frames in and out."""
         self.companion = companion
         self.parser = Parser()
         self._record = record
@@ -28,16 +28,33 @@ class Session:
 
     def receive(self, now: int, data: bytes) -> list[bytes]:
         """Takes bytes that arrived at `now` [us since 1970]; returns the frames to send."""
-        return [answer for frame in self.parser.feed(data) for answer in self.take(now, frame)]
+        return self._take_all(now, self.parser.feed(data))
 
     def take(self, now: int, frame: Frame) -> list[bytes]:
         """Takes a frame that arrived at `now` [us since 1970]; returns the frames to send."""
-        if frame.sysid != self.companion.sysid or frame.compid != AUTOPILOT:
-            return []
-        self._record(now, frame.raw)
-        message = decode(frame) if frame.msgid in HANDLED else None
-        answers = self.companion.receive(now, message) if message else []
-        return self._send(now, answers) if answers else []
+        return self._take_all(now, (frame,))
+
+    def _take_all(self, now: int, frames: Sequence[Frame]) -> list[bytes]:
+        """Takes frames in turn; they go to the record, each before its answers, at the end.
+
+        That is so whatever ends it: the record of a fault has the frame that brought it about.
+        """
+        vehicle, kept, answers = self.companion.sysid, list[bytes](), list[bytes]()
+        try:
+            for frame in frames:
+                sysid, compid, _, msgid, _, raw, _ = frame
+                if sysid != vehicle or compid != AUTOPILOT:
+                    continue
+                kept.append(raw)
+                message = decode(frame) if msgid in HANDLED else None
+                if message and (said := self.companion.receive(now, message)):
+                    sent = self._encoded(said)
+                    kept += sent
+                    answers += sent
+        finally:
+            if kept:
+                self._record(now, kept)
+        return answers
 
     def recall(self, now: int, frame: Frame) -> list[bytes]:
         """Takes a frame of its own that a log says went out at `now` [us since 1970].
@@ -55,9 +72,13 @@ class Session:
         """The operator ends the companion at `now` [us since 1970]; returns the frames to send."""
         return self._send(now, self.companion.stop(now))
 
-    def _send(self, now: int, messages: Iterable[Message]) -> list[bytes]:
+    def _send(self, now: int, messages: Sequence[Message]) -> list[bytes]:
         """Encode and record what goes out."""
-        frames = [self._encoder.encode(message) for message in messages]
-        for frame in frames:
-            self._record(now, frame)
+        frames = self._encoded(messages)
+        if frames:
+            self._record(now, frames)
         return frames
+
+    def _encoded(self, messages: Sequence[Message]) -> list[bytes]:
+        """The frames of messages, numbered."""
+        return [self._encoder.encode(message) for message in messages]

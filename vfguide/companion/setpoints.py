@@ -38,13 +38,13 @@ class Setpoints:
             setpoint: what it says.
             autopilot: whose type mask says what of it counts.
         """
-        (p, q, r), mask = setpoint.omega_b, autopilot.type_mask
+        ((p, q, r), thrust, q_nb), mask = setpoint, autopilot.type_mask
         self.count += 1
         self.sent_at = now
-        self._flown = SetAttitudeTarget(
-            time_boot_ms, self._sysid, 1, mask, setpoint.q_nb, p, q, r, setpoint.thrust
+        self._flown = said = SetAttitudeTarget(
+            time_boot_ms, self._sysid, 1, mask, q_nb, p, q, r, thrust
         )
-        return self._flown
+        return said
 
     def coast(
         self, now: int, attitude: AttitudeQuaternion | None, plan: Plan

@@ -1,5 +1,7 @@
 """The log of a flight that must go on even if the log cannot."""
 
+from collections.abc import Sequence
+
 from vfguide.link.tlog import TlogError, TlogWriter
 
 FLUSH_INTERVAL = 1_000_000
@@ -17,14 +19,14 @@ class FlightLog:
         self._flushed = 0
         self._left_out = 0
 
-    def write(self, time_us: int, raw: bytes) -> None:
-        """Add one frame with its time [us since 1970]; it may stay in memory for a while.
+    def write(self, time_us: int, frames: Sequence[bytes]) -> None:
+        """Add frames with their time [us since 1970]; they may stay in memory for a while.
 
-        A frame with a time that no log can hold is left out.
+        Frames with a time that no log can hold are left out.
         """
         if self._writer is not None:
             try:
-                self._writer.write(time_us, raw)
+                self._writer.write_all(time_us, frames)
             except TlogError as error:
                 self._give_up(error)
             except ValueError as error:

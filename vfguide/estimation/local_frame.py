@@ -1,10 +1,10 @@
 """From the autopilot's own local frame to the frame of the plan."""
 
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from vfguide.aircraft.state import FlightState
 from vfguide.earth.atmosphere import true_airspeed
-from vfguide.earth.geodesy import R_level, geodetic_to_ned, tangent_plane
+from vfguide.earth.geodesy import R_level, TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.earth.projection import geodetic_of
 from vfguide.geometry.so3 import IDENTITY, exp, from_quaternion
 from vfguide.geometry.units import G0
@@ -61,13 +61,23 @@ MeasurementTuple = tuple[
 _at_attitude = replacing(Measurement, "lead")
 
 
+def without_names(m: Measurement) -> MeasurementTuple:
+    """A measurement as it crosses into compiled code."""
+    return cast("MeasurementTuple", (*m,))
+
+
 @compiled
 def place_state(m: Measurement, origin: Vec3) -> FlightState:
     """The state in the tangent plane at `origin`: latitude, longitude [rad], altitude [m]."""
+    return place_in(m, tangent_plane(origin[0], origin[1], origin[2]))
+
+
+@compiled
+def place_in(m: Measurement, plane: TangentPlane) -> FlightState:
+    """The state in a tangent plane."""
     v_then, R_lb = extrapolated(m.v_l, from_quaternion(m.q_lb), m.omega_b, m.lead)
     p = add(m.p_l, add(scale(m.ahead + 0.5 * m.lead, m.v_l), scale(0.5 * m.lead, v_then)))
     lat, lon = geodetic_of(m.projection, m.origin[0], m.origin[1], p[0], p[1])
-    plane = tangent_plane(origin[0], origin[1], origin[2])
     p_n = geodetic_to_ned(plane, lat, lon, m.origin[2] - p[2])
     R_nl = R_level(plane, lat, lon) if norm(p_n) < FARTHEST_LEVEL else IDENTITY
     return FlightState(
@@ -83,7 +93,31 @@ def place_state(m: Measurement, origin: Vec3) -> FlightState:
 @compiled
 def place_measured(m: Measurement, origin: Vec3) -> FlightState:
     """The state in the tangent plane at `origin` at the time of the attitude, not predicted."""
-    return place_state(_at_attitude(m, 0.0), origin)
+    return measured_in(m, tangent_plane(origin[0], origin[1], origin[2]))
+
+
+@compiled
+def measured_in(m: Measurement, plane: TangentPlane) -> FlightState:
+    """The same in a tangent plane."""
+    return place_in(_at_attitude(m, 0.0), plane)
+
+
+@compiled
+def measured_position(measured: MeasurementTuple, origin: Vec3) -> Vec3:
+    """The position p_n of `place_measured` in the tangent plane at `origin` [m]."""
+    return place_measured(Measurement(*measured), origin).p_n
+
+
+@compiled
+def distance_from(measured: MeasurementTuple, place: Vec3) -> float:
+    """Horizontal distance of a place from the position that is told in the local frame [m].
+
+    The place is latitude, longitude [rad] and altitude [m].
+    """
+    lat, lon, alt = place
+    m = Measurement(*measured)
+    own_lat, own_lon = geodetic_of(m.projection, m.origin[0], m.origin[1], m.p_l[0], m.p_l[1])
+    return norm(geodetic_to_ned(tangent_plane(own_lat, own_lon, alt), lat, lon, alt))
 
 
 @compiled

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vfguide.kernels.compiled import compiled, compiled_source
-from vfguide.kernels.rows import source_function
+from vfguide.kernels.written_functions import source_function
 
 Axes = tuple[str, ...]
 """Names of the last axes of one argument."""

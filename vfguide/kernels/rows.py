@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.kernels.compiled import compiled_source
+from vfguide.kernels.written_functions import source_function
 
 Row = NDArray[np.float64]
 """The numbers of one record, (width,)."""
@@ -85,14 +86,9 @@ def leaves(kind: Any, name: str = "", expression: str = "r") -> Iterator[Leaf]:
         yield Leaf(
             next(each for each in get_args(kind) if isinstance(each, Shape)), name, expression
         )
-    elif get_origin(kind) is tuple:
-        for index, part in enumerate(get_args(kind)):
-            yield from leaves(part, joined(name, str(index)), f"{expression}[{index}]")
-    elif isinstance(kind, type) and issubclass(kind, tuple) and hasattr(kind, "_fields"):
-        for field, part in fields_of(kind).items():
-            yield from leaves(part, joined(name, field), f"{expression}.{field}")
     else:
-        raise TypeError(f"{name}: a row cannot hold {kind}")
+        for part, field in parts_of(kind, name).items():
+            yield from leaves(field, joined(name, part.strip(".[]")), f"{expression}{part}")
 
 
 def joined(name: str, part: str) -> str:
@@ -164,11 +160,42 @@ def flattener(kind: type[T]) -> Callable[[T], tuple[float, ...]]:
 @cache
 def _flattener(kind: Any) -> Any:
     """The same, written once for each type: tables are made at every step."""
-    parts = (
-        f"*{leaf.expression}.ravel()" if isinstance(leaf.kind, Shape) else leaf.expression
-        for leaf in leaves(kind)
-    )
-    return source_function(f"def numbers(r):\n    return ({', '.join(parts)},)", "numbers", {})
+    lines, parts = ["def numbers(r):"], list[str]()
+    _take_apart(kind, "r", lines, parts)
+    lines.append(f"    return ({', '.join(parts)},)")
+    return source_function("\n".join(lines), "numbers", {})
+
+
+def _take_apart(kind: Any, name: str, lines: list[str], parts: list[str]) -> None:
+    """Append the source that takes a variable apart, and the sources of its numbers.
+
+    All fields at once take a third of the time of one after the other, by their names.
+    """
+    if kind in (float, int, bool):
+        parts.append(name)
+    elif get_origin(kind) is Annotated:
+        parts.append(f"*{name}.ravel()")
+    elif all(each in (float, int, bool) for each in parts_of(kind, name).values()):
+        parts.append(f"*{name}")
+    else:
+        of = parts_of(kind, name)
+        fields = {f"{name}_{part.strip('.[]')}": each for part, each in of.items()}
+        lines.append(f"    {', '.join(fields)}, = {name}")
+        for field, each in fields.items():
+            _take_apart(each, field, lines, parts)
+
+
+def parts_of(kind: Any, name: str) -> dict[str, Any]:
+    """The types of the fields of a record or a tuple by the source that takes them from it.
+
+    Raises:
+        TypeError: it is neither; `name` is what it is called.
+    """
+    if get_origin(kind) is tuple:
+        return {f"[{index}]": part for index, part in enumerate(get_args(kind))}
+    if isinstance(kind, type) and issubclass(kind, tuple) and hasattr(kind, "_fields"):
+        return {f".{field}": part for field, part in fields_of(kind).items()}
+    raise TypeError(f"{name}: a row cannot hold {kind}")
 
 
 def row_of(record: Any) -> Row:
@@ -341,9 +368,3 @@ def symbol(kind: Any) -> str:
     be taken for each other.
     """
     return re.sub(r"\W+", "_", f"{getattr(kind, '__module__', '')}_{kind!r}")
-
-
-def source_function(source: str, name: str, scope: dict[str, Any]) -> Any:
-    """The function `name` that `source` defines in `scope`."""
-    exec(compile(source, f"<{name}>", "exec"), scope)
-    return scope[name]

@@ -7,6 +7,7 @@ with a wrong one. `BootClock` is the one place where it becomes a time that neve
 from typing import NamedTuple
 
 from vfguide.geometry.units import MS
+from vfguide.kernels.written_functions import maker
 
 ROLLOVER = 2**32
 """Number of milliseconds after which time_boot_ms begins again, 49.7 days."""
@@ -50,6 +51,9 @@ class BootClock(NamedTuple):
         return self.time_ms + counted(self.counter, boot_ms)
 
 
+_boot_clock = maker(BootClock)
+
+
 def is_late(before_ms: int, after_ms: int) -> bool:
     """Whether a message with the time_boot_ms `after_ms` is older than one with `before_ms`."""
     return -LATE_TIME < counted(before_ms, after_ms) < 0
@@ -63,9 +67,10 @@ def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | Non
     """
     if clock is None:
         return BootClock(boot_ms, boot_ms, now)
-    step, own = counted(clock.counter, boot_ms), max(now - clock.heard, 0) // US_PER_MS
+    counter, time_ms, heard, leaps, leap = clock
+    step, own = counted(counter, boot_ms), max(now - heard, 0) // US_PER_MS
     if -LATE_TIME < step <= 0:
         return None
     if 0 < step <= own + AHEAD:
-        return BootClock(boot_ms, clock.time_ms + step, now, clock.leaps, clock.leap)
-    return BootClock(boot_ms, clock.time_ms + own, now, clock.leaps + 1, (step - own) * MS)
+        return _boot_clock((boot_ms, time_ms + step, now, leaps, leap))
+    return BootClock(boot_ms, time_ms + own, now, leaps + 1, (step - own) * MS)

@@ -11,14 +11,13 @@ The wire (n bytes of payload, checksum over all but the magic byte, then the CRC
 
 import re
 import struct
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from functools import partial
 from typing import NamedTuple
 
 from fastcrc.crc16 import mcrf4xx
 
+from vfguide.kernels.written_functions import maker
 from vfguide.link.dialect import CRC_EXTRA
 
 MAGIC_1 = 0xFE
@@ -31,8 +30,13 @@ SIGNED = 0x01
 
 _MAGICS = (MAGIC_2, MAGIC_1)
 _MAGIC = re.compile(b"[\xfd\xfe]")
-_HEADER_1 = struct.Struct("<6B")
-_HEADER_2 = struct.Struct("<7BHB")
+_HEADER_1 = struct.Struct("<x5B")
+_HEADER_2 = struct.Struct("<x2Bx3BI")
+_HEADER_1_BYTES = 6
+_HEADER_2_BYTES = 10
+_CHECKSUM_BYTES = 2
+_SIGNATURE_BYTES = 13
+_MSGID_BITS = 0xFFFFFF
 
 
 class Frame(NamedTuple):
@@ -59,9 +63,7 @@ class Frame(NamedTuple):
         return self.version == 2 and bool(self.raw[2] & SIGNED)
 
 
-_frame: Callable[[tuple[int, int, int, int, bytes, bytes, int]], Frame]
-_frame = partial(tuple.__new__, Frame)
-"""Frame of its values: the class called by its name takes three times as long."""
+_frame = maker(Frame)
 
 
 class Flaw(Enum):
@@ -78,35 +80,55 @@ class Flaw(Enum):
 
 def frame_length(data: bytes, start: int) -> int:
     """Length of the frame at `start` by what its first three bytes say, `start` on its magic."""
+    payload = data[start + 1]
     if data[start] == MAGIC_1:
-        return data[start + 1] + 8
-    return data[start + 1] + (25 if data[start + 2] & SIGNED else 12)
+        return _HEADER_1_BYTES + payload + _CHECKSUM_BYTES
+    signature = _SIGNATURE_BYTES if data[start + 2] & SIGNED else 0
+    return _HEADER_2_BYTES + payload + _CHECKSUM_BYTES + signature
 
 
 def frame_at(data: bytes, start: int) -> Frame | Flaw:
     """The frame that begins at `start`, where its magic byte must be, or why there is none."""
-    if len(data) - start < 3:
-        return Flaw.INCOMPLETE
-    if data[start] == MAGIC_2 and data[start + 2] & ~SIGNED:
+    if data[start] == MAGIC_1:
+        return _frame_1_at(data, start)
+    there = len(data) - start
+    if there < _HEADER_2_BYTES + _CHECKSUM_BYTES:
+        is_foreign = there > 2 and data[start + 2] & ~SIGNED
+        return Flaw.FOREIGN if is_foreign else Flaw.INCOMPLETE
+    length, flags, seq, sysid, compid, msgid = _HEADER_2.unpack_from(data, start)
+    if flags & ~SIGNED:
         return Flaw.FOREIGN
-    whole = frame_length(data, start)
-    raw = data[start : start + whole]
-    if len(raw) < whole:
+    end = _HEADER_2_BYTES + length
+    whole = end + (_CHECKSUM_BYTES + _SIGNATURE_BYTES if flags else _CHECKSUM_BYTES)
+    if there < whole:
         return Flaw.INCOMPLETE
-    if raw[0] == MAGIC_2:
-        begin, version = 10, 2
-        _, length, _, _, seq, sysid, compid, low, high = _HEADER_2.unpack_from(raw)
-        msgid = low | high << 16
-    else:
-        begin, version = 6, 1
-        _, length, seq, sysid, compid, msgid = _HEADER_1.unpack_from(raw)
+    msgid &= _MSGID_BITS  # the byte behind it is none of it
+    raw = data[start : start + whole]
+    if flaw := _flaw(raw, msgid, end):
+        return flaw
+    return _frame((sysid, compid, seq, msgid, raw[_HEADER_2_BYTES:end], raw, 2))
+
+
+def _frame_1_at(data: bytes, start: int) -> Frame | Flaw:
+    """The same of MAVLink 1."""
+    there = len(data) - start
+    if there < _HEADER_1_BYTES + _CHECKSUM_BYTES or there < frame_length(data, start):
+        return Flaw.INCOMPLETE
+    length, seq, sysid, compid, msgid = _HEADER_1.unpack_from(data, start)
+    end = _HEADER_1_BYTES + length
+    raw = data[start : start + end + _CHECKSUM_BYTES]
+    if flaw := _flaw(raw, msgid, end):
+        return flaw
+    return _frame((sysid, compid, seq, msgid, raw[_HEADER_1_BYTES:end], raw, 1))
+
+
+def _flaw(raw: bytes, msgid: int, end: int) -> Flaw | None:
+    """What is wrong with a frame whose checksum begins at `end`; None: nothing."""
     extra = CRC_EXTRA.get(msgid)
     if extra is None:
         return Flaw.UNKNOWN
-    end = begin + length
-    if mcrf4xx(raw[1:end] + extra) != raw[end] | raw[end + 1] << 8:
-        return Flaw.BAD_CRC
-    return _frame((sysid, compid, seq, msgid, raw[begin:end], raw, version))
+    is_true = mcrf4xx(raw[1:end] + extra) == raw[end] | raw[end + 1] << 8
+    return None if is_true else Flaw.BAD_CRC
 
 
 def next_magic(data: bytes, position: int) -> int:
@@ -142,7 +164,7 @@ class Parser:
         self.counters = LinkCounters()
         self._rest = b""
         self._unknown_end = 0  # in _rest: up to here an unknown frame claims the bytes
-        self._last_seq: dict[tuple[int, int], int] = {}
+        self._next_seq: dict[tuple[int, int], int] = {}
 
     def feed(self, data: bytes, *, whole: bool = False) -> list[Frame]:
         """Takes the next bytes of the stream; returns the frames that they complete.
@@ -162,8 +184,8 @@ class Parser:
             found = frame_at(buffer, position)
             if isinstance(found, Frame):
                 frames.append(found)
-                self._count(found)
                 position += len(found.raw)
+                self._unknown_end = 0
             elif found is Flaw.INCOMPLETE and not whole:
                 break
             else:
@@ -171,6 +193,7 @@ class Parser:
                 position += 1
         self._rest = buffer[position:]
         self._unknown_end = max(0, self._unknown_end - position)
+        self._count(frames)
         return frames
 
     def _skip(self, start: int, end: int) -> None:
@@ -188,14 +211,14 @@ class Parser:
                 self.counters.bad_crc += 1
         self._skip(start, start + 1)
 
-    def _count(self, frame: Frame) -> None:
-        """Counts a frame and those that its sequence number says are missing before it."""
-        counters = self.counters
-        counters.frames += 1
-        self._unknown_end = 0
-        sender, seq = (frame.sysid, frame.compid), frame.seq
-        lost = (seq - self._last_seq.get(sender, seq - 1) - 1) & 0xFF
-        if lost < 128:  # else it is late or came twice
-            self._last_seq[sender] = seq
-            if lost:
-                counters.lost[sender] = counters.lost.get(sender, 0) + lost
+    def _count(self, frames: list[Frame]) -> None:
+        """Counts frames and those that their sequence numbers say are missing before them."""
+        counters, next_seq = self.counters, self._next_seq
+        counters.frames += len(frames)
+        for sysid, compid, seq, _, _, _, _ in frames:
+            sender = sysid, compid
+            lost = (seq - next_seq.get(sender, seq)) & 0xFF
+            if lost < 128:  # else it is late or came twice
+                next_seq[sender] = seq + 1
+                if lost:
+                    counters.lost[sender] = counters.lost.get(sender, 0) + lost

@@ -2,10 +2,10 @@
 
 import struct
 from collections.abc import Callable
-from functools import partial
 from operator import itemgetter
 from typing import Any
 
+from vfguide.kernels.written_functions import maker, source_function
 from vfguide.link.dialect import CRC_EXTRA, WireField, wire_fields
 from vfguide.link.messages import RECORDS, Message
 
@@ -44,12 +44,9 @@ class Layout:
         fields = _fields_of(record)
         self._fields = {field.name: field for field in fields}
         self._struct = struct.Struct("<" + "".join(field.code for field in fields))
-        self._body = struct.Struct(_HEADER_CODES + "".join(map(_packed_code, fields)))
-        self._msgid = record.MSGID.to_bytes(3, "little")
-        self._make: Callable[[Any], Message] = partial(tuple.__new__, record)  # _make, unchecked
-        self._to_wire = itemgetter(*(record._fields.index(field.name) for field in fields))
+        self._make: Callable[[Any], Message] = maker(record)
+        self._pack_body = _body_packer(record.MSGID, fields)
         self._to_record = itemgetter(*_slots(record, fields))
-        self._packers = [(i, _packer(f)) for i, f in enumerate(fields) if f.is_text or f.is_array]
         self._texts = [i for i, name in enumerate(record._fields) if self._fields[name].is_text]
 
     def unpack(self, payload: bytes) -> Message:
@@ -70,14 +67,8 @@ class Layout:
         Raises:
             EncodeError: a field does not fit.
         """
-        size = self._struct.size
         try:
-            values = self._to_wire(message)
-            if self._packers:
-                values = list(values)
-                for i, pack in self._packers:
-                    values[i] = pack(values[i])
-            body = self._body.pack(size, 0, 0, seq, sysid, compid, self._msgid, *values)
+            body = self._pack_body(seq, sysid, compid, message)
         except _MISFITS as error:
             raise self._misfit(message) from error
         if body[-1]:
@@ -114,17 +105,28 @@ def _slots(record: type[Message], fields: list[WireField]) -> list[int | slice]:
     return [slots[name] for name in record._fields]
 
 
-def _packed_code(field: WireField) -> str:
-    """The `struct` format of a field whose texts and arrays are bytes already."""
-    return f"{struct.calcsize('<' + field.code)}s" if field.is_array else field.code
+def _body_packer(msgid: int, fields: list[WireField]) -> Callable[[int, int, int, Message], bytes]:
+    """A function of sequence number, system, component and record that gives header and payload.
 
-
-def _packer(field: WireField) -> Callable[[Any], bytes]:
-    """What makes the bytes of a text or an array."""
-    if field.is_text:
-        return lambda text: _text_bytes(text, field.size)
-    pack = struct.Struct("<" + field.code).pack
-    return lambda array: pack(*array)
+    It is written out: one call for a message takes half the time of one for each array. Taking an
+    array apart by names refuses one of another length.
+    """
+    codes = "".join(field.code for field in fields)
+    size, body = struct.calcsize("<" + codes), struct.Struct(_HEADER_CODES + codes)
+    lines, values = ["def pack_body(seq, sysid, compid, r):"], list[str]()
+    for field in fields:
+        if field.is_text:
+            values.append(f"text(r.{field.name}, {field.size})")
+        elif field.is_array:
+            parts = [f"{field.name}_{i}" for i in range(field.size)]
+            lines.append(f"    {', '.join(parts)}, = r.{field.name}")
+            values += parts
+        else:
+            values.append(f"r.{field.name}")
+    header = f"{size}, 0, 0, seq, sysid, compid, {msgid.to_bytes(3, 'little')}"
+    lines.append(f"    return pack({header}, {', '.join(values)})")
+    scope = {"pack": body.pack, "text": _text_bytes}
+    return source_function("\n".join(lines), "pack_body", scope)
 
 
 def _text_bytes(text: str, size: int) -> bytes:

@@ -5,7 +5,7 @@ The time counts microseconds since 1970.
 
 import os
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -36,10 +36,26 @@ def tlog_record(time_us: int, raw: bytes) -> bytes:
     Raises:
         ValueError: the time is negative or beyond 64 bits.
     """
+    return tlog_records(time_us, (raw,))
+
+
+def tlog_records(time_us: int, frames: Sequence[bytes]) -> bytes:
+    """At least one frame, each behind the same time [us since 1970].
+
+    Raises:
+        ValueError: the time is negative or beyond 64 bits.
+    """
     try:
-        return _TIME.pack(time_us) + raw
+        time = _TIME.pack(time_us)
     except struct.error as error:
         raise ValueError(f"{time_us} is no time in microseconds since 1970") from error
+    return time + time.join(frames)
+
+
+def end_of_record(data: bytes, start: int) -> int:
+    """Where the record that begins at `start` ends, by the length that its frame says."""
+    frame = start + _TIME_BYTES
+    return frame + frame_length(data, frame)
 
 
 class TlogWriter:
@@ -78,14 +94,18 @@ class TlogWriter:
         """
         self.append(tlog_record(time_us, raw))
 
-    def append(self, record: bytes) -> None:
-        """Adds what `tlog_record` made.
+    def write_all(self, time_us: int, frames: Sequence[bytes]) -> None:
+        """Adds at least one frame, all with the same time; raises as `write` does."""
+        self.append(tlog_records(time_us, frames))
+
+    def append(self, records: bytes) -> None:
+        """Adds what `tlog_record` or `tlog_records` made.
 
         Raises:
             TlogError: the file cannot be written; the records in memory are lost.
         """
-        self._pending.append(record)
-        self._pending_bytes += len(record)
+        self._pending.append(records)
+        self._pending_bytes += len(records)
         if self._pending_bytes >= self._buffer_bytes:
             self.flush()
 
@@ -102,17 +122,15 @@ class TlogWriter:
                 # at a place, not at the end: after Ctrl-C in here, the next flush starts anew
                 written += os.pwrite(self._file.fileno(), data[written:], self._end + written)
         except OSError as error:
-            self._keep_whole(written)
+            self._keep_whole(data, written)
             raise TlogError(self.path, error) from error
         self._forget(self._end + len(data))
 
-    def _keep_whole(self, written: int) -> None:
-        """Cuts the file behind the last record that was written as a whole."""
+    def _keep_whole(self, data: bytes, written: int) -> None:
+        """Cuts the file behind the last record of `data` that was written as a whole."""
         whole = 0
-        for record in self._pending:
-            if whole + len(record) > written:
-                break
-            whole += len(record)
+        while whole < written and (end := end_of_record(data, whole)) <= written:
+            whole = end
         self._forget(self._end + whole)
         if written > whole:
             os.ftruncate(self._file.fileno(), self._end)

@@ -6,13 +6,14 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import AirspaceTuple, airspace_of
 from vfguide.earth.atmosphere import DENSITY_0
+from vfguide.earth.geodesy import tangent_plane
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
     MeasurementTuple,
     Quaternion,
-    place_measured,
-    place_state,
+    measured_in,
+    place_in,
 )
 from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law, law_of
@@ -49,7 +50,8 @@ def step_measured(
         that was passed [m].
     """
     told = Measurement(*measured)
-    predicted, here = place_state(told, origin), place_measured(told, origin)
+    plane = tangent_plane(origin[0], origin[1], origin[2])
+    predicted, here = place_in(told, plane), measured_in(told, plane)
     inputs = Inputs(predicted, here, told.omega_b, False, told.lead, told.density)
     state, aircraft = read_state(before), read_vehicle(vehicle)
     known, guides = airspace_of(airspace), law_of(law)

@@ -70,23 +70,30 @@ class AnnouncedLegs(Legs):
         if (goal := self._ending) is not None:
             passed = passed_between(before, sample, self.goals[goal])
             if passed is not None:
-                self.passes[goal].append(judged(passed, self.goals[goal]))
+                self.add(goal, judged(passed, self.goals[goal]))
                 before, self._ending = passed, None
                 self._early.clear()
         if self.leg < len(self.goals):
             passed = self.find(before, sample)
             if passed is not None:
-                passes = self.passes[self.leg] if self._ending is None else self._early
-                passes.append(judged(passed, self.goals[self.leg]))
+                self._take(judged(passed, self.goals[self.leg]))
         self.last = sample
         return self.reached > reached
 
     def _end_leg(self) -> None:
         """The leg before is over, its pass never came: what came since is of the present one."""
         if self._ending is not None:
-            self.passes[self.leg].extend(self._early)
+            for a_pass in self._early:
+                self.add(self.leg, a_pass)
             self._early.clear()
             self._ending = None
+
+    def _take(self, a_pass: Pass) -> None:
+        """Note a pass of the present goal, whose leg may not have begun."""
+        if self._ending is None:
+            self.add(self.leg, a_pass)
+        else:
+            self._early.append(a_pass)
 
     def believed(self, goal: int) -> GoalAnnouncement | None:
         """What the vehicle announced of the pass of a goal that counts, None: nothing.

@@ -59,16 +59,13 @@ class Legs:
         """Index of the goal that is flown to; the number of goals when there is none left."""
         self.last: Sample | None = None
         """The newest sample."""
+        self.reached = 0
+        """Number of goals that have been reached."""
 
     @property
     def finished(self) -> bool:
         """Every goal has been reached or given up."""
         return self.leg == len(self.goals)
-
-    @property
-    def reached(self) -> int:
-        """Number of goals that have been reached."""
-        return sum(any(a_pass.reaches for a_pass in passes) for passes in self.passes)
 
     def feed(self, sample: Sample) -> bool:
         """Take the next sample; true if a goal was reached or given up since the one before.
@@ -80,12 +77,17 @@ class Legs:
             passed = self.find(before, sample)
             if passed is None:
                 break
-            self.passes[self.leg].append(judged(passed, self.goals[self.leg]))
+            self.add(self.leg, judged(passed, self.goals[self.leg]))
             if not (self.passes[self.leg][-1].reaches or self.gives_up):
                 break
             before, self.leg = passed, self.leg + 1
         self.last = sample
         return self.leg > leg
+
+    def add(self, goal: int, a_pass: Pass) -> None:
+        """Note a pass of a goal."""
+        self.reached += a_pass.reaches and not any(each.reaches for each in self.passes[goal])
+        self.passes[goal].append(a_pass)
 
     @property
     def gives_up(self) -> bool:
@@ -146,7 +148,7 @@ def passed_between(before: Sample | None, sample: Sample, goal: Goal) -> Sample 
 def approach(at: Sample, goal: Goal) -> float:
     """Half the rate of the squared distance to the goal: (p - p_d) . v, negative on approach."""
     x, y, z = goal.position_m
-    (px, py, pz), (vx, vy, vz) = at.p_n, at.v_n
+    _, (px, py, pz), (vx, vy, vz) = at
     return (px - x) * vx + (py - y) * vy + (pz - z) * vz
 
 

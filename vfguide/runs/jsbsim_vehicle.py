@@ -3,12 +3,12 @@
 import math
 from array import array
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from vfguide.companion.companion import Companion
-from vfguide.companion.session import Session
+from vfguide.companion.session import Record, Session
 from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
@@ -39,13 +39,6 @@ messages wait for the next."""
 numbers_of = flattener(Instant)
 
 
-class Commanded(NamedTuple):
-    """Body rates [rad/s] and thrust (0 to 1) of a setpoint; not numbers before the first."""
-
-    omega_b: Vec3 = (math.nan, math.nan, math.nan)
-    thrust: float = math.nan
-
-
 class JsbsimVehicle:
     """One vehicle, flown."""
 
@@ -53,7 +46,7 @@ class JsbsimVehicle:
         self,
         loaded: LoadedScenario,
         vehicle: Vehicle,
-        write_own: Write,
+        write_own: Record,
         write_truth: Write,
         steps: Steps = STEPS,
     ) -> None:
@@ -62,7 +55,7 @@ class JsbsimVehicle:
         Args:
             loaded: the scenario.
             vehicle: which of its vehicles.
-            write_own: takes every frame between the companion and its autopilot.
+            write_own: takes the frames between the companion and its autopilot.
             write_truth: takes the frames of the truth.
             steps: the compiled steps that its companion calls.
 
@@ -133,7 +126,7 @@ class JsbsimVehicle:
 
     def _instant(self, truth: Truth, at: Sample) -> Instant:
         """What is noted of this instant."""
-        wanted = _commanded(self.sim.autopilot.setpoint)
+        omega_wanted_b, thrust = _commanded(self.sim.autopilot.setpoint)
         _, _, down = truth.force_b
         return Instant(
             time=at.time,
@@ -141,8 +134,8 @@ class JsbsimVehicle:
             v_n=at.v_n,
             euler=(truth.roll, truth.pitch, truth.yaw),
             omega_b=truth.omega_b,
-            omega_wanted_b=wanted.omega_b,
-            thrust=wanted.thrust,
+            omega_wanted_b=omega_wanted_b,
+            thrust=thrust,
             airspeed=truth.airspeed,
             load_factor=-down / G0,
             wind_n=truth.wind_n,
@@ -197,8 +190,9 @@ class JsbsimVehicle:
         )
 
 
-def _commanded(sp: SetAttitudeTarget | None) -> Commanded:
-    """What the latest setpoint commands."""
+def _commanded(sp: SetAttitudeTarget | None) -> tuple[Vec3, float]:
+    """Body rates [rad/s] and thrust of the latest setpoint; not numbers before the first."""
     if sp is None:
-        return Commanded()
-    return Commanded((sp.body_roll_rate, sp.body_pitch_rate, sp.body_yaw_rate), sp.thrust)
+        return (math.nan, math.nan, math.nan), math.nan
+    _, _, _, _, _, p, q, r, thrust, *_ = sp
+    return (p, q, r), thrust

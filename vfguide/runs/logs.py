@@ -1,10 +1,11 @@
 """The logs of a run."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
-from vfguide.link.tlog import TlogWriter, tlog_record
+from vfguide.companion.session import Record
+from vfguide.link.tlog import TlogWriter, tlog_records
 from vfguide.scenario.resolved import Vehicle
 
 Write = Callable[[int, bytes], None]
@@ -21,14 +22,14 @@ class Logs:
         self._all = stack.enter_context(TlogWriter(folder / "flight.tlog"))
         self.write_all: Write = self._all.write
 
-    def write_vehicle(self, vehicle: Vehicle) -> Write:
+    def write_vehicle(self, vehicle: Vehicle) -> Record:
         """What takes the frames between one companion and its autopilot."""
         path = self._folder / f"vehicle-{vehicle.id}.tlog"
         own = self._stack.enter_context(TlogWriter(path))
 
-        def write(time_us: int, raw: bytes) -> None:
-            record = tlog_record(time_us, raw)
-            self._all.append(record)
-            own.append(record)
+        def write(time_us: int, frames: Sequence[bytes]) -> None:
+            records = tlog_records(time_us, frames)
+            self._all.append(records)
+            own.append(records)
 
         return write

@@ -7,6 +7,7 @@ from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
 from vfguide.geometry.vector import Vec3
 from vfguide.kernels.compiled import compiled
+from vfguide.kernels.written_functions import maker
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.sim.kinematic import Sighting
 from vfguide.sim.truth import Truth
@@ -20,14 +21,15 @@ MAX_INT32 = 2**31 - 1
 """Largest value of a signed field of 32 bits."""
 
 
+_hil_state = maker(HilStateQuaternion)
+
+
 def truth_message(now: int, truth: Truth) -> HilStateQuaternion:
     """The truth at the date `now` [us since 1970]; the altitude is above mean sea level."""
-    place = (truth.latitude, truth.longitude, truth.altitude)
-    air = (truth.airspeed, truth.density)
-    q_nb = quaternion_from_euler(truth.roll, truth.pitch, truth.yaw)
-    return HilStateQuaternion(
-        now, q_nb, *truth.omega_b, *on_the_wire(place, truth.v_n, air, truth.force_b)
-    )
+    _, lat, lon, alt, v_n, roll, pitch, yaw, omega_b, airspeed, _, _, _, force_b, density, _ = truth
+    q_nb = quaternion_from_euler(roll, pitch, yaw)
+    wire = on_the_wire((lat, lon, alt), v_n, (airspeed, density), force_b)
+    return _hil_state((now, q_nb, *omega_b, *wire))
 
 
 @compiled

@@ -52,5 +52,5 @@ def _fly_an_aeroplane(name: str, law: str) -> None:
         member.fly(1)
 
 
-def _ignore(_: int, __: bytes) -> None:
+def _ignore(_: int, __: object) -> None:
     pass

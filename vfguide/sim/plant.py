@@ -8,6 +8,7 @@ import numpy as np
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
 from vfguide.geometry.vector import Mat3, Vec3, add, matvec, sub, transpose
+from vfguide.kernels.written_functions import maker
 from vfguide.sim.condition import Model, Start, Weather
 from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
 from vfguide.sim.signals import ControlTuple, InnerTuple
@@ -26,6 +27,7 @@ _RICH = 1.15
 number; chosen, so that it is full rich up to 1150 m, as a pilot leaves it."""
 _SEA_LEVEL_PRESSURE = 2116.22
 """Air pressure at sea level in the standard atmosphere [lbf/ft^2] (ISO 2533)."""
+_truth = maker(Truth)
 Getter = Callable[[], float]
 
 
@@ -104,36 +106,33 @@ class Plant:
 
     def inner(self) -> InnerTuple:
         """`Inner` without its names, for the inner loop at every time step."""
-        return (
-            self._p(),
-            self._q(),
-            self._r(),
-            self._alpha(),
-            self._beta(),
-            FT * self._airspeed(),
-            SLUG_FT3 * self._density(),
-        )
+        p, q, r, alpha, beta, airspeed, density = self._inner
+        return p(), q(), r(), alpha(), beta(), FT * airspeed(), SLUG_FT3 * density()
 
     def truth(self) -> Truth:
         """The whole state."""
         load_x, load_y, load_up = self._load_factors()
-        return Truth(
-            self.steps * self._dt,
-            self._latitude(),
-            self._longitude(),
-            FT * self._altitude(),
-            self._v_n(),
-            self._roll(),
-            self._pitch(),
-            self._yaw(),
-            (self._p(), self._q(), self._r()),
-            FT * self._airspeed(),
-            self._alpha(),
-            self._beta(),
-            self._wind_n(),
-            (G0 * load_x, G0 * load_y, -G0 * load_up),
-            SLUG_FT3 * self._density(),
-            FT * self._height(),
+        latitude, longitude, altitude, roll, pitch, yaw, height = self._place
+        p, q, r, alpha, beta, airspeed, density = self.inner()
+        return _truth(
+            (
+                self.steps * self._dt,
+                latitude(),
+                longitude(),
+                FT * altitude(),
+                self._v_n(),
+                roll(),
+                pitch(),
+                yaw(),
+                (p, q, r),
+                airspeed,
+                alpha,
+                beta,
+                self._wind_n(),
+                (G0 * load_x, G0 * load_y, -G0 * load_up),
+                density,
+                FT * height(),
+            )
         )
 
     def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
@@ -230,38 +229,42 @@ class Plant:
 
     def _command(self, controls: ControlTuple) -> None:
         aileron, elevator, rudder, throttle = controls
-        self._set_aileron(aileron)
-        self._set_elevator(elevator)
-        self._set_rudder(rudder)
-        for set_throttle in self._set_throttles:
+        set_aileron, set_elevator, set_rudder, *set_throttles = self._set_controls
+        set_aileron(aileron)
+        set_elevator(elevator)
+        set_rudder(rudder)
+        for set_throttle in set_throttles:
             set_throttle(throttle)
 
     def _bind_controls(self) -> None:
         self._run = self._fdm.run
         self._engines = self._fdm.get_propulsion().get_num_engines()
-        self._set_aileron = self._node("fcs/aileron-cmd-norm").set_double_value
-        self._set_elevator = self._node("fcs/elevator-cmd-norm").set_double_value
-        self._set_rudder = self._node("fcs/rudder-cmd-norm").set_double_value
+        surfaces = [f"fcs/{name}-cmd-norm" for name in ("aileron", "elevator", "rudder")]
         throttles = [f"fcs/throttle-cmd-norm[{i}]" for i in range(max(1, self._engines))]
-        self._set_throttles = [self._node(name).set_double_value for name in throttles]
+        self._set_controls = [self._node(name).set_double_value for name in surfaces + throttles]
 
     def _bind_inner(self) -> None:
-        self._p = self._getter("velocities/p-rad_sec")
-        self._q = self._getter("velocities/q-rad_sec")
-        self._r = self._getter("velocities/r-rad_sec")
-        self._alpha = self._getter("aero/alpha-rad")
-        self._beta = self._getter("aero/beta-rad")
-        self._airspeed = self._getter("velocities/vt-fps")
-        self._density = self._getter("atmosphere/rho-slugs_ft3")
+        self._inner = (
+            self._getter("velocities/p-rad_sec"),
+            self._getter("velocities/q-rad_sec"),
+            self._getter("velocities/r-rad_sec"),
+            self._getter("aero/alpha-rad"),
+            self._getter("aero/beta-rad"),
+            self._getter("velocities/vt-fps"),
+            self._getter("atmosphere/rho-slugs_ft3"),
+        )
 
     def _bind_truth(self) -> None:
-        self._latitude = self._getter("position/lat-geod-rad")
-        self._longitude = self._getter("position/long-gc-rad")
-        self._altitude = self._getter("position/geod-alt-ft")
         self._height = self._getter("position/h-agl-ft")
-        self._roll = self._getter("attitude/phi-rad")
-        self._pitch = self._getter("attitude/theta-rad")
-        self._yaw = self._getter("attitude/psi-rad")
+        self._place = (
+            self._getter("position/lat-geod-rad"),
+            self._getter("position/long-gc-rad"),
+            self._getter("position/geod-alt-ft"),
+            self._getter("attitude/phi-rad"),
+            self._getter("attitude/theta-rad"),
+            self._getter("attitude/psi-rad"),
+            self._height,
+        )
         directions = ("north", "east", "down")
         self._v_n = self._vector_getter([f"velocities/v-{d}-fps" for d in directions], FT)
         self._wind_n = self._vector_getter(

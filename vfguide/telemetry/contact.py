@@ -39,6 +39,20 @@ class Contact:
         """Record that something came in or went out at `now` [us]."""
         self._active = max(now, self._active)
 
+    def goes_on(self, now: int) -> bool:
+        """Record that something came in or went out at `now` [us], where nothing is late.
+
+        False where this program stood still or the link is silent: then nothing is recorded.
+        """
+        if (
+            now - self._active > LONGEST_HICCUP
+            or now - self._heard > LINK_TIMEOUT
+            or now - self._beaten > MODE_UNKNOWN
+        ):
+            return False
+        self._active = max(now, self._active)
+        return True
+
     def wake(self, now: int) -> int:
         """For how long this program stood still until `now` [us], 0 where it did not [us]."""
         gap = now - self._active

@@ -1,12 +1,14 @@
 """The newest messages of the autopilot, and the measurement that they make."""
 
 import math
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from vfguide.autopilots.makes import ASSUMED
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
+from vfguide.kernels.written_functions import maker
 from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -73,7 +75,8 @@ class Knowledge(NamedTuple):
     @property
     def time_ms(self) -> int:
         """Time of the newest attitude [ms], 0 before the first."""
-        return 0 if self.clock is None else self.clock.time_ms
+        clock = self.clock
+        return 0 if clock is None else clock.time_ms
 
 
 _PLACES: dict[type[Message], int] = {
@@ -94,6 +97,9 @@ _TIMES: dict[type[Message], int] = {
 }
 """The number of the field with the time of a message that contains none."""
 _CLOCK = Knowledge._fields.index("clock")
+_DERIVED = (SystemTime, GpsRawInt, ScaledPressure)
+"""The kinds of messages of which only what follows from them is kept."""
+_knowledge, _measurement = maker(Knowledge), maker(Measurement)
 OBSERVED = tuple(_PLACES)
 """The kinds of messages from which a measurement is made."""
 
@@ -103,10 +109,11 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
 
     An implausible message changes nothing, nor does a late one, nor an attitude heard before.
     """
-    place = _PLACES.get(type(message))
+    kind = type(message)
+    place = _PLACES.get(kind)
     if place is None or not is_plausible(message):
         return known
-    if isinstance(message, SystemTime | GpsRawInt | ScaledPressure):
+    if isinstance(message, _DERIVED):
         return with_derived(known, message)
     after: list[Any] = list(known)
     after[place] = message
@@ -118,9 +125,9 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
         before = known.position
         if before is not None and is_late(before.time_boot_ms, message.time_boot_ms):
             return known
-    elif known.attitude is not None and (time_place := _TIMES.get(type(message))):
+    elif known.attitude is not None and (time_place := _TIMES.get(kind)):
         after[time_place] = known.time_ms
-    return Knowledge._make(after)
+    return _knowledge(after)
 
 
 def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPressure) -> Knowledge:
@@ -153,30 +160,41 @@ def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:
     Airspeed and wind are not numbers where they are missing or too old. `lead` is the time after
     the attitude for which the state is predicted [s].
     """
-    attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
+    # taken apart at once: the name of each field costs three times as much
+    origin, attitude, position, hud, hud_time, wind, wind_time, _, _, projection, *_ = known
     if attitude is None or position is None or hud is None or origin is None:
         return None
-    ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
+    attitude_ms, q1, q2, q3, q4, p, q, r, _ = attitude
+    position_ms, x, y, z, vx, vy, vz = position
+    ahead = elapsed(position_ms, attitude_ms)
     if abs(ahead) > STALE:
         return None
-    wind, now = known.wind, known.time_ms
-    if wind is not None and (now - known.wind_time) * MS > WIND_STALE:
+    now, altitude = known.time_ms, hud.alt
+    if wind is not None and (now - wind_time) * MS > WIND_STALE:
         wind = None
-    return Measurement(
-        now * MS,
-        (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
-        (position.x, position.y, position.z),
-        (position.vx, position.vy, position.vz),
-        ahead,
-        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
-        hud.airspeed if (now - known.hud_time) * MS <= STALE else math.nan,
-        hud.alt,
-        isa_density(hud.alt),
-        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
-        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
-        lead,
-        known.projection,
+    return _measurement(
+        (
+            now * MS,
+            (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
+            (x, y, z),
+            (vx, vy, vz),
+            ahead,
+            (q1, q2, q3, q4),
+            hud.airspeed if (now - hud_time) * MS <= STALE else math.nan,
+            altitude,
+            density_at(altitude),
+            UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+            (p, q, r),
+            lead,
+            projection,
+        )
     )
+
+
+@lru_cache(maxsize=4)
+def density_at(altitude: float) -> float:
+    """Air density at an altitude [m], which is told less often than the attitude [kg/m^3]."""
+    return isa_density(altitude)
 
 
 def lacking(known: Knowledge) -> str | None:

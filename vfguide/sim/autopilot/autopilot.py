@@ -10,6 +10,7 @@ from vfguide.earth.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.written_functions import maker
 from vfguide.link.enums import AttitudeTypeMask, MavSeverity
 from vfguide.link.messages import (
     AdsbVehicle,
@@ -52,6 +53,9 @@ PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
 """Type mask flag of an ignored pitch rate as a plain integer."""
 YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
 """Type mask flag of an ignored yaw rate as a plain integer."""
+
+
+_report = maker(Report)
 
 
 class Autopilot:
@@ -151,25 +155,27 @@ class Autopilot:
     def streams(self, port: MavlinkChannel) -> list[bytes]:
         """The frames that are due on a port now."""
         report = self.report()
-        messages = port.take_queue(self.now)
-        due = (msgid for msgid in port.due(self.now) if msgid not in self._silent)
-        messages += [MAKERS[msgid](report) for msgid in due]
+        messages, silent = port.take_queue(self.now), self._silent
+        messages += [MAKERS[msgid](report) for msgid in port.due(self.now) if msgid not in silent]
         return [port.encode(message) for message in messages]
 
     def report(self) -> Report:
         """Everything that the streams tell."""
-        return Report(
-            self.now,
-            round(self.estimate.time / MS) % 2**32,
-            self.estimate,
-            self._estimator.origin,
-            self._estimator.home,
-            self.mode,
-            True,
-            self.setpoint if self.mode is Mode.OFFBOARD else None,
-            Controls(*self._controls).throttle,
-            self._estimator.pressure_altitude,
-            self._estimator.undulation,
+        _, _, _, throttle = self._controls
+        return _report(
+            (
+                self.now,
+                round(self.estimate.time / MS) % 2**32,
+                self.estimate,
+                self._estimator.origin,
+                self._estimator.home,
+                self.mode,
+                True,
+                self.setpoint if self.mode is Mode.OFFBOARD else None,
+                throttle,
+                self._estimator.pressure_altitude,
+                self._estimator.undulation,
+            )
         )
 
     def take_setpoint(self, setpoint: SetAttitudeTarget) -> None:

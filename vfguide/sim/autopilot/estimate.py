@@ -8,6 +8,7 @@ from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.earth.projection import project, reproject
 from vfguide.geometry.vector import Vec3, add, norm, sub
 from vfguide.kernels.compiled import compiled
+from vfguide.kernels.written_functions import maker
 from vfguide.sim.autopilot.instruments import AirspeedFault, Instruments
 from vfguide.sim.autopilot.noise import Errs, StateNoise
 from vfguide.sim.truth import Truth
@@ -43,6 +44,9 @@ class Estimate(NamedTuple):
     """True airspeed that it flies on [m/s]: without a sensor, ground velocity less wind."""
     wind_n: Vec3
     """Wind, the direction it blows toward, NED [m/s]."""
+
+
+_estimate = maker(Estimate)
 
 
 class Origin(NamedTuple):
@@ -113,12 +117,12 @@ class Estimator:
 
     def update(self, truth: Truth, rate_error: Vec3 = (0.0, 0.0, 0.0)) -> Estimate:
         """The estimate at the time of `truth`; `rate_error` is that of the body rates [rad/s]."""
-        dt = truth.time - self._time
-        self._time, self._altitude = truth.time, truth.altitude
-        self._follow_wind(truth.wind_n, min(dt / WIND_SMOOTHING, 1.0))
-        self._reset(truth.time)
-        v_n, wind_n, omega_b = truth.v_n, self._wind_n, truth.omega_b
-        euler = (truth.roll, truth.pitch, truth.yaw)
+        time, _, _, true_altitude, v_n, roll, pitch, yaw, omega_b, _, _, _, wind_n, *_ = truth
+        dt = time - self._time
+        self._time, self._altitude = time, true_altitude
+        self._follow_wind(wind_n, min(dt / WIND_SMOOTHING, 1.0))
+        self._reset(time)
+        wind_n, euler = self._wind_n, (roll, pitch, yaw)
         if self._noise is not None:
             self.error = error = self._noise.step(dt)
             v_n, wind_n = add(v_n, error.v_n), add(wind_n, error.wind_n)
@@ -127,21 +131,11 @@ class Estimator:
         latitude, longitude, altitude = self._place(truth)
         told, own = self._airspeeds(truth, v_n, wind_n)
         x, y, calibrated = on_instruments(
-            origin.latitude, origin.longitude, latitude, longitude, told, truth.altitude
+            origin.latitude, origin.longitude, latitude, longitude, told, true_altitude
         )
-        return Estimate(
-            truth.time,
-            latitude,
-            longitude,
-            altitude,
-            (x, y, origin.altitude - altitude),
-            v_n,
-            euler,
-            omega_b,
-            calibrated,
-            own,
-            wind_n,
-        )
+        below = (x, y, origin.altitude - altitude)
+        place = (latitude, longitude, altitude, below)
+        return _estimate((time, *place, v_n, euler, omega_b, calibrated, own, wind_n))
 
     def _follow_wind(self, wind_n: Vec3, blend: float) -> None:
         n, e, d = self._wind_n

@@ -88,12 +88,10 @@ class MavlinkChannel:
 
         What was missed is left out; the others keep their beat.
         """
-        ready: list[int] = []
-        for msgid, due in self._due.items():
-            if due <= now:
-                ready.append(msgid)
-                interval = self._interval[msgid]
-                self._due[msgid] = due + interval * (1 + (now - due) // interval)
+        ready = [msgid for msgid, due in self._due.items() if due <= now]
+        for msgid in ready:
+            interval, due = self._interval[msgid], self._due[msgid]
+            self._due[msgid] = due + interval * (1 + (now - due) // interval)
         return ready
 
     def set_interval(self, now: int, msgid: int, interval: int) -> None:
