@@ -65,7 +65,7 @@ def fly(
         save = partial(save_identified, loaded, vehicle, folder=path.parent)
         daemon = Daemon(session, transport, flight_log, Clock(), say, save)
         stack.enter_context(REQUESTS)
-        outcome = daemon.run(lambda: REQUESTS.count)
+        outcome = daemon.run(REQUESTS.seen)
         status = GOOD if outcome is Outcome.HANDED_OVER else BAD
         REQUESTS.ending = Ending(status, "ended")
     if outcome is Outcome.UNCONFIRMED:
