@@ -300,8 +300,8 @@ def test_a_difference_that_does_not_matter_does_not_fill_a_figure(run: Run) -> N
     *_, airspeed = drawn(draw_air, run.flights).axes
     *_, height = drawn(draw_position, run.flights).axes
     _, pitch, yaw = drawn(draw_attitude, run.flights).axes
-    for axes, span in ((airspeed, 2.0), (height, 5.0), (pitch, 10.0)):
-        assert np.ptp(axes.get_ylim()) >= span
+    for axes, least in ((airspeed, 2.0), (height, 5.0), (pitch, 10.0)):
+        assert np.ptp(axes.get_ylim()) >= least
     assert yaw.get_yticks().tolist() == [0.0, 90.0, 180.0, 270.0, 360.0]
 
 

@@ -4,11 +4,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from vfguide.results.interventions import AssuranceResult, Episode
+from vfguide.results.result import Result
 from vfguide.terminal import flight_display
 from vfguide.terminal.console import Printer
 from vfguide.terminal.flight_display import assurance_lines
-from vfguide.results.interventions import AssuranceResult, Episode
-from vfguide.results.result import Result
 
 
 @pytest.mark.parametrize(

@@ -67,8 +67,8 @@ def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
 def run_command() -> int:
     """Run a command; the exit status of those that end of themselves."""
     from vfguide.cli.app import app
-    from vfguide.terminal.console import complain, tell_warnings
     from vfguide.files.errors import InputError
+    from vfguide.terminal.console import complain, tell_warnings
 
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns of a cache of its own
     tell_warnings()
