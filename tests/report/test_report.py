@@ -23,8 +23,14 @@ from vfguide.report.drawing import Flights, broken, goal_axis, to_png
 from vfguide.report.figures import draw_figures
 from vfguide.report.path_figures import draw_plan, draw_side, draw_space
 from vfguide.report.report import number, render, span, write_report
-from vfguide.report.time_figures import draw_envelope, draw_position, draw_rates
-from vfguide.results.result import Result, judge
+from vfguide.report.time_figures import (
+    draw_air,
+    draw_attitude,
+    draw_envelope,
+    draw_position,
+    draw_rates,
+)
+from vfguide.results.result import Result, in_words, judge
 
 pytestmark = pytest.mark.slow
 
@@ -258,6 +264,53 @@ def test_drawing_again_gives_the_same_bytes_and_changes_no_setting(run: Run) -> 
     for picture in draw_figures(run.flights):
         assert (run.folder / "figures" / f"{picture.name}.png").read_bytes() == picture.png
     assert dict(mpl.rcParams) == before
+
+
+@pytest.mark.parametrize("difference", [0.0, 0.004, 0.03, 0.4, 30.0])
+@pytest.mark.parametrize(
+    "draw", [draw_air, draw_attitude, draw_envelope, draw_position, draw_rates]
+)
+def test_what_stands_beside_an_axis_does_not_overlap(
+    tmp_path: Path, draw: Any, difference: float
+) -> None:
+    """However little there is to show."""
+    flights = flights_of(tmp_path, MINIMAL)
+    (record,) = flights.records
+    wave = difference * np.sin(record.time)
+    little = replace(
+        record,
+        p_n=record.p_n * (1.0, 0.0, 1.0) - wave[:, None] * (0.0, 0.0, 1.0),
+        euler=record.euler + 0.01 * wave[:, None],
+        airspeed=25.78 + wave,
+        wind_n=record.wind_n + wave[:, None],
+    )
+    for axes in drawn(draw, Flights(flights.loaded, [little])).axes:
+        label = axes.yaxis.label.get_window_extent()
+        low, high = sorted(axes.get_ylim())
+        ticks = [
+            tick.get_window_extent()
+            for tick, value in zip(axes.get_yticklabels(), axes.get_yticks(), strict=True)
+            if low <= value <= high
+        ]
+        assert ticks
+        assert not any(label.overlaps(tick) for tick in ticks), axes.get_ylabel()
+
+
+def test_a_difference_that_does_not_matter_does_not_fill_a_figure(run: Run) -> None:
+    *_, airspeed = drawn(draw_air, run.flights).axes
+    *_, height = drawn(draw_position, run.flights).axes
+    _, pitch, yaw = drawn(draw_attitude, run.flights).axes
+    for axes, least in ((airspeed, 2.0), (height, 5.0), (pitch, 10.0)):
+        assert np.ptp(axes.get_ylim()) >= least
+    assert yaw.get_yticks().tolist() == [0.0, 90.0, 180.0, 270.0, 360.0]
+
+
+def test_a_reason_is_told_in_words(run: Run) -> None:
+    result = judge(run.flights.loaded.scenario, run.flights.records, 25.0, 0.1, ("time",))
+    assert result.reasons[0] == "time"
+    assert "time: duration_s was over first" in render(run.flights.loaded, result, [], COMMAND)
+    assert in_words("time") == "time: duration_s was over first"
+    assert in_words(result.reasons[1]) == result.reasons[1]
 
 
 def test_no_line_is_drawn_where_an_angle_jumps() -> None:

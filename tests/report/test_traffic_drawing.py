@@ -73,6 +73,15 @@ def test_the_figures_of_the_path_show_it(flights: Flights, draw) -> None:
     assert ("CROSS" in names) == (draw is draw_plan)
 
 
+def test_its_name_is_beside_its_volume_and_over_all_lines(flights: Flights) -> None:
+    (axes,) = drawn(draw_plan, flights).axes
+    (name,) = [text for text in axes.texts if text.get_text() == "CROSS"]
+    (its,) = flights.traffic
+    corners = axes.transData.transform(its.volume[:, [1, 0]])
+    assert name.get_window_extent().y0 >= corners[:, 1].max() - 1.0
+    assert all(name.zorder > line.zorder for line in axes.lines if line.get_marker() == "None")
+
+
 def test_its_volume_is_a_hazard_that_may_be_the_nearest(flights: Flights) -> None:
     beside, above = np.hypot(*apart(flights)[:, :2].T), np.abs(apart(flights)[:, 2])
     assert (above < 20.0).all()

@@ -5,7 +5,7 @@ import socket
 import pytest
 from programs import companion_port, free_vehicles
 
-from vfguide.cli.main import main
+from vfguide.cli.program import run_command
 
 PORT = companion_port(*free_vehicles())
 GOOD = ["first-flight", "--vehicle", "1", "--connect", f"udpin:127.0.0.1:{PORT}"]
@@ -17,9 +17,7 @@ def refuse(monkeypatch, capsys, tmp_path):
 
     def run(*arguments):
         monkeypatch.setattr("sys.argv", ["vfguide", "fly", *arguments])
-        with pytest.raises(SystemExit) as ended:
-            main()
-        assert ended.value.code == 2
+        assert run_command() == 2
         assert not (tmp_path / "runs").exists()
         return capsys.readouterr().err.strip()
 

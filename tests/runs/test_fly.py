@@ -21,7 +21,7 @@ from programs import (
 )
 
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.cli.main import main
+from vfguide.cli.program import run_command
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, MM, MS
 from vfguide.geometry.vector import dot, sub
@@ -123,9 +123,7 @@ def replays(monkeypatch):
 
     def replay(log):
         monkeypatch.setattr("sys.argv", ["vfguide", "replay", str(log)])
-        with pytest.raises(SystemExit) as ended:
-            main()
-        return ended.value.code
+        return run_command()
 
     return replay
 

@@ -14,12 +14,13 @@ def check(
     Example: vfguide check first-flight
     """
     from vfguide.files.data import find_scenario
+    from vfguide.files.looked_for import is_there
     from vfguide.preflight.load import check_file
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import out, warn
 
     COMPILING.stage("the checks of the plan")
-    path = file if file.exists() else find_scenario(str(file))
+    path = file if is_there(file) else find_scenario(str(file))
     warnings = check_file(path)
     warn(warnings)
     out.print(f"{path}: {'can be flown' if warnings else 'fine'}")

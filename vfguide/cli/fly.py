@@ -65,7 +65,7 @@ def fly(
         save = partial(save_identified, loaded, vehicle, folder=path.parent)
         daemon = Daemon(session, transport, flight_log, Clock(), say, save)
         stack.enter_context(REQUESTS)
-        outcome = daemon.run(lambda: REQUESTS.count)
+        outcome = daemon.run(REQUESTS.seen)
         status = GOOD if outcome is Outcome.HANDED_OVER else BAD
         REQUESTS.ending = Ending(status, "ended")
     if outcome is Outcome.UNCONFIRMED:
@@ -121,11 +121,12 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
     """
     from vfguide.cli.logs import new_log
     from vfguide.files.errors import InputError
+    from vfguide.files.looked_for import is_there
 
     folder, scenario = path.parent, path.with_name("scenario.toml")
     if not in_folder:
         return new_log(path)
-    if scenario.exists() and scenario.read_text("utf-8") != loaded.scenario.to_toml():
+    if is_there(scenario) and scenario.read_bytes() != loaded.scenario.to_toml().encode():
         raise InputError(f"--log {folder}: a log of another scenario, allowed is a new folder")
     log = new_log(path)
     try:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from vfguide.files.errors import InputError
+from vfguide.files.looked_for import is_there
 from vfguide.link.tlog import TlogError, TlogWriter
 
 
@@ -10,9 +11,9 @@ def new_log(path: Path) -> TlogWriter:
     """A new log; its folder is made if need be.
 
     Raises:
-        InputError: there is one already, or it cannot be made.
+        InputError: there is one already, it cannot be made, or not be looked for.
     """
-    if path.exists():
+    if is_there(path):
         raise InputError(f"--log {path}: already there, allowed is a new file")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -46,7 +46,7 @@ def sim(
     from vfguide.sim.vehicle import steps_between_updates
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, out
-    from vfguide.terminal.signals import REQUESTS
+    from vfguide.terminal.signals import REQUESTS, Ending
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -72,7 +72,9 @@ def sim(
         except TlogError as error:
             raise InputError(str(error)) from error
         out.print(f"ended after {flight.sim_s:.1f} s, {lateness(flight.pace)}")
-    raise typer.Exit(GOOD if flight.flying else BAD)
+        status = GOOD if flight.flying else BAD
+        REQUESTS.ending = Ending(status, "ended")
+    raise typer.Exit(status)
 
 
 def open_sockets(scenario: "Scenario", stack: ExitStack) -> "list[tuple[socket, socket]]":

@@ -130,7 +130,7 @@ def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
     """A socket that never blocks, and the address of `url`.
 
     Raises:
-        ConnectError: the host is unknown.
+        ConnectError: the host is unknown, or what is given is no name of one.
     """
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(
@@ -138,6 +138,8 @@ def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
         )[0]
     except OSError as error:
         raise ConnectError(f"{url}: unknown host: {error.strerror}") from error
+    except UnicodeError as error:
+        raise ConnectError(f"{url}: not the name of a host") from error
     opened = socket.socket(family, kind, protocol)
     opened.setblocking(False)
     return opened, address

@@ -8,6 +8,7 @@ from heapq import nlargest
 from pathlib import Path
 
 from vfguide.files.errors import InputError
+from vfguide.files.looked_for import is_file
 
 PACKAGE = Path(__file__).parent.parent
 """Folder of the package `vfguide`."""
@@ -47,10 +48,11 @@ def find_scenario(name_or_path: str | Path) -> Path:
     """The scenario file at a path or of a shipped name.
 
     Raises:
-        InputError: there is neither; the message lists the shipped names.
+        InputError: there is neither, and the message lists the shipped names; or the path cannot
+            be looked for.
     """
     path = Path(name_or_path)
-    if path.is_file():
+    if is_file(path):
         return path
     names = shipped_scenarios()
     name = path.as_posix().removesuffix(".toml")
@@ -70,7 +72,8 @@ def find_aircraft(name: str, beside: Path | None = None) -> AircraftFiles:
         beside: the scenario file.
 
     Raises:
-        InputError: there is no aircraft of that name; the message lists all names.
+        InputError: there is no aircraft of that name, and the message lists all names; or it
+            cannot be looked for.
     """
     own = [beside.parent / "aircraft"] if beside else []
     roots = [*own, data_folder() / "aircraft"]
@@ -103,9 +106,9 @@ def close_matches(wrong: str, right: Sequence[str]) -> str:
 
 def _files(root: Path, name: str) -> AircraftFiles | None:
     for performance in (root / f"{name}.toml", root / name / f"{name}.toml"):
-        if performance.is_file():
+        if is_file(performance):
             model = root / name / f"{name}.xml"
-            return AircraftFiles(name, root, performance, model if model.is_file() else None)
+            return AircraftFiles(name, root, performance, model if is_file(model) else None)
     return None
 
 

@@ -84,11 +84,12 @@ def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
         write_name(axes, body.name, body.track[1] @ onto, "#374151")
 
 
-def write_name(axes: Axes, name: str, at: Vector, color: str) -> None:
-    """A name in the middle of a place, (2,), readable on lines and surfaces."""
+def write_name(axes: Axes, name: str, at: Vector, color: str, *, above: bool = False) -> None:
+    """A name in the middle of a place, (2,), or above it, readable on lines and surfaces."""
     halo = [withStroke(linewidth=2.5, foreground="white", alpha=0.8)]
-    look: Any = {"ha": "center", "va": "center", "fontsize": 8, "path_effects": halo}
-    axes.text(at[0], at[1], short(name), clip_on=True, color=color, zorder=1.7, **look)
+    side = "bottom" if above else "center"
+    look: Any = {"ha": "center", "va": side, "fontsize": 8, "path_effects": halo}
+    axes.text(at[0], at[1], short(name), clip_on=True, color=color, zorder=2.4, **look)
 
 
 def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:

@@ -38,6 +38,11 @@ class Panel:
     limits: Sequence[float] = ()
     wanted: Callable[[FlightRecord], Array] | None = None
     """What was commanded, drawn beside what was flown."""
+    span: float = 0.0
+    """What the axis shows at least from bottom to top, in the unit of the label: a difference that
+    does not matter must not fill it."""
+    around: bool = False
+    """Angles go once round the circle, 0 to 360 degrees."""
 
 
 def draw_panels(
@@ -81,6 +86,14 @@ def name_axis(axes: Axes, label: str) -> None:
     axes.margins(x=0.01, y=0.12)
 
 
+def show_no_less_than(axes: Axes, span: float) -> None:
+    """Widen the vertical axis about its middle where it shows less than `span`."""
+    low, high = axes.get_ylim()
+    more = 0.5 * (span - (high - low))
+    if more > 0.0:
+        axes.set_ylim(low - more, high + more)
+
+
 def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
     for limit in panel.limits:
         axes.axhline(limit, **LIMIT_LINE)
@@ -89,3 +102,6 @@ def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
         if panel.wanted is not None:
             axes.plot(record.time, panel.wanted(record), **WANTED_LINE)
     name_axis(axes, panel.label)
+    show_no_less_than(axes, panel.span)
+    if panel.around:
+        axes.set(ylim=(-10.0, 370.0), yticks=range(0, 361, 90))

@@ -11,7 +11,7 @@ from vfguide.report.drawing import Flights
 from vfguide.report.figures import Picture, draw_figures
 from vfguide.results.closest import closest
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result
+from vfguide.results.result import Result, in_words
 from vfguide.scenario.loaded import LoadedScenario
 
 NO_VALUE = "-"
@@ -52,6 +52,7 @@ def render(
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["in_words"] = in_words
     environment.filters["number"] = number
     environment.filters["figure"] = figure
     environment.filters["range"] = span

@@ -16,9 +16,9 @@ from vfguide.results.record import AirBelief, FlightRecord
 def draw_position(figure: Figure, flights: Flights) -> None:
     """North, east and height of the origin, with the goals where they were reached."""
     panels = [
-        Panel("North [m]", lambda each: each.p_n[:, 0]),
-        Panel("East [m]", lambda each: each.p_n[:, 1]),
-        Panel("Above the origin [m]", lambda each: -each.p_n[:, 2]),
+        Panel("North [m]", lambda each: each.p_n[:, 0], span=5.0),
+        Panel("East [m]", lambda each: each.p_n[:, 1], span=5.0),
+        Panel("Above the origin [m]", lambda each: -each.p_n[:, 2], span=5.0),
     ]
     mark = Line2D(
         [], [], color=GOAL_COLOUR, marker="D", linestyle="none", markersize=5, label="Goal"
@@ -37,8 +37,8 @@ def draw_attitude(figure: Figure, flights: Flights) -> None:
     """Roll, pitch and yaw."""
     panels = [
         Panel("Roll [°]", lambda each: broken(each.euler[:, 0] / DEG)),
-        Panel("Pitch [°]", lambda each: each.euler[:, 1] / DEG),
-        Panel("Yaw [°]", lambda each: broken(each.euler[:, 2] / DEG % 360.0)),
+        Panel("Pitch [°]", lambda each: each.euler[:, 1] / DEG, span=10.0),
+        Panel("Yaw [°]", lambda each: broken(each.euler[:, 2] / DEG % 360.0), around=True),
     ]
     draw_panels(figure, flights, "Attitude (Euler angles)", panels, [])
 
@@ -107,21 +107,24 @@ def draw_air(figure: Figure, flights: Flights) -> None:
             "Wind to north [m/s]",
             lambda each: each.wind_n[:, 0],
             wanted=lambda each: believed(each, lambda air: (air.wind_north, air.wind_sigma)),
+            span=2.0,
         ),
         Panel(
             "Wind to east [m/s]",
             lambda each: each.wind_n[:, 1],
             wanted=lambda each: believed(each, lambda air: (air.wind_east, air.wind_sigma)),
+            span=2.0,
         ),
         Panel(
             "True airspeed [m/s]",
             lambda each: each.airspeed,
             wanted=lambda each: believed(each, lambda air: (air.airspeed, air.airspeed_sigma)),
+            span=2.0,
         ),
     ]
     true = [] if flights.several else [Line2D([], [], **line_of(0), label="True, with gusts")]
     estimated = Line2D([], [], **WANTED_LINE, label="Estimated by the companion")
-    draw_panels(figure, flights, "Wind: true and estimated", panels, [*true, estimated])
+    draw_panels(figure, flights, "Air: true and estimated", panels, [*true, estimated])
 
 
 def believed(record: FlightRecord, part: Callable[[AirBelief], tuple[Series, Series]]) -> Series:

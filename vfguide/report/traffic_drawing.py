@@ -76,9 +76,11 @@ def draw_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> Non
 
 
 def name_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> None:
-    """Their names where they came nearest, unless there are too many."""
+    """Their names above their volumes, unless there are too many."""
     for each in traffic if len(traffic) <= MAX_NAMES else ():
-        write_name(axes, each.name, each.nearest @ onto, AIRCRAFT_COLOUR)
+        across, up = (each.volume @ onto).T
+        top = np.array((0.5 * (across.min() + across.max()), up.max()))
+        write_name(axes, each.name, top, AIRCRAFT_COLOUR, above=True)
 
 
 def draw_traffic_in_space(axes: Any, traffic: Sequence[TrafficPath]) -> None:

@@ -110,6 +110,11 @@ class Result:
         return json.dumps(asdict(self), indent=2, allow_nan=False) + "\n"
 
 
+def in_words(reason: str) -> str:
+    """A reason of a bad verdict as people read it."""
+    return f"{reason}: duration_s was over first" if reason == "time" else reason
+
+
 def judge(
     scenario: Scenario,
     records: Sequence[FlightRecord],

@@ -9,7 +9,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from vfguide.results.closest import closest
-from vfguide.results.result import Result
+from vfguide.results.result import Result, in_words
 from vfguide.runs.fleet import Flown
 from vfguide.scenario.resolved import Scenario
 from vfguide.terminal.console import err, out, shown
@@ -82,7 +82,7 @@ def print_result(result: Result, folder: Path) -> None:
     for line in (*traffic_lines(result), *assurance_lines(result)):
         out.print(line)
     for reason in result.reasons:
-        out.print(f"  {reason}", style="red")
+        out.print(f"  {in_words(reason)}", style="red")
     good = result.verdict == "good"
     out.print(f"verdict: {result.verdict}", style="bold green" if good else "bold red")
     report = folder / "report.html"

@@ -1,8 +1,9 @@
 """SIGINT, SIGTERM and SIGHUP, the requests to end, heard at every moment.
 
-A loop that looks for requests enters `REQUESTS`, and ends in good order by itself. Everywhere else
-the first request ends the command at once: by the exception `Ended`, and where Python does not get
-to raise it, as while LLVM compiles, or something swallows it, by a thread.
+A loop that looks for requests enters `REQUESTS`, and ends in good order by itself; one that it did
+not see any more ends the command when the loop is left. Everywhere else the first request ends the
+command at once, by a thread. Nothing is raised: an exception out of nowhere, in the middle of a
+library that calls Python back, as LLVM does, may be swallowed or crash the process.
 """
 
 import os
@@ -19,8 +20,8 @@ from vfguide.terminal.exit_status import INTERRUPTED
 STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """The signals that ask a command to end: Ctrl-C, `kill`, and a terminal that was closed."""
 GRACE = 0.3
-"""Time in which a command ends in good order before it is ended [s]; chosen, so that it is over
-within a second."""
+"""Time in which a command that is ending in good order may end when it is asked once more [s];
+chosen, so that it is over within a second."""
 
 
 @dataclass(frozen=True)
@@ -35,30 +36,32 @@ INTERRUPTION = Ending(INTERRUPTED, "interrupted")
 """How most commands end."""
 
 
-class Ended(BaseException):
-    """A request to end, at a place that does not look for one."""
-
-
 class Requests:
     """Counts the requests to end; a loop enters it while it looks for them."""
 
     def __init__(self) -> None:
-        self.count = 0
-        """Number of requests so far."""
         self.ending = INTERRUPTION
         """How the command ends where no loop looks."""
-        self.raised = False
-        """A request was raised as an exception, which others may have taken the place of."""
+        self._end: Callable[[Ending], None] = nobody_ends
+        self._count = 0
+        self._seen = 0
         self._looking = 0
+        self._counting = threading.Lock()
         self._over = threading.Event()
         self._claimed = threading.Lock()
 
     def wanted(self) -> bool:
-        """Whether the user wants an end."""
-        return self.count > 0
+        """Whether the user wants an end; who asks sees to it."""
+        return self.seen() > 0
+
+    def seen(self) -> int:
+        """Number of requests so far; who asks sees to them."""
+        self._seen = self._count
+        return self._seen
 
     def __enter__(self) -> Self:
-        self._looking += 1
+        with self._counting:
+            self._looking += 1
         return self
 
     def __exit__(
@@ -67,30 +70,33 @@ class Requests:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._looking -= 1
+        with self._counting:
+            self._looking -= 1
+        if self._count and not self._seen and error is None:
+            self._claim_end()
 
     @contextmanager
     def heard(self, ending: Ending, end: Callable[[Ending], None]) -> Generator[None]:
-        """Hear the signals.
+        """Hear the signals; those that are held back come when they are let through.
 
         Args:
             ending: how the command ends where no loop looks.
-            end: ends the process where nothing else does.
+            end: ends the process.
         """
         self.__init__()
-        self.ending = ending
+        self.ending, self._end = ending, end
         reading, writing = os.pipe()
         os.set_blocking(writing, False)
         before: dict[signal.Signals, Any] = {
-            number: signal.signal(number, self._note) for number in wanted_signals()
+            number: signal.signal(number, leave_to_the_watch) for number in wanted_signals()
         }
         wakeup = signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
-        watch = threading.Thread(target=self._watch, args=(reading, end), daemon=True)
+        watch = threading.Thread(target=self._watch, args=(reading,), daemon=True)
         watch.start()
         try:
             yield
         finally:
-            self._over.set()
+            self.close()
             signal.set_wakeup_fd(wakeup)
             for number, handler in before.items():
                 signal.signal(number, handler)
@@ -98,26 +104,37 @@ class Requests:
             watch.join()
             os.close(reading)
 
-    def claim_end(self) -> None:
-        """Claim the ending of the process: who comes second waits for it."""
-        self._claimed.acquire()
+    def let_through(self) -> None:
+        """From now on requests are heard, the first of all those that were held back."""
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, STOP_SIGNALS)
 
-    def _note(self, _: int, __: FrameType | None) -> None:
-        self.count += 1
-        if self.count == 1 and not self._looking:
-            self.raised = True
-            raise Ended
+    def close(self) -> None:
+        """The work is done: what is asked for from now on changes nothing."""
+        with self._claimed:
+            self._over.set()
 
-    def _watch(self, reading: int, end: Callable[[Ending], None]) -> None:
-        """End the process if a request is not heeded in time."""
+    def _claim_end(self) -> None:
+        """End the process, once, unless the work is done."""
+        with self._claimed:
+            if not self._over.is_set():
+                self._end(self.ending)
+
+    def _watch(self, reading: int) -> None:
+        """Count the requests, and end the process at those that no loop looks for."""
         while os.read(reading, 1):
-            if not self._looking and not self._over.wait(GRACE) and not self._looking:
-                self.claim_end()
-                end(self.ending)
+            with self._counting:
+                self._count += 1
+                heeded = self._looking > 0
+            if not heeded and not (self._seen and self._over.wait(GRACE)):
+                self._claim_end()
 
 
-REQUESTS = Requests()
-"""What this process is asked: there is one table of signals in it."""
+def nobody_ends(_: Ending) -> None:
+    """End nothing: the signals are not heard."""
+
+
+def leave_to_the_watch(_: int, __: FrameType | None) -> None:
+    """Do nothing where the signal comes: the thread that watches is woken by it."""
 
 
 def wanted_signals() -> list[signal.Signals]:
@@ -127,3 +144,7 @@ def wanted_signals() -> list[signal.Signals]:
         for number in STOP_SIGNALS
         if number != signal.SIGHUP or signal.getsignal(number) != signal.SIG_IGN
     ]
+
+
+REQUESTS = Requests()
+"""What this process is asked: there is one table of signals in it."""

@@ -30,6 +30,7 @@ class TolerantStream(io.TextIOBase):
         self._behind = behind
         self._encoding = getattr(behind, "encoding", None) or "utf-8"
         self._pending = 0
+        self._concluded = False
         self._changed = threading.Condition()
         self._queue = Queue[str]()
         self._writer: threading.Thread | None = None
@@ -62,16 +63,26 @@ class TolerantStream(io.TextIOBase):
         if not isinstance(s, str):  # pyright: ignore[reportUnnecessaryIsInstance]
             raise TypeError(f"{type(s).__name__} is no text")
         with self._changed:
-            if self._behind is not None and self.failure is None and self._pending < MAX_PENDING:
-                self._pending += 1
-                self._queue.put(s)
-                self._start()
+            if not self._concluded and self._pending < MAX_PENDING:
+                self._put(s)
         return len(s)
+
+    def conclude(self, words: str) -> None:
+        """Show the last words: what is written after them is lost."""
+        with self._changed:
+            self._concluded = True
+            self._put(words)
 
     def drain(self, seconds: float | None) -> None:
         """Wait until all is shown, at most so long [s]; None: as long as it takes."""
         with self._changed:
             self._changed.wait_for(lambda: not self._pending, seconds)
+
+    def _put(self, text: str) -> None:
+        if self._behind is not None and self.failure is None:
+            self._pending += 1
+            self._queue.put(text)
+            self._start()
 
     def _start(self) -> None:
         if self._writer is None:

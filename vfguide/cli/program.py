@@ -1,0 +1,82 @@
+"""The program `vfguide`: its streams, its signals, and how it ends.
+
+Everything else is imported when these are in order, so that nothing that is printed can end it,
+and Ctrl-C ends it from the first moment.
+"""
+
+import atexit
+import logging
+import os
+import sys
+from collections.abc import Sequence
+from functools import partial
+from typing import NoReturn
+
+from vfguide.terminal.exit_status import BAD_INPUT, GOOD
+from vfguide.terminal.signals import INTERRUPTION, REQUESTS, Ending
+from vfguide.terminal.streams import TolerantStream, tolerant_streams
+
+LAST_WORDS = 0.3
+"""Longest time that a program waits for its reader after it was asked to end [s]; chosen."""
+WIPE_BAR = "\r\x1b[2K\x1b[?25h"
+"""Text that wipes the line of a progress bar off a terminal and shows the cursor again (ECMA-48
+EL, DEC's DECTCEM; no unit)."""
+
+ENDINGS = {
+    "fly": Ending(GOOD, "ended before anything was sent"),
+    "sim": Ending(GOOD, "ended before the flight"),
+}
+"""How commands end that are asked to before their loop looks for it; the others are interrupted."""
+
+
+def run_program() -> NoReturn:
+    """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
+    ending = ENDINGS.get(next(iter(sys.argv[1:]), ""), INTERRUPTION)
+    with (
+        tolerant_streams() as streams,
+        REQUESTS.heard(ending, partial(end_at_once, streams)),
+    ):
+        REQUESTS.let_through()
+        status = run_command()
+        for stream in streams:
+            stream.drain(LAST_WORDS if REQUESTS.wanted() else None)
+        REQUESTS.close()
+        end_in_good_order(status)
+
+
+def end_in_good_order(status: int) -> NoReturn:
+    """End the process, which has done its work; what libraries left is cleaned up.
+
+    Taking Python down with the machine code in it takes a second, in which a signal would be the
+    exit status.
+    """
+    atexit._run_exitfuncs()  # pyright: ignore[reportPrivateUsage]
+    os._exit(status)
+
+
+def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
+    """End the process, with its last words; a progress bar is wiped off."""
+    *_, err = streams
+    bar = WIPE_BAR if err.isatty() else ""
+    err.conclude(f"{bar}vfguide: {ending.words}\n")
+    for stream in streams:
+        stream.drain(LAST_WORDS)
+    os._exit(ending.status)
+
+
+def run_command() -> int:
+    """Run a command; the exit status of those that end of themselves."""
+    from vfguide.cli.app import app
+    from vfguide.files.errors import InputError
+    from vfguide.terminal.console import complain, tell_warnings
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns of a cache of its own
+    tell_warnings()
+    try:
+        app()
+    except InputError as error:
+        complain(str(error))
+        return BAD_INPUT
+    except SystemExit as ended:
+        return ended.code if isinstance(ended.code, int) else 0
+    return 0
