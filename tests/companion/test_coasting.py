@@ -25,6 +25,7 @@ def silence(talk, seconds):
     out = []
     for tick in range(round(seconds * 50)):
         talk.now += 20_000
+        talk.boot_ms += 20
         if tick % 25 == 0:
             out += talk.hear(heartbeat(OFFBOARD))
         out += talk.poll()

@@ -18,10 +18,11 @@ from vfguide.companion.requests import (
     request_pressure,
     requested_streams,
 )
-from vfguide.companion.round_trip import RoundTrip
+from vfguide.companion.round_trip import UNANSWERED, RoundTrip
 from vfguide.companion.route import Route, Step
 from vfguide.companion.setpoint_annunciations import SetpointAnnunciator
 from vfguide.companion.setpoints import Setpoints
+from vfguide.companion.speakers import TWO_SPEAK, Speakers
 from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.enums import MavAutopilot, MavState, MavType
@@ -102,6 +103,7 @@ class Companion:
         self._unfit_until = 0
         self._place = self._new_place_watch()
         self._contact = Contact()
+        self._speakers = Speakers()
         self._beat: int | None = None
         self._origin_asked = 0
 
@@ -124,8 +126,7 @@ class Companion:
             return self._housekeeping(now)
         before, self._known = self._known, observe(self._known, message, now)
         if self._known is not before:
-            self._contact.hear(now)
-            self._news += self._time_notes.notes(before, self._known)
+            self._hear_news(now, before)
         out: list[Message] = []
         match message:  # the most frequent first
             case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
@@ -182,6 +183,14 @@ class Companion:
         self._news.clear()
         return told
 
+    def _hear_news(self, now: int, before: Knowledge) -> None:
+        """Note that something is known that was not before."""
+        self._contact.hear(now)
+        if self._known.clock is not before.clock:
+            self._round_trip.hear_state(now, self._known.time_ms)
+            self._speakers.hear(now, before.clock, self._known.clock)
+        self._news += self._time_notes.notes(before, self._known)
+
     def _new_place_watch(self) -> PlaceWatch:
         """A watch over the place that has not looked yet."""
         return PlaceWatch(self.route.plan, self._news)
@@ -229,7 +238,10 @@ class Companion:
         """Record at `now` [us] whether anything keeps the companion from guiding."""
         unfit = self._unfit if now < self._unfit_until else None
         place = self._place.hindrance(follows=self._control.is_followed)
-        self._control.hinder(now, self._slow or unfit or place)
+        unknown = UNANSWERED if self._round_trip.is_unanswered else None
+        self._control.is_alone = not self._speakers.are_two(now)
+        two = None if self._control.is_alone else TWO_SPEAK.format(sysid=self.sysid)
+        self._control.hinder(now, two or self._slow or unknown or unfit or place)
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
@@ -278,9 +290,9 @@ class Companion:
         if not self._control.may_send:
             self.route.pause()
             return []
-        if self._contact.waited(now):
+        if self._contact.waited(now) or not self._round_trip.is_known:
             return []
-        setpoint = self.route.guide(known, self._control.follows, self._round_trip.delay)
+        setpoint = self.route.guide(known, self._control.follows, self._round_trip.lead)
         if setpoint is None:
             return []
         if self.route.unfit is not None:
@@ -330,7 +342,11 @@ class Companion:
         elif control.hindrance is not None:
             self._news += notes.fail(now, control.hindrance)
         elif notes.is_silent(now):
-            objection = lacking(self._known) or self.route.objection(self._known)
-            self._news += notes.fail(now, objection or NO_ATTITUDE)
+            self._news += notes.fail(now, self._objection())
         if self.phase is Phase.FLYING:
             notes.follow()
+
+    def _objection(self) -> str:
+        """Why no setpoint has gone out for a while, though the autopilot may follow."""
+        objection = lacking(self._known) or self.route.objection(self._known)
+        return objection or self._round_trip.objection or NO_ATTITUDE

@@ -43,6 +43,9 @@ class Control:
         self.engage = engage
         self.follows = False
         """Whether the autopilot says that it follows setpoints."""
+        self.is_alone = True
+        """Whether no other autopilot speaks with the same address: else a mode may be another's,
+        and another would be asked for one."""
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self._sysid = sysid
@@ -98,6 +101,9 @@ class Control:
 
     def _hear_mode(self, custom_mode: int, falls_back: bool) -> None:
         """Follow the mode, and whether the autopilot's failsafe has chosen it."""
+        if not self.is_alone and self.phase is not Phase.SEARCHING:
+            self._mode, self.follows = None, False
+            return
         before, self._mode, self._falls_back = self._mode, custom_mode, falls_back
         self.follows = custom_mode == self.autopilot.follow_mode
         if before not in (None, custom_mode) and not self.follows:
@@ -156,7 +162,7 @@ class Control:
     def request(self, now: int) -> CommandLong | None:
         """The mode change to ask for at `now` [us], if any."""
         if self.phase is Phase.YIELDING:
-            return self._request_hold(now)
+            return self._request_hold(now) if self.is_alone else None
         if self.phase not in ASKING_PHASES:
             return None
         if self.phase is Phase.OFFERING and self.engage and self._has_offered(now):

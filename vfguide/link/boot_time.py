@@ -16,6 +16,9 @@ tells that the counter began anew."""
 AHEAD = 2000
 """Time by which the counter may get ahead of our own clock from one message to the next [ms];
 chosen, since what waited on the way comes at once."""
+SAME_TIMELINE = 500
+"""Largest difference between our own clock and the counter from one message to the next that goes on
+where the counter went on before [ms]; chosen as the age above which no state is flown on."""
 US_PER_MS = 1000
 """Number of microseconds in a millisecond, a ratio."""
 
@@ -44,6 +47,10 @@ class BootClock(NamedTuple):
     """How often the counter has leapt."""
     leap: float = 0.0
     """By how much it leapt last [s]."""
+    left: int | None = None
+    """Counter less our own clock before the last leap [ms]."""
+    returns: int = 0
+    """How often it has leapt back to where it went on before the leap."""
 
     def at(self, boot_ms: int) -> int:
         """The time at another time_boot_ms [ms]."""
@@ -67,5 +74,8 @@ def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | Non
     if -LATE_TIME < step <= 0:
         return None
     if 0 < step <= own + AHEAD:
-        return BootClock(boot_ms, clock.time_ms + step, now, clock.leaps, clock.leap)
-    return BootClock(boot_ms, clock.time_ms + own, now, clock.leaps + 1, (step - own) * MS)
+        return clock._replace(counter=boot_ms, time_ms=clock.time_ms + step, heard=now)
+    left, ahead = clock.counter - clock.heard // US_PER_MS, boot_ms - now // US_PER_MS
+    back = clock.left is not None and abs(counted(clock.left, ahead)) <= SAME_TIMELINE
+    leap, returns = (step - own) * MS, clock.returns + back
+    return BootClock(boot_ms, clock.time_ms + own, now, clock.leaps + 1, leap, left, returns)
