@@ -5,8 +5,8 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.aircraft.state import RateSetpoint
-from vfguide.companion.annunciations import STOOD_STILL, TOO_SLOW, choice_note
-from vfguide.companion.contact import Contact
+from vfguide.companion.annunciations import RESTARTED, STOOD_STILL, TOO_SLOW, choice_note
+from vfguide.companion.contact import LINK_TIMEOUT, Contact
 from vfguide.companion.control import Control
 from vfguide.companion.engagement import FINAL_PHASES, SENDING, Phase
 from vfguide.companion.knowledge import OBSERVED, Knowledge, lacking, observe
@@ -25,11 +25,13 @@ from vfguide.companion.setpoints import Setpoints
 from vfguide.companion.speakers import TWO_SPEAK, Speakers
 from vfguide.companion.time_annunciations import TimeAnnunciator
 from vfguide.geometry.units import SECOND, US
+from vfguide.link.boot_time import BootClock
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
     CommandAck,
+    CommandLong,
     CurrentMode,
     GlobalPositionInt,
     GpsGlobalOrigin,
@@ -135,9 +137,10 @@ class Companion:
                 out += self._guide(now)
             case Heartbeat():
                 self._hear_heartbeat(now, message)
-            case CurrentMode() if self.phase is not Phase.SEARCHING:
-                self._control.hear_current_mode(message)
+            case CurrentMode() if not self._is_searching:
                 self._contact.hear(now)
+                if self._tells_its_own_mode(now):
+                    self._control.hear_current_mode(message)
             case AdsbVehicle():
                 self._hear_traffic(message)
             case CommandAck():
@@ -189,11 +192,37 @@ class Companion:
         if self._known.clock is not before.clock:
             self._round_trip.hear_state(now, self._known.time_ms)
             self._speakers.hear(now, before.clock, self._known.clock)
+            self._hear_leap(now, before.clock, self._known.clock)
         self._news += self._time_notes.notes(before, self._known)
+
+    def _hear_leap(self, now: int, before: BootClock | None, after: BootClock | None) -> None:
+        """After a leap of the counter the origin may be another, and so may the autopilot."""
+        if before is None or after is None or before.leaps == after.leaps or self._is_searching:
+            return
+        self._requests.ask([request_origin(self.sysid)])
+        if now - before.heard > LINK_TIMEOUT:
+            self._known = self._known._replace(origin=None)
+            self._requests.ask(self._streams())
+            self._control.begin_anew(RESTARTED)
 
     def _new_place_watch(self) -> PlaceWatch:
         """A watch over the place that has not looked yet."""
         return PlaceWatch(self.route.plan, self._news)
+
+    @property
+    def _is_searching(self) -> bool:
+        """Whether no autopilot has been found."""
+        return self.phase is Phase.SEARCHING
+
+    def _tells_its_own_mode(self, now: int) -> bool:
+        """Whether a mode is of the autopilot that was flown: after a lost link its clock tells."""
+        clock = self._known.clock
+        is_known = clock is not None and now - clock.heard <= SECOND
+        return is_known or self.phase is not Phase.INTERRUPTED
+
+    def _streams(self) -> list[CommandLong]:
+        """The commands that make the autopilot send what guidance needs."""
+        return requested_streams(self.sysid, self._control.autopilot, self.route.plan.rate)
 
     @property
     def _needs_origin(self) -> bool:
@@ -209,7 +238,7 @@ class Companion:
     def _wake(self, now: int) -> None:
         """Record that it runs at `now` [us]; what waited while it stood still is not new."""
         gap = self._contact.wake(now)
-        if not gap or self.phase is Phase.SEARCHING:
+        if not gap or self._is_searching:
             return
         self._round_trip.forget_questions()
         note, told = STOOD_STILL.format(gap=gap * US), self._control.may_send
@@ -245,11 +274,12 @@ class Companion:
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
-        new = self.phase is Phase.SEARCHING
+        new = self._is_searching
         if new:
             self._contact = Contact(now)
         self._contact.hear_heartbeat(now)
-        self._control.hear_heartbeat(heartbeat)
+        if self._tells_its_own_mode(now):
+            self._control.hear_heartbeat(heartbeat)
         if new and self.phase is Phase.OFFERING:
             autopilot = self._control.autopilot
             self._known = Knowledge(
@@ -261,7 +291,7 @@ class Companion:
             self._place = self._new_place_watch()
             self._weigh(now)
             self._requests, self._pressure_asked = Requests(), False
-            self._requests.ask(requested_streams(self.sysid, autopilot, self.route.plan.rate))
+            self._requests.ask(self._streams())
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""
@@ -269,7 +299,7 @@ class Companion:
         if self._beat is None or now - self._beat >= SECOND:
             self._beat = now
             out.append(self._own_heartbeat())
-        if self.phase is Phase.SEARCHING or self.phase in FINAL_PHASES:
+        if self._is_searching or self.phase in FINAL_PHASES:
             return out
         self._weigh(now)
         if self._needs_origin and now - self._origin_asked >= ORIGIN_RETRY:

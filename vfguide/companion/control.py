@@ -6,6 +6,7 @@ from vfguide.autopilots.makes import ASSUMED, autopilot_of, describe, flown
 from vfguide.companion.annunciations import (
     FALLEN_BACK,
     INTRUDER,
+    NOT_ARMED,
     SILENT_UNTIL_CHANGE,
     STRANGER,
     phase_notes,
@@ -23,6 +24,11 @@ HEARTBEAT_INTERVAL = SECOND
 OFFER_GAP = 500_000
 """Longest time between two setpoints of one offer [us]; chosen as half of the shortest time after
 which an autopilot misses them."""
+DISARMED = (MavState.UNINIT, MavState.BOOT, MavState.CALIBRATING, MavState.STANDBY)
+"""States of an autopilot that is not armed, as after a restart: nobody chose the mode that it flies
+then."""
+NEVER = 2**63
+"""A time that does not come [us], beyond all dates; a choice."""
 MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 
@@ -51,6 +57,7 @@ class Control:
         self._sysid = sysid
         self._mode: int | None = None
         self._falls_back = False
+        self._is_armed = False
         self._hindrance: str | None = None
         self._hold_from = 0
         self._strangers: set[str] = set()
@@ -87,6 +94,9 @@ class Control:
 
     def hear_heartbeat(self, said: Heartbeat) -> None:
         """Follow the mode in a heartbeat of the vehicle's autopilot."""
+        was_armed, self._is_armed = self._is_armed, said.system_status not in DISARMED
+        if was_armed and not self._is_armed and self.phase in (Phase.FLYING, Phase.INTERRUPTED):
+            self.begin_anew(NOT_ARMED)
         self._hear_mode(said.custom_mode, said.system_status == MavState.CRITICAL)
 
     def hear_current_mode(self, said: CurrentMode) -> None:
@@ -141,6 +151,10 @@ class Control:
         is asked for.
         """
         self._yield(now + self.autopilot.loss_time + HEARTBEAT_INTERVAL, why)
+
+    def begin_anew(self, why: str) -> None:
+        """Record that the autopilot may be another one: neither guided nor asked for a mode."""
+        self._yield(NEVER, why)
 
     def _yield(self, hold_from: int, why: str) -> None:
         self._hold_from = hold_from
