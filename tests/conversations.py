@@ -2,11 +2,11 @@
 
 from plans import FIRST_FLIGHT
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.companion.companion import Companion
-from vfguide.companion.engagement import Phase
+from vfguide.companion.guided_flight import GuidedFlight
 from vfguide.companion.plan import Plan
-from vfguide.companion.route import Route
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.enums import MavAutopilot, MavCmd, MavResult, MavState, MavType
 from vfguide.link.messages import (
@@ -112,8 +112,8 @@ class Testing(Conversation):
         self.fly(1.0, Px4Mode.OFFBOARD)
 
     @property
-    def route(self) -> Route:
-        return self.companion.route
+    def flight(self) -> GuidedFlight:
+        return self.companion.flight
 
 
 def setpoints(messages: list) -> list[SetAttitudeTarget]:

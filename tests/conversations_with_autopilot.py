@@ -6,7 +6,7 @@ from aeroplanes import AEROSONDE
 from sim_flights import AEROSONDE as MODEL
 
 from vfguide.autopilots.px4 import main_and_sub
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavCmd, MavState, MavType, ModeFlag

@@ -10,9 +10,9 @@ from vfguide.aircraft.vehicle import Vehicle
 from vfguide.control import control, limits
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.estimation import known_state
-from vfguide.geometry.compiled import compiled
 from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
+from vfguide.kernels.compiled import compiled
 from vfguide.planning import planning
 from vfguide.planning.objective import GuidanceTarget, objective_at
 from vfguide.planning.route import Route, fresh_route

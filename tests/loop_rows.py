@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vfguide.geometry.rows import Row, leaves, place
+from vfguide.kernels.rows import Row, leaves, place
 from vfguide.loop.state import STATE_WIDTH, LoopState, state_of_row
 
 OBSTACLES = 3

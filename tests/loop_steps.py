@@ -6,13 +6,13 @@ from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import Airspace
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import log
 from vfguide.geometry.vector import ZERO, Vec3, matmul, scale, transpose
 from vfguide.guidance.laws import Law
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step

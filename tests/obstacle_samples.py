@@ -9,7 +9,7 @@ from vfguide.field.goal_frame import goal_frame
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_rows
 from vfguide.field.obstacle_arrays import levels
 from vfguide.field.robots import Spacing
-from vfguide.geometry.rows import columns
+from vfguide.kernels.rows import columns
 
 SPACING = Spacing(10.0, 100.0)
 NOBODY = np.zeros((0, 6))

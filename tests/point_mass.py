@@ -10,11 +10,11 @@ from rate_body import Body, advance
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace
-from vfguide.companion.loop_report import goal_of_row
+from vfguide.companion.guided_flight import ASSUMED_GUST
 from vfguide.companion.plan import Plan
-from vfguide.companion.route import ASSUMED_GUST
-from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import Vec3, add
+from vfguide.kernels.rows import Row
+from vfguide.loop.loop_report import goal_of_row
 from vfguide.loop.state import LoopState, fresh_state, row_of_state, state_of_row
 
 UPDATE = 0.04

@@ -12,16 +12,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 from vfguide.autopilots.px4 import main_and_sub
-from vfguide.geometry.geodesy import place_in_plane
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.geometry.vector import Vec3
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType, ModeFlag
 from vfguide.link.messages import CommandLong, GlobalPositionInt, Heartbeat, HilStateQuaternion
 from vfguide.link.tlog import TlogReader
+from vfguide.preflight.load import load_scenario
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.runs.vehicle_setup import start_us
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolve import place_of
 
 COMPILING = 240.0

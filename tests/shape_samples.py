@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.distance import signed_distance
 from vfguide.geometry.shapes.shape import Shape, shape_level
 from vfguide.geometry.vector import Series, Vectors, vec3
+from vfguide.kernels.compiled import compiled
 
 SHAPES = {
     "sphere": shape.sphere(40.0),

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import jsbsim
 
-from vfguide.geometry.rows import columns
 from vfguide.geometry.units import DEG, FT
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.rows import columns
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model, Start, Weather
 from vfguide.sim.inner_loop.airframe_model import Airframe, identify

@@ -14,7 +14,7 @@ from pages import DOCS, PAGES, ROOT, names_in, rows_of, tables
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
-from vfguide.companion.engagement import Phase
+from vfguide.autopilots.engagement import Phase
 from vfguide.files import aircraft_file, fence, obstacle_entry, scenario_file, traffic_entry
 from vfguide.files.toml_types import Table
 from vfguide.link.messages import RECORDS

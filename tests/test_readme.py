@@ -3,13 +3,13 @@
 import re
 import shlex
 import signal
-import subprocess
 from pathlib import Path
 
 import pytest
+from commands import vfguide, vfguide_alone
 from page_numbers import blocks_of, rewritten, run_page
 from pages import DOCS, README, ROOT
-from programs import VFGUIDE, Program
+from programs import Program
 
 pytestmark = pytest.mark.slow
 
@@ -18,12 +18,6 @@ BROUGHT = {"points.csv": "x,y,z,vx,vy,vz,t\n-20,5,10,12,3,2,0\n"}
 """Files of their own that users need for the examples of --help."""
 FOR_EVER = {"sim", "fly"}
 """Commands that end when they are told to."""
-
-
-def vfguide(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*VFGUIDE, *arguments], cwd=cwd, capture_output=True, text=True, check=False, timeout=300
-    )
 
 
 def lines_of(page: Path) -> list[str]:
@@ -73,7 +67,7 @@ def test_examples_of_the_help_run_as_written(tmp_path):
     for line in examples():
         words = shlex.split(line)[1:]
         if words[0] not in FOR_EVER:
-            done = vfguide(*words, cwd=tmp_path)
+            done = vfguide_alone(*words, cwd=tmp_path)
             assert done.returncode == 0, f"{line}\n{done.stdout}{done.stderr}"
 
 

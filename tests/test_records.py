@@ -13,7 +13,7 @@ import math
 import numpy as np
 import vfguide.geometry.vector
 from vfguide.geometry import vector
-from vfguide.geometry.rows import Table
+from vfguide.kernels.rows import Table
 from vfguide.geometry.vector import Mask, Matrices, Series, Vector, Vectors, Vec3
 Poses = Table
 Row = np.ndarray[Any, np.dtype[np.float64]]
@@ -98,10 +98,10 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> dict[str, int]:
     """How many violations there are in each module of the examples, by its name."""
     root = tmp_path_factory.mktemp("examples")
     (root / "tools").mkdir()
-    (root / ALIASES).parent.mkdir(parents=True)
     for path in (ALIASES, ROWS):
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text((ROOT / path).read_text())
-    for folder in (ALIASES.parent, ALIASES.parent.parent):
+    for folder in (ALIASES.parent, ROWS.parent, ALIASES.parent.parent):
         (root / folder / "__init__.py").touch()
     for kind, examples in (("refused", REFUSED), ("allowed", ALLOWED)):
         for number, (arguments, code) in enumerate(examples):

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vfguide.autopilots.engagement import SENDING
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
+from vfguide.preflight.load import load_scenario
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs
-from vfguide.scenario.load import load_scenario
 
 Alter = Callable[[float, object], Sequence[object]]
 """The messages that arrive in place of one that was sent, `time` [s] after the start."""
@@ -47,11 +48,18 @@ class Altered:
 
     def __init__(self, session: Session, alter: Alter):
         self.session, self.alteration = session, Alteration(alter)
+        self.unpermitted = 0
+        """Number of setpoints that went out in a phase in which none may."""
 
     def receive(self, now, data):
         """What the companion answers at `now` [us] to the altered `data`."""
         altered = self.alteration.altered(now, data)
-        return self.session.receive(now, altered) if altered else self.session.poll(now)
+        companion = self.session.companion
+        before, was_sending = companion.setpoints, companion.phase in SENDING
+        answers = self.session.receive(now, altered) if altered else self.session.poll(now)
+        if not was_sending and companion.phase not in SENDING:
+            self.unpermitted += companion.setpoints - before
+        return answers
 
     def __getattr__(self, name):
         return getattr(self.session, name)
@@ -64,6 +72,8 @@ class AlteredFlight:
     record: FlightRecord
     result: Result
     told: tuple[tuple[float, str], ...]
+    unpermitted: int
+    """Number of setpoints that went out in a phase in which none may."""
 
     @property
     def bank(self):
@@ -92,14 +102,14 @@ def fly_altered(folder, alter: Alter, *changes, scenario="first-flight") -> Alte
     with ExitStack() as stack:
         fleet = Aeroplanes(loaded, Logs(folder, stack))
         member = fleet.members[0]
-        member._session = Altered(member._session, alter)
+        member._session = altered = Altered(member._session, alter)
         lockstep = Lockstep(fleet, loaded.scenario.duration_s)
         while lockstep.ending is None:
             lockstep.advance()
             told += [(lockstep.sim_s, note) for note in member.companion.news()]
         records = fleet.records()
     result = judge(loaded.scenario, records, lockstep.sim_s, 1.0)
-    return AlteredFlight(records[0], result, tuple(told))
+    return AlteredFlight(records[0], result, tuple(told), altered.unpermitted)
 
 
 def turned_about_vertical(q, angle):

@@ -26,11 +26,11 @@ from vfguide.field.obstacle import (
     write_obstacle,
 )
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, reader, replacing, width, writer
 from vfguide.geometry.shapes.cylinder import upright_distance
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add, scale, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, reader, replacing, width, writer
 
 read_turning = reader(Turning)
 with_motion = replacing(PlacedObstacle, "p_n", "v_n")

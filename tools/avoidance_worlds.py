@@ -8,10 +8,10 @@ import numpy as np
 from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.fence import Fences, Zone, fences
 from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows
-from vfguide.geometry.rows import table_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import Shape
 from vfguide.geometry.vector import Vec3, Vectors
+from vfguide.kernels.rows import table_of
 
 HEIGHT = 150.0
 AIRSPEED = 25.0

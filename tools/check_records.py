@@ -15,7 +15,7 @@ One line for each violation on standard output; the exit status is 1 if there is
    - arrays that are declared as one of `ARRAYS`, which are aliases in `vfguide.geometry.vector`,
      and parts, sums and multiples of such. An array that is not declared so may be a row of a
      record, and is refused;
-   - tables of records, declared as `Table` of `vfguide.geometry.rows`, along their first axis:
+   - tables of records, declared as `Table` of `vfguide.kernels.rows`, along their first axis:
      `table[0]` is the row of a record, `table[1:]` a table; `table[0, 3]` is refused.
 
 2. No attribute of a module is set or deleted, but for `HOOKS`, which Python has to be set.
@@ -44,7 +44,7 @@ ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series", "Indices", "Mask"
 """Aliases of arrays: one vector, many along the last axis, one matrix, many along the last two
 axes, a number at each of many instants or of each of many like things, indices, and which of like
 things."""
-ROWS = Path("vfguide/geometry/rows.py")
+ROWS = Path("vfguide/kernels/rows.py")
 TABLE = "Table"
 """The alias of rows of records, and where it is defined."""
 SEQUENCES = ("array", "bytearray", "bytes", "deque", "list", "memoryview", "range", "str")

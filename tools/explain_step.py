@@ -24,8 +24,8 @@ from vfguide.companion.plan import Plan
 from vfguide.estimation.local_frame import Measurement
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import state_of_row
+from vfguide.preflight.load import load_scenario
 from vfguide.replay.compare import Replay
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of, vehicle_of
 
 

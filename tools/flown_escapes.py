@@ -16,11 +16,11 @@ from vfguide.aircraft.point_mass import PointMass
 from vfguide.airspace.detection import comes_into_sight
 from vfguide.assurance.decision import assurance
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Indices, Series, Vectors
+from vfguide.kernels.compiled import compiled
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.hazards import hazards_of
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 

@@ -8,8 +8,8 @@ from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm, fly_paper_law
-from vfguide.geometry.rows import columns
 from vfguide.geometry.vector import Matrices, Series, Vectors
+from vfguide.kernels.rows import columns
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
 DT = 0.02

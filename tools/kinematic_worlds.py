@@ -10,8 +10,8 @@ from vfguide.field.goal_frame import goal_frame
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, Rows, obstacle_rows, placed
 from vfguide.field.obstacle_arrays import levels
 from vfguide.field.swarm import goal_rows
-from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
+from vfguide.kernels.rows import columns
 from vfguide.sim.kinematic import Bodies
 
 WORLD = 100.0

@@ -14,13 +14,13 @@ from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.companion.setpoints import COAST_AFTER
 from vfguide.control.coasting import coast
 from vfguide.control.limits import limit_rates
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import exp, to_quaternion
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale
 from vfguide.guidance.laws import Law
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step

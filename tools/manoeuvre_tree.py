@@ -13,8 +13,8 @@ from avoidance_worlds import TICK, World
 
 from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, width, writer
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, width, writer
 
 read_motion, write_motion = reader(PointMass), writer(PointMass)
 MOTION_NUMBERS = width(PointMass)

@@ -33,7 +33,7 @@ from vfguide.aircraft.performance import Gains
 from vfguide.assurance.decision import Assurance, Reason, assurance
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import find_aircraft
-from vfguide.geometry.rows import Table, columns
+from vfguide.kernels.rows import Table, columns
 
 REPEATS = 20
 ENOUGH = 5.0

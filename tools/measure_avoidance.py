@@ -30,14 +30,15 @@ from search_worlds import World
 
 from vfguide.aircraft.envelope import turn_radius
 from vfguide.field.obstacle import PlacedObstacle
-from vfguide.geometry.rows import place
 from vfguide.geometry.se2 import Pose
+from vfguide.kernels.rows import place
+from vfguide.preflight.load import load_scenario
 from vfguide.results.fence_distance import fence_clearance
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import TOUCH, judge
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.scenario.load import LoadedScenario, load_scenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 
 TREE = {"hit": 0.0, "near": 12.0, "all": math.inf, "none": -math.inf}

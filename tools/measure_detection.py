@@ -13,9 +13,9 @@ import numpy as np
 import tomli_w
 
 from vfguide.files.errors import InputError
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 Table = dict[str, Any]
 AIRSPEED = 50.0

@@ -21,10 +21,10 @@ from vfguide.field.obstacle import Obstacle, Rows, obstacle_rows, obstacle_surfa
 from vfguide.field.robots import Robot, Spacing
 from vfguide.field.swarm import fields_of_robots, goal_rows
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.distance import onto_surface
 from vfguide.geometry.vector import Matrices, Series, Vectors
+from vfguide.kernels.rows import columns
 
 SPACING = Spacing(10.0, 100.0)
 NOBODY = np.zeros((0, 6))

@@ -25,7 +25,7 @@ from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import Law, crossing
 from vfguide.loop.legs import Goal, leg_rows
 from vfguide.loop.state import fresh_state, row_of_state
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 BANK_LIMIT = 55.0 * DEG

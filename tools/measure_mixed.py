@@ -25,10 +25,10 @@ import numpy as np
 import tomli_w
 from numpy.random import Generator
 
+from vfguide.preflight.load import load_scenario
 from vfguide.results.fence_distance import fence_clearance
 from vfguide.results.result import TOUCH, judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 AIRCRAFT = {"aerosonde": 25.0, "easystar": 10.5, "c172p": 50.0}
 """Airspeeds by the names of the aircraft [m/s]."""

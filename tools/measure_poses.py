@@ -27,11 +27,12 @@ from dubins import dubins_length
 from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft, find_scenario
 from vfguide.geometry.units import G0
+from vfguide.preflight.load import load_scenario
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.models import model_of
-from vfguide.scenario.load import LoadedScenario, load_scenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.sim.bench import Bench
 from vfguide.sim.trim import TrimError, trim
 

@@ -16,9 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 START = (-300.0, 0.0, -200.0)
 MOST_MISS_M, MOST_ANGLE_DEG = 1.0, 2.0

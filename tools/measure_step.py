@@ -17,9 +17,9 @@ import tomli_w
 from flown_worlds import scenario_of
 
 from vfguide.loop.rows import step_measured
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.steps import Steps
-from vfguide.scenario.load import load_scenario
 
 OBSTACLES = 15
 

@@ -13,6 +13,7 @@ from matplotlib.ticker import MultipleLocator
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vector
+from vfguide.preflight.load import load_scenario
 from vfguide.report.drawing import (
     GOAL_COLOUR,
     MUTED_COLOUR,
@@ -24,7 +25,6 @@ from vfguide.report.drawing import (
 from vfguide.report.meshes import outline
 from vfguide.report.obstacle_drawing import OBSTACLE_COLOUR
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 AXES = "xyz"
 

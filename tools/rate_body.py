@@ -4,10 +4,10 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import exp, from_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale, sub, transpose, unit
+from vfguide.kernels.compiled import compiled
 
 BODY_LAG = 0.08
 """Time constant of the body rates behind their setpoints [s]; chosen."""

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from search_worlds import HEIGHT, World
 
 from vfguide.field.obstacle import Rows, obstacle_distance, read_obstacle
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vector
+from vfguide.kernels.compiled import compiled
 
 try:
     from ompl import base, geometric, util

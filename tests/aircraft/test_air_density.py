@@ -18,7 +18,7 @@ from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.flight_model import modelled_flight
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.geometry.atmosphere import DENSITY_0, isa_density
+from vfguide.earth.atmosphere import DENSITY_0, isa_density
 from vfguide.geometry.so3 import from_euler
 
 AIRCRAFT = pytest.mark.parametrize("aircraft", [AEROSONDE, EASYSTAR, CESSNA])

@@ -5,7 +5,7 @@ import pytest
 
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, read_vehicle, vehicle_numbers
-from vfguide.geometry.rows import width
+from vfguide.kernels.rows import width
 
 
 @pytest.mark.parametrize("is_point", [False, True])

@@ -9,8 +9,8 @@ from vfguide.airspace.detection import Airspace, DetectionState, in_sight
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import known_state
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle
-from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import IDENTITY
+from vfguide.kernels.rows import columns
 
 HERE = (0.0, 0.0, -150.0)
 

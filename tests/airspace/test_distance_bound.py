@@ -11,10 +11,10 @@ from shape_samples import (
 
 from vfguide.airspace.distance_bound import distance_bound
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.cone import TIP
 from vfguide.geometry.shapes.shape import shape_level
+from vfguide.kernels.compiled import compiled
 
 PLACE, MOVING, TIME = (40.0, -70.0, -90.0), (3.0, -5.0, 1.0), 7.0
 

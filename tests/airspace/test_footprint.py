@@ -18,7 +18,7 @@ from vfguide.airspace.footprint import (
 from vfguide.airspace.keep_out import hazards_of
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
-from vfguide.geometry.rows import columns
+from vfguide.kernels.rows import columns
 
 MARGIN = 20.0
 

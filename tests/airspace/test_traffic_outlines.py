@@ -9,7 +9,7 @@ from vfguide.airspace.footprint import Band
 from vfguide.airspace.hazards import TRAFFIC_LOOKAHEAD, Intruder, traffic_rows, traffic_zones
 from vfguide.airspace.keep_out import KeepOutZone, read_zone_row
 from vfguide.airspace.planar_clearance import zone_row_distance
-from vfguide.geometry.rows import width
+from vfguide.kernels.rows import width
 
 BAND = Band(-120.0, -100.0)
 

@@ -23,7 +23,7 @@ from vfguide.assurance.backup_manoeuvre import (
     remainder,
 )
 from vfguide.assurance.trajectory_clearance import MAX_UNCERTAINTY, clearance_along
-from vfguide.geometry.rows import width
+from vfguide.kernels.rows import width
 
 pytestmark = pytest.mark.slow
 

@@ -7,7 +7,7 @@ from avoidance_flights import LOGGED_WIDTH, Logged, fly, read_logged, slowed
 from avoidance_worlds import DRAWN, TICK, draw_world
 from manoeuvre_tree import best_escape
 
-from vfguide.geometry.rows import columns
+from vfguide.kernels.rows import columns
 
 
 def flown(kind, number, assured=True, seed=1):

@@ -4,7 +4,7 @@ import pytest
 from pages import ROOT
 
 from vfguide.autopilots.makes import AUTOPILOTS, BY_MAKE, MAVLINK_VERSION, autopilot_of
-from vfguide.geometry.projection import geodetic_of
+from vfguide.earth.projection import geodetic_of
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavState, MavType, ModeFlag
 from vfguide.link.messages import AttitudeQuaternion, Heartbeat, LocalPositionNed, VfrHud
 

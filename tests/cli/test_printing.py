@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from commands import vfguide
 from programs import VFGUIDE
 
 pytestmark = pytest.mark.slow
@@ -26,13 +27,19 @@ def with_encoding(encoding):
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
 def test_an_umlaut_in_a_folder_on_any_terminal(tmp_path, encoding):
     for folder in ("Zürich 1", "東京", "a\nb", os.fsdecode(b"\xff\xfe")):
-        status, out, err = status_of(
-            *SHORT, "--out", folder, cwd=tmp_path, env=with_encoding(encoding)
-        )
-        assert status == 1, err
-        assert b"verdict: bad" in out
-        assert b"Traceback" not in err
+        done = vfguide(*SHORT, "--out", folder, cwd=tmp_path, encoding=encoding)
+        assert done.returncode == 1, done.stderr
+        assert "verdict: bad" in done.stdout
         assert (tmp_path / folder / "result.json").is_file()
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
+def test_the_encoding_of_a_terminal_is_that_of_its_environment(tmp_path, encoding):
+    status, out, err = status_of(*SHORT, "--out", "Zü東", cwd=tmp_path, env=with_encoding(encoding))
+    assert status == 1, err
+    assert "Zü東".encode(encoding, "backslashreplace") in out
+    assert b"Traceback" not in err
+    assert (tmp_path / "Zü東" / "result.json").is_file()
 
 
 def test_an_umlaut_in_names_and_in_the_report(tmp_path):

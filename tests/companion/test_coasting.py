@@ -4,18 +4,21 @@ import math
 
 import numpy as np
 import pytest
-from conversations import flying, heartbeat, setpoints
+from conversations import flying, heartbeat, setpoints, state
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rate_body import Body, advance, level, load_factor
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.setpoints import COAST_AFTER
+from vfguide.companion.setpoints import COAST_AFTER, true_cruise
 from vfguide.control.coasting import coast
+from vfguide.earth.atmosphere import DENSITY_0, isa_density
 from vfguide.geometry.so3 import to_quaternion
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO
+from vfguide.link.messages import VfrHud
+from vfguide.telemetry.knowledge import Knowledge
 
 OFFBOARD = Px4Mode.OFFBOARD
 
@@ -46,6 +49,31 @@ def test_where_attitudes_come_again_they_are_flown_on_and_it_may_happen_again():
         assert len(setpoints(talk.fly(1.0, OFFBOARD))) >= 45
 
 
+def test_where_attitudes_come_on_and_nothing_else_the_bank_is_the_one_that_is_told():
+    """It was turned on by the roll rate of the last setpoint, though it was known to be level."""
+    talk = flying()
+    out = []
+    for tick in range(50):
+        talk.now += 20_000
+        talk.boot_ms += 20
+        beat = [heartbeat(OFFBOARD)] if tick % 25 == 0 else []
+        out += talk.hear(*beat, state(talk.boot_ms)[-1]) + talk.poll()
+    coasting = setpoints(out)[-1]
+    assert abs(setpoints(talk.said[:-60])[-1].body_roll_rate) > 1.0
+    assert coasting.q == pytest.approx((1.0, 0.0, 0.0, 0.0), abs=1e-6)
+    assert coasting.body_roll_rate == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("height", [0.0, 3000.0, 6000.0])
+def test_the_turn_is_that_of_the_true_airspeed(height):
+    plan = flying().companion.flight.plan
+    hud = VfrHud(25.0, 25.0, 0, 0, height, 0.0)
+    thinner = DENSITY_0 / isa_density(height)
+    assert true_cruise(Knowledge(hud=hud), plan) ** 2 == pytest.approx(
+        thinner * plan.tuned.airspeed**2
+    )
+
+
 def test_nothing_goes_out_to_an_autopilot_that_does_not_follow():
     talk = flying()
     talk.hear(heartbeat(Px4Mode.HOLD))
@@ -62,7 +90,7 @@ def test_nothing_goes_out_while_setpoints_are_only_offered():
 @settings(max_examples=60)
 def test_a_second_without_attitudes_leaves_the_envelope_of_no_aircraft(rate, bank, load, speed):
     """From any bank, roll rate and load that guidance flies: the turn goes on as it is by then."""
-    aircraft = flying().companion.route.plan.aircraft
+    aircraft = flying().companion.flight.plan.aircraft
     aircraft = aircraft._replace(alpha_load=aircraft.alpha_load * (speed / 25.0) ** 2)
     start = level((0.0, 0.0, -100.0), 0.0, speed, aircraft)
     alpha = aircraft.alpha_zero + aircraft.alpha_load * load / speed**2

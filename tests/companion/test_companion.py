@@ -17,9 +17,9 @@ from conversations import (
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import FINAL_PHASES, Phase
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
-from vfguide.companion.engagement import FINAL_PHASES, Phase
 from vfguide.link.enums import MavResult, MavState, MavType
 from vfguide.link.messages import (
     AttitudeQuaternion,

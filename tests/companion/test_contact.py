@@ -13,11 +13,13 @@ from conversations import (
 from hypothesis import given
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import PX4, Px4Mode
-from vfguide.companion.contact import LONGEST_HICCUP, MODE_UNKNOWN
-from vfguide.companion.engagement import Phase
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import CurrentMode, Heartbeat, VfrHud
+from vfguide.telemetry.contact import LONGEST_HICCUP, MODE_UNKNOWN
+
+pytestmark = pytest.mark.slow
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 

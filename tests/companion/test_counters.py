@@ -9,8 +9,8 @@ from conversations import TICK, Conversation, heartbeat, setpoints, state
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
 from vfguide.link.boot_time import LATE_TIME, ROLLOVER
 from vfguide.link.messages import WindCov
 
@@ -47,7 +47,7 @@ def flown(told):
 
 
 def row(talk):
-    return talk.companion.route._state
+    return talk.companion.flight._state
 
 
 def asked(talk):
@@ -137,6 +137,6 @@ def test_a_counter_at_random_is_survived(wild, seed):
     talk = flown(
         lambda _, boot_ms: [wild[rng.integers(len(wild))] if rng.random() < 0.2 else boot_ms]
     )
-    air = talk.companion.route.air
+    air = talk.companion.flight.air
     assert np.hypot(air.wind_north, air.wind_east) < 30.0
     assert not any("unreachable" in note for note in talk.told)

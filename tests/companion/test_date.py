@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
-from vfguide.companion.date import FIRST_DATE, LEAP_LASTS, TOLERANCE, date_after
-from vfguide.companion.knowledge import Knowledge, observe
 from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.field.obstacle import Obstacle
 from vfguide.geometry.shapes import shape
 from vfguide.link.boot_time import BootClock, moved_on
 from vfguide.link.messages import AttitudeQuaternion, SystemTime
+from vfguide.telemetry.date import FIRST_DATE, LEAP_LASTS, TOLERANCE, date_after
+from vfguide.telemetry.knowledge import Knowledge, observe
 
 WEEK = 7 * 86_400 * SECOND
 MOVING = replace(
@@ -171,4 +171,4 @@ def test_the_conversation_here_is_one_with_a_moving_obstacle():
     assert not plan().moves
     talk = DatedConversation()
     talk.hear(heartbeat(), *state(5000))
-    assert talk.companion.route.plan is MOVING
+    assert talk.companion.flight.plan is MOVING

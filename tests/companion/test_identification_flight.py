@@ -60,8 +60,8 @@ def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
     talk = Testing(replace(plan(), identify=True))
     talk.engage()
     assert talk.told[-1] == "test flight: level flight"
-    assert talk.route.is_testing
-    gains, ours = talk.route.plan.tuned, plan().tuned
+    assert talk.flight.is_testing
+    gains, ours = talk.flight.plan.tuned, plan().tuned
     assert gains.bank_max == ours.bank_max, "an escape may take it all"
     wider = math.tan(math.radians(50.0)) / math.tan(math.radians(30.0))
     assert gains.turn_margin == pytest.approx(ours.turn_margin * wider)
@@ -72,14 +72,14 @@ def test_it_begins_with_the_gains_of_a_slow_aircraft_and_wide_turns():
 def test_it_begins_anew_when_the_autopilot_follows_again():
     talk = Testing(replace(plan(), identify=True))
     talk.engage()
-    first = talk.route.plan.goals
+    first = talk.flight.plan.goals
     talk.fly(10.0, Px4Mode.OFFBOARD)
     assert "test flight: a climb" in talk.told
     talk.told.clear()
     talk.fly(4.0, None, flying=False)
     talk.fly(1.0, Px4Mode.OFFBOARD)
     assert "test flight: level flight" in talk.told
-    assert talk.route.plan.goals[0].p_n[0] > first[0].p_n[0] + 100.0
+    assert talk.flight.plan.goals[0].p_n[0] > first[0].p_n[0] + 100.0
 
 
 def test_a_leg_that_comes_to_no_end_is_left():
@@ -89,11 +89,11 @@ def test_a_leg_that_comes_to_no_end_is_left():
     talk.fly(600.0, Px4Mode.OFFBOARD)
     tests = [note for note in talk.told if note.startswith("test flight")]
     assert len(tests) == 7
-    assert not talk.route.is_testing
+    assert not talk.flight.is_testing
     end = talk.told.index("flying to goal 1 of 1")
     assert talk.told[end - 1].startswith("not seen well enough")
-    assert talk.route.identified.aircraft == plan().aircraft
-    assert talk.route.plan.goals == plan().goals
-    assert talk.route.plan.tuned.response_lag == pytest.approx(0.3 - 0.08), (
+    assert talk.flight.identified.aircraft == plan().aircraft
+    assert talk.flight.plan.goals == plan().goals
+    assert talk.flight.plan.tuned.response_lag == pytest.approx(0.3 - 0.08), (
         "its response is unknown"
     )

@@ -3,8 +3,8 @@
 import pytest
 from conversations import SECOND, TICK, Conversation, heartbeat, setpoints, state
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import Heartbeat
 

@@ -5,16 +5,16 @@ import math
 import pytest
 from conversations import heartbeat, state
 
-from vfguide.companion.knowledge import (
+from vfguide.link.enums import MavCmd, MavResult
+from vfguide.link.messages import AttitudeQuaternion, CommandAck, VfrHud, WindCov
+from vfguide.telemetry.knowledge import (
     STALE,
     WIND_STALE,
     Knowledge,
     heard,
     lacking,
 )
-from vfguide.companion.knowledge import observe as observe_at
-from vfguide.link.enums import MavCmd, MavResult
-from vfguide.link.messages import AttitudeQuaternion, CommandAck, VfrHud, WindCov
+from vfguide.telemetry.knowledge import observe as observe_at
 
 LATER = 3_600_000_000
 """An hour on our own clock [us]."""

@@ -7,10 +7,10 @@ import pytest
 from conversations import Conversation, plan, setpoints, state
 
 from vfguide.autopilots.autopilot import Stream
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.makes import BY_MAKE
 from vfguide.autopilots.px4 import PX4, Px4Mode
-from vfguide.companion.engagement import Phase
-from vfguide.companion.route import Route
+from vfguide.companion.guided_flight import GuidedFlight
 from vfguide.estimation.local_frame import Measurement
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import AttitudeQuaternion, CommandLong, Heartbeat
@@ -119,6 +119,6 @@ def test_its_local_frame_reaches_the_step(monkeypatch):
     talk = PlaneConversation()
     talk.beat(PlaneMode.AUTO)
     talk.hear(*state(5000))
-    Route(plan(), step).guide(talk.companion._known, False, 0.0)
+    GuidedFlight(plan(), step).guide(talk.companion._known, False, 0.0)
     assert placed_by == [77]
     assert not setpoints(talk.said)

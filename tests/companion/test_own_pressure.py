@@ -5,11 +5,11 @@ import math
 import pytest
 from conversations import Conversation, plan, state
 
-from vfguide.companion.knowledge import Knowledge, observe
-from vfguide.geometry.pressure_altitude import isa_pressure
+from vfguide.earth.pressure_altitude import isa_pressure
 from vfguide.geometry.units import DEG_E7, HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, MavCmd, MavResult
 from vfguide.link.messages import AdsbVehicle, CommandAck, CommandLong, ScaledPressure
+from vfguide.telemetry.knowledge import Knowledge, observe
 
 ORIGIN = plan().origin
 OWN_ALTITUDE = ORIGIN[2] + 120.0

@@ -7,10 +7,10 @@ from conversations import Conversation, flying, heartbeat, modes_asked, plan, se
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
 from vfguide.companion.place import LEAST_REACH, reach_of
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG, DEG_E7, MM
 from vfguide.link.enums import GpsFixType, MavResult
 from vfguide.link.messages import (
@@ -21,6 +21,8 @@ from vfguide.link.messages import (
     GpsRawInt,
     VfrHud,
 )
+
+pytestmark = pytest.mark.slow
 
 LATITUDE, LONGITUDE, ALTITUDE = plan().origin
 ANYWHERE = st.tuples(
@@ -189,5 +191,5 @@ def test_the_undulation_is_what_a_receiver_with_a_fix_tells(altitude, ellipsoid,
     talk = flying()
     told = GpsRawInt(0, fix, 0, 0, round(altitude * 1e3), 0, 0, 0, 0, 9, round(ellipsoid * 1e3))
     talk.hear(heartbeat(Px4Mode.OFFBOARD), told, *state(talk.boot_ms + 20))
-    known = talk.companion._known.undulation
+    known = talk.companion._known.datum.undulation
     assert known == (None if undulation is None else pytest.approx(undulation))

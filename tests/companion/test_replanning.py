@@ -13,10 +13,10 @@ from vfguide.airspace.fence import Zone, fence_distance, fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
 from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, NO_FENCE, circle, joined, polygon
 from vfguide.assurance.decision import Reason
-from vfguide.companion.loop_report import decision_of_row, route_of_row
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_distance, obstacle_rows
-from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
+from vfguide.kernels.rows import columns
+from vfguide.loop.loop_report import decision_of_row, route_of_row
 from vfguide.loop.state import take_over
 
 pytestmark = pytest.mark.slow

@@ -7,6 +7,7 @@ from conversations import SECOND, Conversation, heartbeat, state
 
 from vfguide.autopilots.autopilot import Stream
 from vfguide.autopilots.px4 import PX4, Px4Mode
+from vfguide.companion.data_requests import request_origin, requested_streams
 from vfguide.companion.requests import (
     MAX_ATTEMPTS,
     MODE_RETRY,
@@ -15,8 +16,6 @@ from vfguide.companion.requests import (
     ModeRequest,
     Requests,
     command,
-    request_origin,
-    requested_streams,
     result_name,
     set_mode,
 )

@@ -6,8 +6,8 @@ from conversations import state as state_at
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
 from vfguide.link.enums import MavAutopilot, MavCmd, MavResult, MavState, MavType
 from vfguide.link.messages import CommandAck, CommandLong, CurrentMode, GpsGlobalOrigin, Heartbeat
 

@@ -7,9 +7,10 @@ from conversations import SECOND, TICK, Conversation, heartbeat, modes_asked, se
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
-from vfguide.companion.round_trip import (
+from vfguide.link.messages import Timesync
+from vfguide.telemetry.round_trip import (
     KEPT_ANSWERS,
     LONGEST_ROUND_TRIP,
     QUESTION_INTERVAL,
@@ -17,7 +18,6 @@ from vfguide.companion.round_trip import (
     TOO_SLOW_LINK,
     RoundTrip,
 )
-from vfguide.link.messages import Timesync
 
 NOW = 1_767_225_600_000_000
 OFFBOARD, HOLD = Px4Mode.OFFBOARD, Px4Mode.HOLD

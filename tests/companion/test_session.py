@@ -5,9 +5,9 @@ from random import Random
 import pytest
 from conversations import SECOND, START, heartbeat, plan, setpoints, state
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
-from vfguide.companion.engagement import Phase
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent, MavType

@@ -5,12 +5,12 @@ from conversations import SECOND, TICK, Conversation, heartbeat, modes_asked, se
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.engagement import Phase
-from vfguide.companion.speakers import ALONE_AFTER
 from vfguide.link.boot_time import LATE_TIME, ROLLOVER
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import CurrentMode, Heartbeat
+from vfguide.telemetry.speakers import ALONE_AFTER
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 SILENT_WITHIN = 0.3

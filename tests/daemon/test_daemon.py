@@ -5,8 +5,8 @@ import socket
 import pytest
 from plans import FIRST_FLIGHT
 
+from vfguide.annunciations.goal_notes import passage_note
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.annunciations import passage_note
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
@@ -182,11 +182,11 @@ def test_a_full_disk_is_told_once_and_does_not_end_the_flight(action):
 def test_a_warm_up_flies_past_a_goal(plan, monkeypatch):
     passed = []
 
-    def spy(said, plan):
-        passed.append(passage_note(said, plan))
+    def spy(said, goals):
+        passed.append(passage_note(said, goals))
         return passed[-1]
 
-    monkeypatch.setattr("vfguide.companion.route.passage_note", spy)
+    monkeypatch.setattr("vfguide.companion.guided_flight.passage_note", spy)
     warm_up(plan)
     assert passed
     assert "goal 1 missed" in passed[0] or "goal 1 reached" in passed[0]

@@ -15,8 +15,8 @@ from vfguide.estimation.air_data import FAILURE_TIME, RECOVERY_TIME, sense_air
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, fresh_air, report_air, sigma
 from vfguide.estimation.caution import cautious
 from vfguide.estimation.estimation import known_state
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.units import DEG
+from vfguide.kernels.rows import row_of
 
 pytestmark = pytest.mark.slow
 

@@ -110,6 +110,32 @@ def test_a_wind_that_jumps_is_not_believed(course, wind, at, size):
     assert math.isnan(as_flown(states[-1][0], s).wind_n[0])
 
 
+@given(angles, winds, angles, st.floats(4.0, 20.0))
+@settings(max_examples=60, deadline=None)
+def test_a_wind_that_grows_more_quickly_than_the_air_does_is_not_believed(course, wind, at, rate):
+    along = (math.cos(at), math.sin(at), 0.0)
+
+    def grown(m):
+        return m._replace(wind_n=add(m.wind_n, scale(rate * (m.time - 2.0), along)))
+
+    told_wrong = told(honest(course, wind, 0.0, 2.0 + 8.0 / rate), grown, since=2.0)
+    assert doubts(checked(told_wrong)) == {"wind"}
+
+
+@given(angles, winds, angles, st.floats(0.0, 1.0))
+@settings(max_examples=60, deadline=None)
+def test_a_wind_that_changes_as_the_air_does_is_believed(course, wind, at, rate):
+    """The aircraft is in the same air: its ground velocity changes with it."""
+    change = scale(rate, (math.cos(at), math.sin(at), 0.0))
+    windier, offset = [], (0.0, 0.0, 0.0)
+    for m, omega_b in honest(course, wind, 0.0, 6.0):
+        gust = scale(m.time, change)
+        offset = add(offset, scale(STEP, gust))
+        wind_n, v_n = add(m.wind_n, gust), add(m.v_n, gust)
+        windier.append((m._replace(p_n=add(m.p_n, offset), v_n=v_n, wind_n=wind_n), omega_b))
+    assert doubts(checked(windier)) == set()
+
+
 @given(angles, winds, st.sampled_from((0, 1)), st.floats(20.0, 90.0), st.sampled_from((-1.0, 1.0)))
 @settings(max_examples=60, deadline=None)
 def test_a_roll_or_pitch_that_turns_without_the_body_is_found_at_once(

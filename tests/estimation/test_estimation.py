@@ -8,8 +8,8 @@ from flight_states import VEHICLE, state
 from vfguide.estimation import estimation
 from vfguide.estimation.air_state import AIRSPEED, sigma
 from vfguide.estimation.estimation import Inputs, fresh_estimation
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.vector import ZERO
+from vfguide.kernels.rows import row_of
 
 DT = 0.02
 UNKNOWN = (math.nan, math.nan, math.nan)

@@ -20,6 +20,8 @@ from vfguide.estimation.position_resets import (
 )
 from vfguide.geometry.so3 import IDENTITY
 
+pytestmark = pytest.mark.slow
+
 DT = 0.02
 V = (25.0, 0.0, 0.0)
 

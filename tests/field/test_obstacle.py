@@ -19,9 +19,9 @@ from vfguide.field.obstacle import (
 )
 from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import width
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import shape_level
+from vfguide.kernels.rows import width
 
 coordinates = st.floats(-60.0, 60.0)
 points = st.tuples(coordinates, coordinates, coordinates)

@@ -17,7 +17,7 @@ from vfguide.field.composite import composite_field
 from vfguide.field.goal_frame import GoalFrame, goal_frame, navigation_field_n, normal_field_n
 from vfguide.field.obstacle import PlacedObstacle, obstacle_surface
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import place
+from vfguide.kernels.rows import place
 
 Q = (-60.0, 80.0, 0.0)
 VELOCITY = (12.0, -5.0, 3.0)

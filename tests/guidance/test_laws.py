@@ -14,10 +14,10 @@ from vfguide.airspace.detection import Airspace
 from vfguide.airspace.hazards import Intruder
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import NavState, known_state
-from vfguide.geometry.compiled import compiled
 from vfguide.guidance import flight_law, laws, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw, crossing, law_of
+from vfguide.kernels.compiled import compiled
 from vfguide.planning import planning
 from vfguide.planning.objective import GuidanceTarget, Objective, objective_at
 from vfguide.planning.route import Route, fresh_route

@@ -9,9 +9,9 @@ from loop_legs import GOALS, LEGS
 
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.estimation import known_state
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.kernels.rows import row_of
 from vfguide.loop import mission
 from vfguide.loop.attempts import Attempts, no_attempts
 from vfguide.loop.legs import goal_of, leg_rows, target_of

@@ -11,9 +11,9 @@ from vfguide.control.control import fresh_control
 from vfguide.estimation.air_state import ACCELERATION_BIAS, AIRSPEED
 from vfguide.estimation.consistency import fresh_consistency
 from vfguide.estimation.estimation import fresh_estimation
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, leaves, place, row_of, width
 from vfguide.guidance.guidance_state import fresh_guidance
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, leaves, place, row_of, width
 from vfguide.loop.attempts import Attempts, no_attempts
 from vfguide.loop.progress import fresh_progress
 from vfguide.loop.state import (

@@ -17,6 +17,7 @@ from vfguide.airspace.detection import Airspace, unnested_airspace
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, traffic_rows
 from vfguide.airspace.keep_out import NO_FENCE
+from vfguide.earth.projection import Projection
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
@@ -24,12 +25,11 @@ from vfguide.estimation.local_frame import (
     place_state,
 )
 from vfguide.field.obstacle import Obstacle, obstacle_rows
-from vfguide.geometry.projection import Projection
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.shapes import shape
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import ZERO
 from vfguide.guidance.laws import FLIGHT, PAPER, crossing
+from vfguide.kernels.rows import row_of
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.loop.step import step

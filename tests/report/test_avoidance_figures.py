@@ -10,7 +10,8 @@ from flight_samples import record_of, straight
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
 from vfguide.report.assurance_figure import EPISODE_SHADES, draw_assurance
 from vfguide.report.drawing import Flights

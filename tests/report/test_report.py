@@ -16,7 +16,8 @@ from drawings import drawn
 from flight_samples import moved, record_of, spiral, straight
 from matplotlib.figure import Figure
 from matplotlib.image import imread
-from scenario_samples import MINIMAL, SECOND, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SECOND
 
 from vfguide.report.drawing import Flights, broken, goal_axis, to_png
 from vfguide.report.figures import draw_figures

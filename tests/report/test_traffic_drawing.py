@@ -8,7 +8,8 @@ import pytest
 from drawings import drawn
 from flight_samples import record_of, straight
 from matplotlib.figure import Figure
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
 from vfguide.report.assurance_figure import nearest_hazard
 from vfguide.report.drawing import Flights

@@ -9,9 +9,10 @@ import pytest
 from flight_samples import record_of
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
-from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.results.announced_legs import AnnouncedLegs, TimedAnnouncement, announced_legs
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.results.result import judge

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from scenario_samples import MINIMAL, SQUARE, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SQUARE
 
 from vfguide.results.fence_distance import fence_clearance
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 from flight_samples import moved, record_of, spiral, straight
-from scenario_samples import MINIMAL, SECOND, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SECOND
 
 from vfguide import __version__
 from vfguide.files.atomic import write_atomically

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from flight_samples import record_of, straight
-from scenario_samples import MINIMAL, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL
 
 from vfguide.results.traffic_results import finely, traffic_results
 

@@ -1,13 +1,11 @@
 """Runs of the program as a user starts them, for the tests of whole flights."""
 
 import json
-import os
 import signal
-import subprocess
 from pathlib import Path
 from typing import Any
 
-from programs import VFGUIDE, Program
+from programs import Program
 
 from vfguide.link.codec import Frame, decode
 from vfguide.link.messages import Message
@@ -28,18 +26,6 @@ heading_deg = 40.0
 position_m = [0.0, 0.0, -125.0]
 heading_deg = 10.0
 """
-
-
-def vfguide(*arguments: object, cwd: Path, **options: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*VFGUIDE, *map(str, arguments)],
-        cwd=cwd,
-        env={**os.environ, "COLUMNS": "300"},
-        capture_output=True,
-        text=True,
-        check=False,
-        **options,
-    )
 
 
 def scenario_file(folder: Path, text: str = FIRST_FLIGHT) -> Path:

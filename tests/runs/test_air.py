@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from vfguide.preflight.load import load_scenario
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

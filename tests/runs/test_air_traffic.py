@@ -3,7 +3,8 @@
 import json
 
 import pytest
-from flights import scenario_file, vfguide
+from commands import vfguide
+from flights import scenario_file
 
 pytestmark = pytest.mark.slow
 

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vfguide.companion.goal_announcement import Outcome
+from vfguide.annunciations.goal_announcement import Outcome
+from vfguide.preflight.load import load_scenario
 from vfguide.results.announced_legs import TimedAnnouncement
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from scenario_samples import MINIMAL, box
+from scenario_texts import MINIMAL, box
 from typer.testing import CliRunner
 
 from vfguide.cli.app import app

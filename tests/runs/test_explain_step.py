@@ -3,12 +3,12 @@
 import json
 
 import pytest
+from commands import vfguide
 from explain_step import explained
-from flights import vfguide
 from world_tables import northward, world_file
 
 from vfguide.cli.replay import open_log
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 pytestmark = pytest.mark.slow

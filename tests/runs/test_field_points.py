@@ -5,11 +5,10 @@ import math
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 
-from vfguide.files.errors import InputError
-from vfguide.scenario.field_points import fields_at, read_points
-from vfguide.scenario.load import load_scenario
+from vfguide.field_points.field_points import fields_at
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import vehicle_of
 
 pytestmark = pytest.mark.slow
@@ -126,43 +125,6 @@ def test_vehicles_of_smaller_ids_fly_straight_on_at_the_speed_of_their_starts(wo
     assert abs(np.dot(free.F, off)) > 1e-3 * np.linalg.norm(free.F) * 10.0
     (leader,) = field_of(world, [[*(there + off), 0.0, 0.0, 0.0, 2.0]], sysid=2)
     assert leader.G is not None
-
-
-@pytest.mark.parametrize(
-    ("text", "complaint"),
-    [
-        ("", 'its first line is "", allowed is "x,y,z,vx,vy,vz,t"'),
-        ("x,y,z\n1,2,3\n", 'its first line is "x,y,z", allowed is "x,y,z,vx,vy,vz,t"'),
-        ("x,y,z,vx,vy,vz,t\n", "no points, at least one line must follow"),
-        ("x,y,z,vx,vy,vz,t\n1,2,3\n", "line 2: 3 values, allowed 7: x,y,z,vx,vy,vz,t"),
-        (
-            "x,y,z,vx,vy,vz,t\n1,2,3,4,5,6,7\n1,2,fast,4,5,6,7\n",
-            'line 3: z = "fast": allowed is a number from -1e+09 to 1e+09',
-        ),
-        ("x,y,z,vx,vy,vz,t\n1,2,nan,4,5,6,7\n", 'line 2: z = "nan": allowed is a number'),
-        ("x,y,z,vx,vy,vz,t\n1,2,3,4,5,6,1e10\n", 'line 2: t = "1e10": allowed is a number'),
-    ],
-)
-def test_files_that_are_no_points_are_refused(tmp_path, text, complaint):
-    path = tmp_path / "points.csv"
-    path.write_text(text)
-    with pytest.raises(InputError) as error:
-        read_points(path)
-    assert str(error.value).startswith(f"--points {path}: ")
-    assert complaint in str(error.value)
-
-
-def test_bytes_that_are_no_text_are_refused(tmp_path):
-    path = tmp_path / "points.csv"
-    path.write_bytes(b"\xff\xfe\x00x")
-    with pytest.raises(InputError, match="not a CSV file"):
-        read_points(path)
-
-
-def test_blank_lines_spaces_and_a_byte_order_mark_do_no_harm(tmp_path):
-    path = tmp_path / "points.csv"
-    path.write_text("\ufeffx, y, z, vx, vy, vz, t\n\n1, 2, 3, 4, 5, 6, 7\n", encoding="utf-8")
-    assert read_points(path).tolist() == [[1, 2, 3, 4, 5, 6, 7]]
 
 
 def test_the_command_prints_the_same_as_json(world, tmp_path):

@@ -35,7 +35,7 @@ from vfguide.link.messages import (
     Statustext,
 )
 from vfguide.link.tlog import TlogReader
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 from vfguide.scenario.resolve import place_of
 
 pytestmark = pytest.mark.slow

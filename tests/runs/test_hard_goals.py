@@ -6,9 +6,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

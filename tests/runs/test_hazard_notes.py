@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 
 def test_a_flight_among_towers_tells_of_its_way(

@@ -5,21 +5,22 @@ import math
 
 import numpy as np
 import pytest
-from flights import interrupted, messages, vfguide
+from commands import vfguide
+from flights import interrupted, messages
 from scipy.spatial.transform import Rotation
 
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.field.obstacle_arrays import distances, levels
 from vfguide.files.data import shipped_scenarios
-from vfguide.geometry.geodesy import place_in_plane
 from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.link.tlog import TlogReader
+from vfguide.preflight.load import load_scenario
 from vfguide.results.path import positions
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import Ending, fly_scenario
 from vfguide.runs.truth_log import TRUTH_COMPONENT
 from vfguide.runs.vehicle_setup import start_us
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolve import place_of
 

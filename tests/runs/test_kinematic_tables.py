@@ -11,8 +11,8 @@ from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.field.obstacle import Obstacle, PlacedObstacle, obstacle_rows
 from vfguide.field.swarm import fields_of_robots
 from vfguide.field.swarm_control import PaperGains
-from vfguide.geometry.rows import columns
 from vfguide.geometry.shapes import shape
+from vfguide.kernels.rows import columns
 
 pytestmark = pytest.mark.slow
 

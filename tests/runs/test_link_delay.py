@@ -1,7 +1,8 @@
 """Flights over a link that delivers late: every message is late, the replay knows nothing of it."""
 
 import pytest
-from flights import scenario_file, vfguide
+from commands import vfguide
+from flights import scenario_file
 
 from vfguide.link.codec import decode
 from vfguide.link.messages import AttitudeQuaternion, CommandAck, CommandLong

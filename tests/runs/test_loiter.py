@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 CALM = ("wind.speed_mps=0", 'wind.turbulence="none"')

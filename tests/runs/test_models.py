@@ -7,8 +7,9 @@ from scenario_samples import loaded_from
 
 from vfguide.files.data import find_aircraft, shipped_scenarios
 from vfguide.files.errors import InputError
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.models import model_of, require_models
-from vfguide.scenario.load import LoadedScenario, load_scenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.sim.fdm import stock_root
 
 CESSNA = find_aircraft("c172p").performance.read_text()

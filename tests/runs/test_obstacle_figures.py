@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from drawings import drawn
 from flight_samples import moved, record_of, spiral, straight
-from scenario_samples import MINIMAL, SECOND, loaded_from
+from scenario_samples import loaded_from
+from scenario_texts import MINIMAL, SECOND
 
-from vfguide.cli import flight_display
 from vfguide.report.distance_figures import MAX_OBSTACLES, draw_clearance, draw_separation, nearest
 from vfguide.report.drawing import Flights, to_png
 from vfguide.report.figures import draw_figures
@@ -25,6 +25,7 @@ from vfguide.results.closest import closest
 from vfguide.results.result import Result, judge
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of
+from vfguide.terminal import flight_display
 
 pytestmark = pytest.mark.slow
 

@@ -11,9 +11,9 @@ import pytest
 from altered import Altered
 from operator_notes import NOTES, Line, faults_in
 
+from vfguide.autopilots.engagement import FINAL_PHASES
 from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.companion.companion import Companion
-from vfguide.companion.engagement import FINAL_PHASES
 from vfguide.companion.session import Session
 from vfguide.geometry.units import US
 from vfguide.link.codec import Encoder, Parser
@@ -29,10 +29,10 @@ from vfguide.link.messages import (
     VfrHud,
     WindCov,
 )
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 
@@ -192,7 +192,7 @@ def flown(folder, events=(), acts=(), *changes, stalls=(), engage=True, scenario
     with ExitStack() as stack:
         fleet = Aeroplanes(loaded, Logs(folder, stack))
         (member,) = fleet.members
-        plan = member.companion.route.plan
+        plan = member.companion.flight.plan
         member.companion = Companion(member.vehicle.id, plan, engage=engage)
         session = Session(member.companion, lambda *_: None)
         member._session = watched = Watched(session, list(events), stalls)

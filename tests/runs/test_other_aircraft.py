@@ -15,13 +15,13 @@ from pathlib import Path
 
 import measure_poses
 import pytest
-from flights import vfguide
+from commands import vfguide
 from pose_options import options
 
 from vfguide.files.data import data_folder
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 
@@ -87,14 +87,6 @@ def test_draws_are_alike_in_turn_radii():
     assert radii["easystar"] == pytest.approx(radii["c172p"], rel=1e-3)
     assert measure_poses.frame_of("easystar").radius == pytest.approx(11.0**2 / 9.80665)
     assert measure_poses.frame_of("easystar").stall == pytest.approx(6.95, abs=0.1)
-
-
-@pytest.mark.parametrize("name", ["easystar", "cessna"])
-def test_its_scenario_is_flown_and_replayed(tmp_path, name):
-    done = vfguide("run", name, "--no-report", "--out", "x", cwd=tmp_path)
-    assert done.returncode == 0, done.stdout + done.stderr
-    again = vfguide("replay", "x/vehicle-1.tlog", cwd=tmp_path)
-    assert again.returncode == 0, again.stdout + again.stderr
 
 
 def test_a_stock_model_that_there_is_not_ends_with_one_message(tmp_path):

@@ -4,13 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from flights import vfguide
+from commands import vfguide
 
 from vfguide.guidance.laws import PAPER
 from vfguide.loop.rows import step_measured
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.steps import Steps
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

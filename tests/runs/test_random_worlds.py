@@ -9,8 +9,8 @@ import measure_avoidance
 import numpy as np
 import pytest
 
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

@@ -33,8 +33,8 @@ from vfguide.link.messages import (
     SystemTime,
 )
 from vfguide.link.tlog import TlogReader
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.vehicle_setup import start_us
-from vfguide.scenario.load import load_scenario
 from vfguide.sim.fdm import ModelError
 from vfguide.sim.realtime import RealtimeFlight, Station
 from vfguide.sim.udp import PortTakenError, bound_socket, ground_numbers, offboard_numbers

@@ -4,9 +4,9 @@ import pytest
 
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.link.tlog import TlogReader
+from vfguide.preflight.load import load_scenario
 from vfguide.replay.compare import Comparison, Replay, companions_in
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 SECONDS = 4

@@ -9,7 +9,7 @@ from flights import scenario_file
 
 from vfguide.geometry.units import CDEG
 from vfguide.link.enums import AdsbFlags
-from vfguide.link.messages import AdsbVehicle, GlobalPositionInt
+from vfguide.link.messages import AdsbVehicle, GlobalPositionInt, GpsRawInt
 
 pytestmark = pytest.mark.slow
 
@@ -151,9 +151,61 @@ def test_a_report_without_velocity_is_not_fled_from(tmp_path):
     assert not flight.notes("escape")
 
 
-def test_a_report_without_an_address_is_told_once(tmp_path):
-    alter = changed(lambda said: said._replace(ICAO_address=0))
+def back(said):
+    return said._replace(heading=(said.heading + 18_000) % 36_000)
+
+
+def to_the_right(said):
+    return said._replace(heading=(said.heading + 9_000) % 36_000)
+
+
+def standing(said):
+    return said._replace(hor_velocity=0)
+
+
+def without_address(said):
+    return said._replace(ICAO_address=0)
+
+
+@pytest.mark.parametrize("change", [back, to_the_right, standing, without_address])
+def test_it_is_kept_clear_of_whatever_its_reports_say_besides_its_place(tmp_path, change):
+    """It was flown through: a velocity was believed, an aircraft without an address was none."""
+    flight = fly_altered(tmp_path, changed(change), scenario=scenario_file(tmp_path, HEAD_ON))
+    assert separation(flight) > COLLISION
+    assert flight.result.verdict == "good"
+    assert not flight.notes("NOTHING IS CLEAR")
+
+
+@pytest.mark.parametrize("off", [-100.0, 100.0])
+@pytest.mark.parametrize("begin", [1.0, 15.0])
+def test_an_undulation_that_changes_in_flight_is_not_believed_alone(tmp_path, off, begin):
+    """The traffic was put 100 m above or below where it was, and flown through."""
+
+    def alter(t, message):
+        if isinstance(message, GpsRawInt) and t > begin:
+            return [message._replace(alt_ellipsoid=message.alt_ellipsoid + round(off * 1e3))]
+        return [message]
+
     flight = fly_altered(tmp_path, alter, scenario=scenario_file(tmp_path, HEAD_ON))
-    assert flight.notes("report of traffic") == [
-        "a report of traffic is not used: its address is 0"
-    ]
+    assert separation(flight) > COLLISION
+    assert flight.result.verdict == "good"
+
+
+class SentFromEverywhere:
+    """Each report after one with the same address from another place."""
+
+    def __init__(self):
+        self.rng = np.random.default_rng(5)
+
+    def __call__(self, _, message):
+        if not isinstance(message, AdsbVehicle):
+            return [message]
+        lat, lon = self.rng.integers(-300_000, 300_000, 2).tolist()
+        return [message._replace(lat=message.lat + lat, lon=message.lon + lon), message]
+
+
+def test_an_aircraft_is_seen_among_false_reports_of_its_address(tmp_path):
+    scenario = scenario_file(tmp_path, HEAD_ON)
+    flight = fly_altered(tmp_path, SentFromEverywhere(), scenario=scenario)
+    assert separation(flight) > COLLISION
+    assert flight.result.verdict == "good"

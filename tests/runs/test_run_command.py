@@ -5,7 +5,8 @@ import resource
 import signal
 
 import pytest
-from flights import interrupted, scenario_file, vfguide
+from commands import vfguide, vfguide_alone
+from flights import interrupted, scenario_file
 
 from vfguide.files.data import find_aircraft
 from vfguide.link.tlog import TlogReader
@@ -25,7 +26,7 @@ FIGURES = ("path-3d", "path-plan", "path-side", "position", "attitude", "envelop
 
 
 def test_a_run_leaves_everything(tmp_path):
-    done = vfguide("run", scenario_file(tmp_path), "--out", "out", cwd=tmp_path)
+    done = vfguide_alone("run", scenario_file(tmp_path), "--out", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "verdict: good" in done.stdout
     out = tmp_path / "out"
@@ -96,7 +97,7 @@ def test_a_disk_that_fills_up(tmp_path):
     path = scenario_file(tmp_path)
     warm = vfguide("check", path, cwd=tmp_path)
     assert warm.returncode == 0, warm.stderr
-    done = vfguide(
+    done = vfguide_alone(
         *("run", path, "--out", "out", "--no-report"), cwd=tmp_path, preexec_fn=limit_files
     )
     assert done.returncode == 2

@@ -8,9 +8,9 @@ from flights import messages, scenario_file
 from pymavlink import mavutil
 
 from vfguide.link.messages import Heartbeat, HilStateQuaternion, SetAttitudeTarget
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.truth_log import TRUTH_COMPONENT
-from vfguide.scenario.load import load_scenario
 
 DURATION = 10.0
 

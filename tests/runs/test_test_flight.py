@@ -7,14 +7,14 @@ import tomllib
 
 import pytest
 import tomli_w
-from flights import vfguide
+from commands import vfguide
 
+from vfguide.earth.atmosphere import isa_density
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, data_folder, find_aircraft
-from vfguide.geometry.atmosphere import isa_density
+from vfguide.preflight.load import load_scenario
 from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
-from vfguide.scenario.load import load_scenario
 
 pytestmark = pytest.mark.slow
 

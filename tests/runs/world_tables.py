@@ -2,7 +2,7 @@
 
 import tomli_w
 
-from vfguide.scenario.load import load_scenario
+from vfguide.preflight.load import load_scenario
 
 
 def northward(name, **hazards):

@@ -8,9 +8,9 @@ import pymap3d
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scenario_samples import MINIMAL, SECOND, loaded_from
+from resolving import resolved_file, resolved_text
+from scenario_texts import MINIMAL, SECOND
 
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.resolved import Scenario
 
 RICH = """\
@@ -65,14 +65,14 @@ heading_deg = 12.3456789012345
 
 
 def again(folder: Path, scenario: Scenario) -> Scenario:
-    return loaded_from(folder, scenario.to_toml()).scenario
+    return resolved_text(folder, scenario.to_toml()).scenario
 
 
 @pytest.mark.parametrize("text", [MINIMAL, MINIMAL + SECOND, RICH])
 def test_the_resolved_file_resolves_to_the_same_scenario(tmp_path: Path, text: str) -> None:
-    loaded = loaded_from(tmp_path, text)
+    loaded = resolved_text(tmp_path, text)
     loaded.write_resolved(tmp_path / "scenario.toml")
-    resolved = load_scenario(tmp_path / "scenario.toml")
+    resolved = resolved_file(tmp_path / "scenario.toml")
     assert resolved.scenario == loaded.scenario
     assert resolved.aircraft == loaded.aircraft
     assert resolved.scenario.to_toml() == loaded.scenario.to_toml()
@@ -102,99 +102,13 @@ def test_no_bit_is_lost_on_the_way_through_the_file(
         f"vehicle.0.goal.0.position_m=[{north!r}, {east!r}, {down!r}]",
         f"vehicle.0.goal.0.heading_deg={heading!r}",
     )
-    scenario = loaded_from(folder, overrides=overrides).scenario
+    scenario = resolved_text(folder, overrides=overrides).scenario
     assert scenario.vehicles[0].goals[0].position_m == (north, east, down)
     assert again(folder, scenario) == scenario
 
 
-def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
-    scenario = loaded_from(tmp_path).scenario
-    assert scenario.model_dump() == {
-        "name": "minimal",
-        "plant": "jsbsim",
-        "law": "flight",
-        "duration_s": 300.0,
-        "seed": 1,
-        "start_time": datetime(2026, 1, 1, tzinfo=UTC),
-        "origin": {
-            "latitude_deg": 47.397742,
-            "longitude_deg": 8.545594,
-            "altitude_m": 488.0,
-            "undulation_m": 0.0,
-        },
-        "wind": {
-            "speed_mps": 0.0,
-            "from_deg": 0.0,
-            "turbulence": "none",
-            "shear_mps_per_100m": 0.0,
-            "shear_height_m": 100.0,
-            "change": [],
-        },
-        "weather": {"qnh_hpa": 1013.25},
-        "sensors": None,
-        "autopilot": {
-            "airspeed_fails_at_s": None,
-            "airspeed_fault": "missing",
-            "thrust_scale": 1.0,
-            "thrust_sag_per_min": 0.0,
-            "thrust_floor": 0.5,
-            "wind_message": True,
-            "pressure_message": True,
-            "reset": [],
-        },
-        "link": {"delay_ms": 0.0, "delay_back_ms": 0.0},
-        "guidance": {
-            "rate_hz": 50.0,
-            "airspeed_mps": None,
-            "bank_max_deg": None,
-            "k_w": 3.5,
-            "k_v": 1.0,
-            "k_lateral": 1.2,
-            "k_elevation": 0.5,
-            "loiter": "right",
-            "loiter_radius_m": None,
-        },
-        "avoidance": {
-            "safety_radius_m": 10.0,
-            "detection_range_m": 300.0,
-            "between_vehicles": True,
-            "traffic": False,
-            "traffic_radius_m": 50.0,
-            "traffic_half_height_m": 30.0,
-            "traffic_growth_mps": 3.0,
-            "traffic_growth_up_mps": 1.5,
-        },
-        "fence": {"floor_m": None, "ceiling_m": None, "zone": []},
-        "traffic_receiver": {"range_m": 20_000.0},
-        "vehicles": (
-            {
-                "id": 1,
-                "position_m": (-500.0, 0.0, -100.0),
-                "heading_deg": 0.0,
-                "attitude_deg": None,
-                "airspeed_mps": pytest.approx(25.0 * (1.225 / 1.15733) ** 0.5, rel=1e-5),
-                "aircraft": "aerosonde",
-                "icao": None,
-                "identify": False,
-                "goals": (
-                    {
-                        "position_m": (0.0, 0.0, -100.0),
-                        "heading_deg": 0.0,
-                        "climb_deg": 0.0,
-                        "tolerance_m": 5.0,
-                        "tolerance_deg": 10.0,
-                        "attempts": 0,
-                    },
-                ),
-            },
-        ),
-        "obstacles": (),
-        "traffic": (),
-    }
-
-
 def test_every_value_of_the_file_arrives(tmp_path: Path) -> None:
-    scenario = loaded_from(tmp_path, RICH).scenario
+    scenario = resolved_text(tmp_path, RICH).scenario
     assert scenario.start_time == datetime(2026, 3, 1, 11, 0, 0, 250_000, tzinfo=UTC)
     assert (scenario.duration_s, scenario.seed) == (60.0, 4294967295)
     assert (scenario.wind.speed_mps, scenario.wind.turbulence) == (4.5, "moderate")
@@ -212,7 +126,7 @@ def test_every_value_of_the_file_arrives(tmp_path: Path) -> None:
 
 
 def test_geographic_goals_lie_in_the_tangent_plane_at_the_origin(tmp_path: Path) -> None:
-    goal = loaded_from(tmp_path, RICH).scenario.vehicles[0].goals[0]
+    goal = resolved_text(tmp_path, RICH).scenario.vehicles[0].goals[0]
     expected = pymap3d.geodetic2ned(-33.903, 151.207, 170.0, -33.9, 151.2, 20.0)
     assert goal.position_m == pytest.approx(expected, abs=1e-6)
 
@@ -231,16 +145,16 @@ def test_geographic_goals_lie_in_the_tangent_plane_at_the_origin(tmp_path: Path)
 )
 def test_directions(tmp_path: Path, direction: str, heading: float, climb: float) -> None:
     text = MINIMAL.replace("heading_deg = 0", f"direction = {direction}")
-    goal = loaded_from(tmp_path, text).scenario.vehicles[0].goals[0]
+    goal = resolved_text(tmp_path, text).scenario.vehicles[0].goals[0]
     assert (goal.heading_deg, goal.climb_deg) == pytest.approx((heading, climb), abs=1e-12)
 
 
 def test_speeds_and_bank_to_fly(tmp_path: Path) -> None:
     text = MINIMAL.replace("id = 1", "id = 1\nairspeed_mps = 22.0")
-    own = loaded_from(tmp_path, text)
+    own = resolved_text(tmp_path, text)
     gains = own.gains(own.scenario.vehicles[0])
     assert (gains.airspeed, gains.bank_max) == pytest.approx((22.0, math.radians(50.0)))
-    common = loaded_from(tmp_path, RICH)
+    common = resolved_text(tmp_path, RICH)
     gains = common.gains(common.scenario.vehicles[1])
     assert (gains.airspeed, gains.bank_max) == pytest.approx((27.0, math.radians(45.0)))
 
@@ -262,11 +176,11 @@ def test_gains_follow_the_roll_response(
     k_elevation: float,
     response_lag: float,
 ) -> None:
-    text = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    text = resolved_text(tmp_path).files["aerosonde"].performance.read_text()
     (tmp_path / "aircraft").mkdir()
     own = tmp_path / "aircraft" / "aerosonde.toml"
     own.write_text(text.replace("roll_s = 0.08", f"roll_s = {roll_s}"))
-    loaded = loaded_from(tmp_path)
+    loaded = resolved_text(tmp_path)
     gains = loaded.gains(loaded.scenario.vehicles[0])
     found = (gains.k_w, gains.k_lateral, gains.k_elevation, gains.response_lag)
     assert found == pytest.approx((k_w, k_lateral, k_elevation, response_lag))
@@ -274,11 +188,11 @@ def test_gains_follow_the_roll_response(
 
 def test_less_bank_is_asked_for_where_rolling_takes_long(tmp_path: Path) -> None:
     """With 1.2 a Cessna swung between 44 degrees to either side before the goal."""
-    text = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    text = resolved_text(tmp_path).files["aerosonde"].performance.read_text()
     (tmp_path / "aircraft").mkdir()
     own = tmp_path / "aircraft" / "aerosonde.toml"
     own.write_text(text.replace("roll_rate_max_dps = 80.0", "roll_rate_max_dps = 20.0"))
-    loaded = loaded_from(tmp_path)
+    loaded = resolved_text(tmp_path)
     gains = loaded.gains(loaded.scenario.vehicles[0])
     bank_per_error = gains.k_lateral * gains.airspeed / 9.80665
     assert bank_per_error / math.radians(20.0) == pytest.approx(6.0)
@@ -287,25 +201,16 @@ def test_less_bank_is_asked_for_where_rolling_takes_long(tmp_path: Path) -> None
 def test_an_own_aircraft_goes_with_the_resolved_scenario(tmp_path: Path) -> None:
     own = tmp_path / "aircraft" / "mine"
     own.mkdir(parents=True)
-    shipped = loaded_from(tmp_path).files["aerosonde"].performance.read_text()
+    shipped = resolved_text(tmp_path).files["aerosonde"].performance.read_text()
     (own / "mine.toml").write_text(shipped.replace('name = "aerosonde"', 'name = "mine"'))
     (own / "mine.xml").write_text("<fdm_config/>")
     text = MINIMAL.replace("id = 1", 'id = 1\naircraft = "mine"')
-    loaded = loaded_from(tmp_path, text)
+    loaded = resolved_text(tmp_path, text)
     run = tmp_path / "run"
     run.mkdir()
     loaded.write_resolved(run / "scenario.toml")
-    resolved = load_scenario(run / "scenario.toml")
+    resolved = resolved_file(run / "scenario.toml")
     assert resolved.aircraft == loaded.aircraft
     assert resolved.files["mine"].model == run / "aircraft" / "mine" / "mine.xml"
     loaded.write_resolved(tmp_path / "scenario.toml")
-    assert load_scenario(tmp_path / "scenario.toml").scenario == loaded.scenario
-
-
-def test_first_flight_needs_a_turn() -> None:
-    scenario = load_scenario("first-flight").scenario
-    (vehicle,) = scenario.vehicles
-    (goal,) = vehicle.goals
-    assert 500.0 < math.dist(vehicle.position_m, goal.position_m) < 900.0
-    assert abs(goal.heading_deg - vehicle.heading_deg) >= 45.0
-    assert scenario.wind.speed_mps == 3.0
+    assert resolved_file(tmp_path / "scenario.toml").scenario == loaded.scenario

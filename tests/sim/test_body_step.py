@@ -8,13 +8,13 @@ from aeroplanes import AEROSONDE
 
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.companion.loop_report import goal_of_row
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.rows import row_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import FLIGHT
+from vfguide.kernels.rows import row_of
 from vfguide.loop.legs import Goal, leg_rows
+from vfguide.loop.loop_report import goal_of_row
 from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.sim.kinematic import Bodies, Commands, advance
@@ -41,7 +41,7 @@ def fly(goals, p_n, euler, seconds, side=1.0):
     row, flown = row_of_state(fresh_state()), []
     for k in range(round(seconds / UPDATE)):
         p, R = bodies.p_n[0], bodies.R_nb[0]
-        omega_b, row = step_body(k * UPDATE, p, R, row, legs, FLIGHT, vehicle)
+        omega_b, row, _ = step_body(k * UPDATE, p, R, row, legs, FLIGHT, vehicle)
         flown.append((p, R, omega_b, goal_of_row(row)))
         bodies = advance(bodies, Commands(np.array([SPEED]), np.array([omega_b])), UPDATE)
     return [np.array(column) for column in zip(*flown, strict=True)]

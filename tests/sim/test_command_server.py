@@ -16,7 +16,7 @@ from conversations_with_autopilot import (
 )
 
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.geometry.pressure_altitude import pressure_altitude
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.geometry.so3 import from_euler, to_quaternion
 from vfguide.geometry.units import DEG, HPA
 from vfguide.link.codec import Encoder

@@ -12,7 +12,7 @@ from aeroplanes import AEROSONDE, CESSNA, EASYSTAR
 from conversations_with_autopilot import ATTITUDES, UPDATE, Dialogue, setpoint
 
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.geometry.geodesy import geodetic_to_ned, ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import geodetic_to_ned, ned_to_geodetic, tangent_plane
 from vfguide.geometry.so3 import from_euler, to_quaternion
 from vfguide.geometry.units import DEG, G0
 from vfguide.link.enums import MavCmd

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from vfguide.geometry.pressure_altitude import pressure_altitude
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import DEG
 from vfguide.link.messages import ScaledPressure, WindCov
 from vfguide.sim.autopilot.autopilot import silent_streams

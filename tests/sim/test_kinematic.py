@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
+from vfguide.kernels.rows import columns
 from vfguide.sim.kinematic import (
     Bodies,
     Commands,

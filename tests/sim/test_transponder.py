@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.sim.traffic import Receiver, Transponder, Turn, flight_of, motion_at

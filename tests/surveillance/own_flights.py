@@ -69,7 +69,7 @@ def listen(flown, reports, picture=None):
             notes += [(t, note) for note in picture.hear(message, now.time_ms, now, DATUM)]
         picture.forget(own.time_ms)
         for each in picture.others(own):
-            seen.setdefault(each.icao, []).append(t)
+            seen.setdefault(each.report.icao, []).append(t)
     return seen, notes
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle

@@ -29,7 +29,7 @@ def newest(v_n, seconds, flags=NEITHER, interval=1.0, sd=0.0):
         p_n = np.array([300.0, -200.0, -150.0]) + t * np.array(v_n) + rng.normal(0.0, sd, 3)
         message = moving(tuple(map(float, p_n)), v_n, flags=flags)
         picture.hear(message, 5000 + round(1000 * t), None, DATUM)
-    return picture.newest(ICAO)
+    return picture.newest(1)
 
 
 @given(st.tuples(speeds, speeds, st.floats(-8.0, 8.0)), st.floats(0.5, 2.0))
@@ -72,4 +72,4 @@ def test_a_height_that_becomes_comparable_is_no_climb():
         message = message._replace(altitude_type=0)
         datum = HeightDatum(None, 0.0) if k < 5 else HeightDatum(120.0, 0.0)
         picture.hear(message, 5000 + 1000 * k, None, datum)
-        assert abs(picture.newest(ICAO).intruder.v_n[2]) < 0.1
+        assert abs(picture.newest(1).intruder.v_n[2]) < 0.1

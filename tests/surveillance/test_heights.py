@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reported import ALL, ORIGIN, said
 
-from vfguide.geometry.pressure_altitude import isa_pressure, pressure_altitude
+from vfguide.earth.pressure_altitude import isa_pressure, pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.surveillance.height_notes import ANSWER_TIME
@@ -22,6 +22,7 @@ from vfguide.surveillance.heights import (
 )
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import SMALL_AIRCRAFT, report_of
+from vfguide.surveillance.told_height import FOLLOWING_SPEED, told_again
 
 PRESSURE = {"altitude_type": AdsbAltitudeType.PRESSURE_QNH}
 altitudes = st.floats(0.0, 3000.0)
@@ -89,6 +90,31 @@ def test_zero_is_always_among_the_offsets():
         assert least <= 0.0 <= greatest
 
 
+@given(
+    st.lists(st.floats(-100.0, 100.0), min_size=1, max_size=40),
+    st.integers(0, 39),
+    st.floats(-50.0, 50.0),
+)
+def test_what_was_told_once_stays_among_what_may_be_for_a_minute(told, right, height):
+    """Before, the newest of any messages was believed: traffic was put 100 m off by one."""
+    known = None
+    for k, other in enumerate([*told[:right], height, *told[right:]]):
+        known = told_again(known, other, 5000 + 1500 * k)
+        assert known.least <= other <= known.greatest
+        since = 1.5 * max(0, k - min(right, len(told)))
+        if k >= right:
+            off = FOLLOWING_SPEED * since + 1e-6
+            assert known.least - off <= height <= known.greatest + off
+    assert 0.25 * SMALL_AIRCRAFT.half_height > FOLLOWING_SPEED * 60.0
+
+
+def test_a_change_that_lasts_is_followed():
+    known = told_again(None, 47.0, 5000)
+    for k in range(1, 1000):
+        known = told_again(known, -53.0, 5000 + 1000 * k)
+    assert (known.least, known.greatest) == (-53.0, pytest.approx(-52.9))
+
+
 def heard(messages, datum, interval=1.0):
     picture = Picture(ORIGIN, SMALL_AIRCRAFT)
     return [
@@ -121,9 +147,8 @@ def test_what_is_told_of_a_pressure_altitude():
 def test_refused_reports_are_told_once_for_each_reason():
     without_place = said(flags=ALL & ~AdsbFlags.VALID_COORDS)
     fast = said(hor_velocity=60_000)
-    notes = heard([said(ICAO_address=0), without_place, fast] * 5, HeightDatum(0.0, 0.0))
+    notes = heard([without_place, fast] * 5, HeightDatum(0.0, 0.0))
     assert [note for _, note in notes] == [
-        "a report of traffic is not used: its address is 0",
         "a report of traffic is not used: it has no position",
         "a report of traffic is not used: it cannot be true",
     ]

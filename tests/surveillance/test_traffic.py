@@ -9,7 +9,7 @@ from reported import ALL, ORIGIN, said
 from vfguide.airspace.fence import fences
 from vfguide.airspace.hazards import Hazards, Intruder, traffic_rows
 from vfguide.field.obstacle import obstacle_rows
-from vfguide.geometry.rows import columns, width
+from vfguide.kernels.rows import columns, width
 from vfguide.link.boot_time import ROLLOVER
 from vfguide.link.enums import AdsbFlags
 from vfguide.surveillance.heights import ANY_HEIGHT, HeightDatum
@@ -72,8 +72,6 @@ def test_without_a_callsign_the_address_is_the_name():
 @pytest.mark.parametrize(
     "changes",
     [
-        {"ICAO_address": 0},
-        {"ICAO_address": 2**24},
         {"lat": 900_000_001},
         {"lon": -1_800_000_001},
         {"altitude": 31_000_000},
@@ -100,17 +98,18 @@ def test_the_newest_report_counts():
     picture.hear(said((1000.0, 530.0, -152.0)), 6000)
     picture.hear(said((1000.0, 515.0, -151.0), tslc=5), 6500)
     assert len(picture) == 1
-    assert picture.newest(0xABC123).time_ms == 6000
+    assert picture.newest(1).time_ms == 6000
 
 
 def test_a_leap_is_believed_only_when_the_next_report_agrees():
     picture = Picture(ORIGIN, SMALL_AIRCRAFT)
     picture.hear(said(), 5000)
     picture.hear(said((9000.0, 530.0, -152.0)), 6000)
-    assert picture.newest(0xABC123).time_ms == 5000
-    assert picture.refused == 1
+    assert picture.newest(1).time_ms == 5000
+    assert [each.number for each in picture.others(FAR_AWAY)] == [1]
     picture.hear(said((9000.0, 560.0, -154.0)), 7000)
-    assert picture.newest(0xABC123).time_ms == 7000
+    assert {each.number for each in picture.others(FAR_AWAY)} == {1, 2}
+    assert picture.newest(2).time_ms == 7000
 
 
 def test_it_is_forgotten_also_across_the_rollover():

@@ -11,10 +11,10 @@ import math
 
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.geometry.units import DEG
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 THIN_AIR_SHARE = 0.75
 """Share of the sine of the steepest steady climb in thin air that is asked for at most, or that of

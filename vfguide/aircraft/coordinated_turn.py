@@ -7,10 +7,10 @@ level flight (Beard and McLain, Small Unmanned Aircraft, 2012, chapter 5).
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, matmul, matvec, transpose
+from vfguide.kernels.compiled import compiled
 
 
 class Lift(NamedTuple):

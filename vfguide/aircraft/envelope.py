@@ -7,8 +7,8 @@ import math
 
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
+from vfguide.kernels.compiled import compiled
 
 SLOWEST_TURN = 2.5
 """Time that a turn by one radian takes at least [s], measured with the EasyStar in calm air

@@ -14,9 +14,10 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.compiled import compiled
+from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
+from vfguide.kernels.compiled import compiled
 
 STEEPEST_BANK = 60.0 * DEG
 """Bank above which the load factor of a level turn is taken as that at this bank [rad]; chosen,
@@ -79,6 +80,12 @@ def flight_direction(R_nb: Mat3, alpha: float, beta: float) -> Vec3:
             c * R_nb[2][0] + beta * R_nb[2][1] + s * R_nb[2][2],
         )
     )
+
+
+@compiled
+def sideslip_about_vertical(air_n: Vec3, nose_n: Vec3) -> float:
+    """Azimuth of a velocity through the air less that of the nose, both NED [rad]."""
+    return wrap(math.atan2(air_n[1], air_n[0]) - math.atan2(nose_n[1], nose_n[0]))
 
 
 @compiled

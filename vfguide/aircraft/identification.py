@@ -22,7 +22,7 @@ from vfguide.aircraft.gain_scheduling import STEP_DELAY, airspeed_gains
 from vfguide.aircraft.least_squares import Array, best_time, first_order, fitted, with_constant
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.samples import Means, Samples, halfway, mean, means_of, sound, with_airspeed
-from vfguide.geometry.atmosphere import DENSITY_0
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.geometry.units import DEG
 
 SETTLED = 1.5

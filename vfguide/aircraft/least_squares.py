@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series
+from vfguide.kernels.compiled import compiled
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 import math
 
 from vfguide.aircraft.performance import Performance, turn_length
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 LEVEL_RATIO = 1.165
 """Ratio of the airspeed at which the path is level at full thrust to the slowest airspeed;

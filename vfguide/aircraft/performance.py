@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
+from vfguide.kernels.compiled import compiled
 
 
 class Performance(NamedTuple):

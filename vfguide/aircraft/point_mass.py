@@ -11,9 +11,9 @@ from typing import NamedTuple
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import descent_at_airspeed
 from vfguide.aircraft.performance import Gains, Performance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 RATE_LAG = 0.08
 """Time constant of the body rates behind their setpoints [s], the roll response for which the

@@ -8,10 +8,10 @@ import numpy as np
 
 from vfguide.aircraft.flight_model import STEEPEST_BANK
 from vfguide.aircraft.least_squares import Array, fitted, with_constant
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.rows import columns, table_of
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mask, Mat3, Matrices, Series, Vec3, Vectors
+from vfguide.kernels.rows import columns, table_of
 
 WINDOW = 1.0
 """Time over which lift and thrust are averaged before they are compared [s]; chosen longer than

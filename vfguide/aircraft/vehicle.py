@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Gains, Performance
-from vfguide.geometry.rows import flattener, reader
+from vfguide.kernels.rows import flattener, reader
 
 
 class Vehicle(NamedTuple):

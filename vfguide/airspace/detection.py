@@ -12,9 +12,9 @@ from vfguide.airspace.hazards import Hazards
 from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.estimation.estimation import NavState
 from vfguide.field.obstacle import Rows, obstacle_distance, put_out_of_sight, read_obstacle
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import OPEN, nester, unnester
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import OPEN, nester, unnester
 
 Known = NDArray[np.float64]
 """(M,), one number for each obstacle: 1 once it is known, else 0."""

@@ -7,9 +7,9 @@ it is the sharp body in which the body lies: the box, the upright cylinder or th
 """
 
 from vfguide.field.obstacle import Rows, into_axes, read_obstacle, shape_of
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.shape import shape_bound
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 
 @compiled

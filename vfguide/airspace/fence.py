@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.polygon import prism_distance, side_from, signed_root
-from vfguide.geometry.rows import reader, table_of
 from vfguide.geometry.vector import Vec3, Vectors
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, table_of
 
 Point = tuple[float, float]
 """North and east [m]."""

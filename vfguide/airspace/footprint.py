@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.obstacle import Rows, read_obstacle, shape_of
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Table, reader, width, writer
 from vfguide.geometry.se2 import rotated
 from vfguide.geometry.shapes.base import Section, Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Table, reader, width, writer
 
 SIDES = 16
 """Number of sides of the polygon that circumscribes a section that is not a circle; chosen: more

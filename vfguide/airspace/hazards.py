@@ -20,10 +20,10 @@ from vfguide.airspace.keep_out import (
     write_zone_row,
 )
 from vfguide.field.obstacle import Rows, read_obstacle
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, table_of, width
 from vfguide.geometry.shapes.cylinder import upright_distance
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, table_of, width
 
 TRAFFIC_LOOKAHEAD = 5.0
 """Time by which the route search grows the volumes of traffic beyond the present [s]; chosen."""

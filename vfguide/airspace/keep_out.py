@@ -23,9 +23,9 @@ from vfguide.airspace.footprint import (
     sides_round,
 )
 from vfguide.field.obstacle import PlacedObstacle, Rows, read_obstacle
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, replacing, table_of, width, writer
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, replacing, table_of, width, writer
 
 KEEP_OUT = 1.0
 """Sign of a zone that must be stayed out of."""

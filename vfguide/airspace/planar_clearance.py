@@ -6,8 +6,8 @@ from typing import NamedTuple
 from vfguide.airspace.footprint import read_side
 from vfguide.airspace.keep_out import KEEP_IN, KEEP_OUT, KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.polygon import side_from, signed_root
+from vfguide.kernels.compiled import compiled
 
 NO_HAZARD = -1
 """Row number that stands for no hazard."""

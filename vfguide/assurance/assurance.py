@@ -24,10 +24,10 @@ from vfguide.assurance.decision import (
     no_backup,
 )
 from vfguide.estimation.estimation import NavState
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import norm, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 NARROW_ROUTE = 1.25
 """Ratio of the clearance of a route to the margin below which the margin becomes smaller in

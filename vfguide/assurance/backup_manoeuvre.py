@@ -4,9 +4,9 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, Vectors
+from vfguide.kernels.compiled import compiled
 
 TURN_TIME = 13.44
 """Time of a full turn at 25 m/s and 50 degrees of bank, to which all times of manoeuvres are scaled

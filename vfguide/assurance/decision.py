@@ -29,8 +29,8 @@ from vfguide.assurance.escape_search import (
     time_to_conflict,
 )
 from vfguide.assurance.trajectory_clearance import Clearance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 MARGIN = 12.0
 """Clearance that a safe trajectory keeps at 25 m/s and 50 degrees of bank [m]; chosen with

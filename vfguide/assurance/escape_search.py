@@ -18,8 +18,8 @@ from vfguide.assurance.backup_manoeuvre import (
     manoeuvre,
 )
 from vfguide.assurance.trajectory_clearance import Clearance, clearance_along
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series, Vec3, Vectors, norm
+from vfguide.kernels.compiled import compiled
 
 TRAJECTORY_POINTS = round(HORIZON / TRAJECTORY_STEP) + 1
 """Number of points of a predicted trajectory."""

@@ -14,8 +14,8 @@ from vfguide.airspace.hazards import (
     hazard_speed,
     hazard_uncertainty_rate,
 )
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.compiled import compiled
 
 MAX_UNCERTAINTY = 12.0
 """Largest uncertainty of a position along a trajectory [m]; chosen, so that distant hazards do not

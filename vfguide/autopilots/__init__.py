@@ -1,1 +1,1 @@
-"""Autopilots as the companion knows them: a record of each make, chosen by the first HEARTBEAT."""
+"""Autopilots as the companion knows them: a record of each make, and who of the two flies."""

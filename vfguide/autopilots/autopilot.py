@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import NamedTuple
 
-from vfguide.geometry.projection import Projection
+from vfguide.earth.projection import Projection
 from vfguide.link.enums import MavAutopilot, MavType
 
 

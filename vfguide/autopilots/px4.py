@@ -6,7 +6,7 @@ Sources: px4_custom_mode.h and MavlinkReceiver::handle_message_set_attitude_targ
 from enum import IntEnum
 
 from vfguide.autopilots.autopilot import Autopilot, Stream
-from vfguide.geometry.projection import Projection
+from vfguide.earth.projection import Projection
 from vfguide.link.enums import AttitudeTypeMask, MavAutopilot, MavType, ModeFlag
 from vfguide.link.messages import AttitudeQuaternion, LocalPositionNed, VfrHud, WindCov
 

@@ -17,9 +17,9 @@ def bench(
 
     from rich.table import Table
 
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import deliver, out
     from vfguide.runs.bench import measure
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import deliver, out
 
     COMPILING.stage("what is measured")
     figures = asdict(measure())

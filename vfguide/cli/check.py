@@ -13,10 +13,10 @@ def check(
 
     Example: vfguide check first-flight
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import out, warn
     from vfguide.files.data import find_scenario
-    from vfguide.scenario.load import check_file
+    from vfguide.preflight.load import check_file
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import out, warn
 
     COMPILING.stage("the checks of the plan")
     path = file if file.exists() else find_scenario(str(file))

@@ -23,11 +23,12 @@ def field(
     """
     import json
 
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import deliver
-    from vfguide.scenario.field_points import fields_at, read_points
-    from vfguide.scenario.load import load_scenario
+    from vfguide.field_points.field_points import fields_at
+    from vfguide.field_points.points_file import read_points
+    from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import vehicle_of
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import deliver
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD
+from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.aircraft.identification import Identified
     from vfguide.daemon.transport import Transport
     from vfguide.link.tlog import TlogWriter
-    from vfguide.scenario.load import LoadedScenario
+    from vfguide.scenario.loaded import LoadedScenario
 
 
 def fly(
@@ -35,17 +35,17 @@ def fly(
 
     Example: vfguide fly first-flight --vehicle 1 --connect udpin:127.0.0.1:14540 --engage
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import complain, warn
-    from vfguide.cli.signals import REQUESTS, Ending
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
     from vfguide.daemon.clock import Clock
     from vfguide.daemon.daemon import Daemon, Outcome
     from vfguide.daemon.flight_log import FlightLog
     from vfguide.daemon.warm_up import warm_up
-    from vfguide.scenario.load import load_scenario
+    from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import complain, warn
+    from vfguide.terminal.signals import REQUESTS, Ending
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -77,7 +77,7 @@ def fly(
 
 def say(line: str) -> None:
     """One line for the operator, with the time of day."""
-    from vfguide.cli.console import out
+    from vfguide.terminal.console import out
 
     out.print(f"{datetime.now(UTC):%H:%M:%S} {line}")
 

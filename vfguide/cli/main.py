@@ -11,9 +11,9 @@ from collections.abc import Iterable
 from functools import partial
 from typing import NoReturn
 
-from vfguide.cli.exit_status import BAD_INPUT, GOOD
-from vfguide.cli.signals import INTERRUPTION, REQUESTS, Ended, Ending
-from vfguide.cli.streams import TolerantStream, tolerant_streams
+from vfguide.terminal.exit_status import BAD_INPUT, GOOD
+from vfguide.terminal.signals import INTERRUPTION, REQUESTS, Ended, Ending
+from vfguide.terminal.streams import TolerantStream, tolerant_streams
 
 LAST_WORDS = 0.3
 """Longest time that a program waits for its reader after it was asked to end [s]; chosen."""
@@ -54,8 +54,8 @@ def end_at_once(streams: Iterable[TolerantStream], ending: Ending) -> NoReturn:
 def run_command() -> int:
     """Run a command; the exit status of those that end of themselves."""
     from vfguide.cli.app import app
-    from vfguide.cli.console import complain, tell_warnings
     from vfguide.files.errors import InputError
+    from vfguide.terminal.console import complain, tell_warnings
 
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns of a cache of its own
     tell_warnings()

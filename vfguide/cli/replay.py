@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD
+from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.link.tlog import TlogReader
@@ -36,14 +36,14 @@ def replay(
     """
     from contextlib import ExitStack
 
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import out as console
-    from vfguide.cli.console import warn
     from vfguide.link.tlog import TlogWriter, UsableTimes
+    from vfguide.preflight.load import load_scenario
     from vfguide.replay.compare import Replay
     from vfguide.runs.run import prepared
-    from vfguide.scenario.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import out as console
+    from vfguide.terminal.console import warn
 
     reader = open_log(log)
     COMPILING.stage("the checks of the plan")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD
+from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from vfguide.results.result import Result
@@ -30,12 +30,12 @@ def run(
 
     Example: vfguide run first-flight --set wind.speed_mps=6 --out results
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import complain, warn
-    from vfguide.cli.flight_display import FlightDisplay, print_result
-    from vfguide.cli.signals import REQUESTS
+    from vfguide.preflight.load import load_scenario
     from vfguide.runs.run import run_scenario
-    from vfguide.scenario.load import load_scenario
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import complain, warn
+    from vfguide.terminal.flight_display import FlightDisplay, print_result
+    from vfguide.terminal.signals import REQUESTS
 
     changes = [*(set_ or []), *([] if seed is None else [f"seed={seed}"])]
     COMPILING.stage("the checks of the plan")

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vfguide.cli.exit_status import BAD, GOOD
+from vfguide.terminal.exit_status import BAD, GOOD
 
 if TYPE_CHECKING:
     from socket import socket
 
-    from vfguide.scenario.load import LoadedScenario
+    from vfguide.scenario.loaded import LoadedScenario
     from vfguide.scenario.resolved import Scenario, Vehicle
     from vfguide.sim.real_time_pacing import RealTimePacing
     from vfguide.sim.realtime import Station
@@ -37,16 +37,16 @@ def sim(
 
     All are airborne, armed and in hold. Example: vfguide sim first-flight
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import complain, out
-    from vfguide.cli.signals import REQUESTS
     from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError
+    from vfguide.preflight.load import load_scenario
     from vfguide.runs.models import require_models
     from vfguide.runs.vehicle_setup import simulate
-    from vfguide.scenario.load import load_scenario
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import complain, out
+    from vfguide.terminal.signals import REQUESTS
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)

@@ -8,10 +8,10 @@ def warm() -> None:
 
     It flies all shipped scenarios. Example: vfguide warm
     """
-    from vfguide.cli.compiling import COMPILING
-    from vfguide.cli.console import out
-    from vfguide.geometry.compiled import cache_folder
+    from vfguide.kernels.compiled import cache_folder
     from vfguide.runs.warm_everything import everything
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import out
 
     stages = everything()
     for number, stage in enumerate(stages, start=1):

@@ -18,11 +18,11 @@ from vfguide.airspace.detection import in_sight
 from vfguide.airspace.hazards import Hazards
 from vfguide.companion.circuit import ROOM_SPACING, Manoeuvre, circuit, least_room, room
 from vfguide.companion.plan import Plan
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.local_frame import Measurement, place_measured
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.rows import Row
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.kernels.rows import Row
 
 TEST_BANK = 30.0 * DEG
 """Bank of the turns of a test flight [rad]; chosen, so that the load factor changes enough to be

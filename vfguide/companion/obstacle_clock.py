@@ -7,9 +7,9 @@ flight because a date becomes known.
 from datetime import UTC, datetime
 from typing import NamedTuple
 
-from vfguide.companion.knowledge import Knowledge
 from vfguide.companion.plan import Plan
 from vfguide.geometry.units import MS, US
+from vfguide.telemetry.knowledge import Knowledge
 
 BY_DATE = "moving obstacles: by the autopilot's date it is {since:.0f} s after start_time"
 """Note where the date tells where moving obstacles are."""

@@ -8,16 +8,16 @@ told. A wrong place that lasts ends the flight.
 
 import math
 
-from vfguide.companion.annunciations import origin_notes
-from vfguide.companion.knowledge import Knowledge, heard
+from vfguide.annunciations.flight_notes import origin_notes
 from vfguide.companion.plan import Plan
+from vfguide.earth.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.earth.projection import geodetic_of
 from vfguide.estimation.local_frame import Measurement, place_measured
-from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
-from vfguide.geometry.projection import geodetic_of
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed
+from vfguide.telemetry.knowledge import Knowledge, heard
 
 PLACE_INTERVAL = 200
 """Time between two looks at the place in flight [ms]; chosen."""

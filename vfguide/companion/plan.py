@@ -10,9 +10,9 @@ from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
 from vfguide.airspace.keep_out import NO_FENCE, KeepOutZones
 from vfguide.field.obstacle import PlacedObstacle
-from vfguide.geometry.rows import Row, getter
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import FLIGHT, Law
+from vfguide.kernels.rows import Row, getter
 from vfguide.loop.legs import Goal, Legs, leg_rows
 from vfguide.surveillance.report import SMALL_AIRCRAFT, Volume
 

@@ -4,16 +4,13 @@ from collections import deque
 from enum import IntEnum
 
 from vfguide.autopilots.autopilot import Autopilot
-from vfguide.geometry.units import SECOND
 from vfguide.link.enums import MavCmd, MavResult
-from vfguide.link.messages import CommandAck, CommandLong, GpsGlobalOrigin, ScaledPressure
+from vfguide.link.messages import CommandAck, CommandLong
 
 RETRY = 500_000
 """Time after which a command without an answer is sent again [us]; chosen."""
 MAX_ATTEMPTS = 5
 """Number of times that a command is sent before it is given up; chosen."""
-PRESSURE_RATE = 1.0
-"""Rate at which the pressure of the air is asked for [Hz]; chosen, since weather is slow."""
 MODE_RETRY = 1_000_000
 """Time after which a mode that was not accepted is asked for again [us]; chosen."""
 MODE_TIMEOUT = 3_000_000
@@ -29,31 +26,6 @@ def command(target: int, number: MavCmd, *parameters: float) -> CommandLong:
 def set_mode(target: int, autopilot: Autopilot, mode: int) -> CommandLong:
     """The command that changes the flight mode to the custom mode `mode`."""
     return command(target, MavCmd.DO_SET_MODE, *autopilot.mode_parameters(mode))
-
-
-def request_origin(target: int) -> CommandLong:
-    """The command that makes the autopilot send the origin of its local frame.
-
-    Not every make does so by itself.
-    """
-    return command(target, MavCmd.REQUEST_MESSAGE, GpsGlobalOrigin.MSGID)
-
-
-def request_pressure(target: int) -> CommandLong:
-    """The command that makes the autopilot send the pressure of the air."""
-    interval = round(SECOND / PRESSURE_RATE)
-    return command(target, MavCmd.SET_MESSAGE_INTERVAL, ScaledPressure.MSGID, interval)
-
-
-def requested_streams(target: int, autopilot: Autopilot, rate: float) -> list[CommandLong]:
-    """The commands that make the autopilot send the messages that guidance needs.
-
-    `rate` is that of guidance [Hz]; MAV_CMD_SET_MESSAGE_INTERVAL takes the interval in us.
-    """
-    intervals = (
-        (stream.msgid, round(SECOND / min(rate, stream.fastest))) for stream in autopilot.streams
-    )
-    return [command(target, MavCmd.SET_MESSAGE_INTERVAL, *each) for each in intervals]
 
 
 class Requests:

@@ -6,7 +6,7 @@ It is no total-energy control: path angle and airspeed are controlled apart.
 import math
 
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 FEEDBACK_THRUST_MAX = 0.3
 """Largest thrust setpoint that the integral of the airspeed error adds or takes, a share of full

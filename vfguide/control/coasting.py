@@ -6,10 +6,10 @@ out, which flies the coordinated turn of the bank that is reached by then.
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import Quaternion, exp, from_quaternion, to_quaternion
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, add, matmul, scale
+from vfguide.kernels.compiled import compiled
 
 LEVELLING_TIME = 1.0
 """Time in which a bank beyond the largest is taken back [s]; chosen as the time after which

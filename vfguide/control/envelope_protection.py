@@ -8,9 +8,9 @@ import math
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.kernels.compiled import compiled
 
 LOAD_TIME = 0.3
 """Time in which a load factor outside its limits is taken back [s]; chosen with

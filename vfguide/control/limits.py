@@ -4,8 +4,8 @@ import math
 
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 
 @compiled

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from enum import Enum, auto
 
 from vfguide.aircraft.identification import Identified
-from vfguide.companion.engagement import FINAL_PHASES, Phase
+from vfguide.autopilots.engagement import FINAL_PHASES, Phase
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
 from vfguide.daemon.flight_log import FlightLog
@@ -74,7 +74,7 @@ class Daemon:
                 if self._companion.phase not in FINAL_PHASES:
                     self._send(self._session.poll(self._clock.now()))
                 self._tell()
-                if self._save and (found := self._companion.route.identified) is not None:
+                if self._save and (found := self._companion.flight.identified) is not None:
                     self._save(found)
                     self._save = None
                 self._log.flush(self._clock.now())

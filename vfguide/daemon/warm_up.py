@@ -5,7 +5,7 @@ import math
 from vfguide.autopilots.makes import ASSUMED
 from vfguide.companion.companion import Companion
 from vfguide.companion.plan import Plan
-from vfguide.geometry.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.enums import AdsbFlags, MavState, MavType

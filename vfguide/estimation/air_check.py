@@ -8,11 +8,11 @@ direction shows a wrong yaw where the length is right.
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
+from vfguide.aircraft.flight_model import sideslip_about_vertical
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import ZERO, Vec3
+from vfguide.geometry.vector import ZERO, Vec3, add, scale, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 FAST_TIME = 0.7
 """Time constant with which large errors of the wind triangle are smoothed [s]; chosen, so that they
@@ -27,8 +27,11 @@ GUST = 6.0
 in moderate turbulence."""
 LASTING_ERROR = 3.5
 """Error of the length that no gust has for SLOW_TIME [m/s]; chosen."""
+WIND_TIME = 1.5
+"""Time constant with which the told wind is followed [s]; chosen, so that one that grows wrong by
+more than 2.7 m/s^2 counts as a jump."""
 WIND_JUMP = 4.0
-"""Change of the told wind between two messages that the air does not make [m/s]; chosen."""
+"""Difference of the told wind from the followed one that the air does not make [m/s]; chosen."""
 WIND_AGREES = 3.0
 """Difference of the told wind from the estimated one below which it is right [m/s]; chosen."""
 WIND_AGREEMENT = 5.0
@@ -58,7 +61,7 @@ class AirCheck(NamedTuple):
     is_first: bool
     """Whether nothing was measured yet."""
     wind_n: Vec3
-    """Wind that was told last, NED [m/s]."""
+    """The told wind, followed with WIND_TIME, NED [m/s]."""
     ahead: float
     """Cosine of the sideslip, smoothed."""
     right: float
@@ -98,8 +101,8 @@ def sideslip_limit(airspeed: float) -> float:
 @compiled
 def triangle(air_n: Vec3, nose_n: Vec3, airspeed: float) -> Triangle:
     """The wind triangle of an air velocity [m/s] and a nose (unit vector), NED, and an airspeed."""
-    slip = wrap(math.atan2(air_n[1], air_n[0]) - math.atan2(nose_n[1], nose_n[0]))
     level = math.hypot(nose_n[0], nose_n[1])
+    slip = sideslip_about_vertical(air_n, nose_n)
     return Triangle(slip, math.hypot(air_n[0], air_n[1]) - level * airspeed)
 
 
@@ -108,9 +111,10 @@ def smoothed_triangle(s: AirCheck, seen: Triangle, wind_n: Vec3, dt: float) -> A
     """The check with one more triangle, `dt` [s] later, and the told wind, NED [m/s]."""
     ahead, right = math.cos(seen.sideslip), math.sin(seen.sideslip)
     fast = 1.0 if s.is_first else dt / (FAST_TIME + dt)
+    followed = 1.0 if s.is_first else dt / (WIND_TIME + dt)
     return AirCheck(
         False,
-        wind_n,
+        add(s.wind_n, scale(followed, sub(wind_n, s.wind_n))),
         s.ahead + fast * (ahead - s.ahead),
         s.right + fast * (right - s.right),
         s.excess + fast * (seen.excess - s.excess),
@@ -130,7 +134,7 @@ def is_wrong(s: AirCheck) -> bool:
 
 @compiled
 def has_jumped(s: AirCheck, wind_n: Vec3) -> bool:
-    """Whether the told wind, NED [m/s], has jumped from one message to the next."""
+    """Whether the told wind, NED [m/s], has changed more quickly than the air does."""
     change = math.hypot(wind_n[0] - s.wind_n[0], wind_n[1] - s.wind_n[1])
     return change > WIND_JUMP and not s.is_first
 

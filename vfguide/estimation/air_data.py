@@ -18,8 +18,8 @@ from vfguide.estimation.wind_filter import (
     model_airspeed,
     time_update,
 )
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 RESTART_PAUSE = 1.0
 """Time without a step after which the estimate starts anew [s]; chosen."""

@@ -8,9 +8,9 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Shape
 from vfguide.geometry.vector import Matrix, Vec3, Vector
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Shape
 
 NORTH = 0
 """Index in the state vector of the wind toward north [m/s]."""

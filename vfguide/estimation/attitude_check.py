@@ -8,11 +8,11 @@ turns that no body rate shows. About a horizontal axis it cannot be flown on.
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.so3 import exp, log, rot_z
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO, Mat3, Vec3, add, matmul, scale, transpose
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 UNEXPLAINED_TURN = 10.0 * DEG
 """Turn of the attitude without body rates above which it is none of the aircraft [rad]; chosen well

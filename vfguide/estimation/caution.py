@@ -6,8 +6,8 @@ from vfguide.aircraft.envelope import FASTEST_SHARE, LEAST_LOAD
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 AIRSPEED_MARGIN = 1.2
 """Ratio to the slowest airspeed above which, by two standard deviations, the airspeed is kept

@@ -49,8 +49,8 @@ from vfguide.estimation.velocity_check import (
     first_velocity,
     follow_velocity,
 )
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import ZERO, Vec3, sub
+from vfguide.kernels.compiled import compiled
 
 FIRST_CHECK = 0.2
 """Time of measurements after which the wind triangle is judged [s]; chosen, so that a wrong ground

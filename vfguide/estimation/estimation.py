@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.air_data import sense_air
 from vfguide.estimation.air_state import AIRSPEED, AirState, fresh_air, sigma
 from vfguide.estimation.consistency import Consistency, as_flown, follow, fresh_consistency
@@ -19,9 +20,8 @@ from vfguide.estimation.position_resets import (
     smoothed,
 )
 from vfguide.estimation.vertical_wind import feel_rise
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 FIRST_STEP = 0.02
 """Time step that the first step counts as [s]: that of 50 Hz."""

@@ -14,10 +14,10 @@ from vfguide.aircraft.flight_model import SIDE_FORCE_RATIO, modelled_flight, spe
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.velocity_check import velocity_jumps
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Vec3, dot, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 LIFT_TIME = 0.3
 """Time constant with which force and angle are smoothed [s]; chosen, so that they are known within

@@ -3,14 +3,14 @@
 from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.atmosphere import true_airspeed
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.geodesy import R_level, geodetic_to_ned, tangent_plane
-from vfguide.geometry.projection import geodetic_of
-from vfguide.geometry.rows import replacing
+from vfguide.earth.atmosphere import true_airspeed
+from vfguide.earth.geodesy import R_level, geodetic_to_ned, tangent_plane
+from vfguide.earth.projection import geodetic_of
 from vfguide.geometry.so3 import IDENTITY, exp, from_quaternion
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, norm, scale
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 Quaternion = tuple[float, float, float, float]
 LEAST_BANK_COSINE = 0.5

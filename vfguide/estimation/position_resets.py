@@ -9,8 +9,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, add, norm, scale, sub
+from vfguide.kernels.compiled import compiled
 
 RESET_DISTANCE = 2.0
 """Distance from the predicted position above which a step counts as a reset [m]; chosen above the

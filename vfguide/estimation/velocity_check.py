@@ -6,8 +6,8 @@ are the told ones, slow ones those of the position.
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import ZERO, Vec3, add, norm, scale, sub
+from vfguide.kernels.compiled import compiled
 
 VELOCITY_JUMP = 3.0
 """Change of the ground velocity in a step that counts as none of the aircraft [m/s]; chosen above

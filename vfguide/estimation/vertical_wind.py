@@ -16,10 +16,10 @@ from vfguide.aircraft.flight_model import specific_force
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, VerticalWind
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import dot, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 
 RISE_TIME = 0.15
 """Time constant with which the vertical wind is smoothed [s]; chosen short, since the path has to

@@ -32,10 +32,10 @@ from vfguide.estimation.air_state import (
     StateVector,
     WindEstimate,
 )
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 PROCESS_NOISE = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
 """Growth of the variances of the state vector [units^2/s]; chosen: gusts change wind and airspeed,

@@ -7,8 +7,8 @@ each other; one point is an array of shape (3,). For a goal p_d, R_d elsewhere, 
 
 from vfguide.field import navigation
 from vfguide.field.attitude import frame, frame_fields, frame_rate
-from vfguide.geometry.over_points import over_points
 from vfguide.geometry.vector import ZERO, Matrix, Vector, vec3
+from vfguide.kernels.over_points import over_points
 
 
 @over_points("(n)->(n)")

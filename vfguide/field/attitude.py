@@ -19,7 +19,6 @@ from vfguide.field.navigation import (
     normal_field,
     normal_field_rate,
 )
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import (
     Mat3,
     Vec3,
@@ -33,6 +32,7 @@ from vfguide.geometry.vector import (
     transpose,
     unit,
 )
+from vfguide.kernels.compiled import compiled
 
 AXIS = 1e-9
 """Ratio r / |p| of the distances from the goal's axis and from the goal below which a point counts

@@ -7,9 +7,9 @@ All vectors are in one frame, that of the field in free space; each has its exac
 from typing import NamedTuple
 
 from vfguide.geometry import dual, vector
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 COLLINEAR = 1e-9
 """Largest sine of the angle between n and F at which the two count as collinear, chosen well above

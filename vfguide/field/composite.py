@@ -22,9 +22,9 @@ from vfguide.field.obstacle import Rows, from_centre, is_known, obstacle_surface
 from vfguide.field.robots import Robot, Spacing, read_robot, robot_barrier
 from vfguide.field.transition import transition
 from vfguide.geometry import dual, vector
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import Mat3, Series, Vec3
+from vfguide.kernels.compiled import compiled
 
 
 class Composite(NamedTuple):

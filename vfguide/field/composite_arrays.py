@@ -9,8 +9,8 @@ from vfguide.field.composite import Composite, composite_field
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Spacing
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Matrices, Series, Vectors, vec3
+from vfguide.kernels.compiled import compiled
 
 
 class CompositeArrays(NamedTuple):

@@ -10,9 +10,9 @@ from vfguide.field.attitude import FrameFields
 from vfguide.field.avoidance import Deflection, FreeField, avoidance_field, avoidance_normal
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.geometry import dual
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import ZERO, Vec3, norm
+from vfguide.kernels.compiled import compiled
 
 VANISHED = 1e-12
 """Share of the length of its terms below which the part of G' orthogonal to F counts as zero;

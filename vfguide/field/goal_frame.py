@@ -14,10 +14,10 @@ from vfguide.field.navigation import (
     normal_field,
     normal_field_rate,
 )
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import Mat3, Vec3, matvec, sub, transpose
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader
 
 
 class GoalFrame(NamedTuple):

@@ -5,8 +5,8 @@ normalised and grow with the second, third and fifth power of the distance. Each
 exact time derivative seen by a point at `p_g` that moves with `v_g`.
 """
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3, dot
+from vfguide.kernels.compiled import compiled
 
 
 @compiled

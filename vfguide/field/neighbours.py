@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial import KDTree
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Indices, Vectors
+from vfguide.kernels.compiled import compiled
 
 
 class Neighbours(NamedTuple):

@@ -9,14 +9,14 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual, Dual3
-from vfguide.geometry.rows import Row, Table, reader, replacing, table_of, writer
 from vfguide.geometry.se2 import rotated, unrotated
 from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.distance import signed_distance
 from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import Vec3, add, dot, matvec, scale, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, Table, reader, replacing, table_of, writer
 
 Rows = Table
 """A table of numbers, one thing a row."""

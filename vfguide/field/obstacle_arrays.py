@@ -8,8 +8,8 @@ from typing import Any
 
 from vfguide.field.obstacle import obstacle_distance, obstacle_surface
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.over_points import over_points
 from vfguide.geometry.vector import ZERO, vec3
+from vfguide.kernels.over_points import over_points
 
 
 @over_points("(n),(),(m,k)->(m)")

@@ -1,8 +1,8 @@
 """The law that makes the body follow a reference attitude."""
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.so3 import log
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale, transpose
+from vfguide.kernels.compiled import compiled
 
 
 @compiled

@@ -5,10 +5,10 @@ from typing import NamedTuple
 from vfguide.field.avoidance import Barrier
 from vfguide.field.transition import transition
 from vfguide.geometry import dual
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import reader, writer
 from vfguide.geometry.vector import Vec3, norm
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, writer
 
 
 class Robot(NamedTuple):

@@ -12,10 +12,10 @@ from vfguide.field.goal_frame import GoalFrame, read_goal
 from vfguide.field.neighbours import Neighbours, no_neighbours, robots_with_priority
 from vfguide.field.obstacle import Rows
 from vfguide.field.robots import Robot, Spacing, read_robot
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
-from vfguide.geometry.rows import columns, table_of
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import columns, table_of
 
 
 def fields_of_robots(

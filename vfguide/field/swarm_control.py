@@ -18,9 +18,9 @@ from vfguide.field.obstacle import Rows
 from vfguide.field.rate_law import rate_law
 from vfguide.field.robots import Robot, Spacing, write_robot
 from vfguide.field.swarm import fields_of_robots
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import width
 from vfguide.geometry.vector import Matrices, Series, Vectors, mat3, norm, scale, sub, vec3
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import width
 
 ROBOT_WIDTH = width(Robot)
 """Number of floats in the row of a `Robot`."""

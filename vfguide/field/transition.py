@@ -2,8 +2,8 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual
+from vfguide.kernels.compiled import compiled
 
 MAX_EXPONENT = 700.0
 """Exponent of e beyond which S is 0 or 1 with vanishing derivatives, near the largest number whose

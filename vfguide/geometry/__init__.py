@@ -1,1 +1,1 @@
-"""Vectors, rotations, geodesy and units: pure mathematics, compiled."""
+"""Vectors, rotations, shapes and units: pure mathematics, compiled."""

@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 FULL_TURN = 2.0 * math.pi
 """Angle of a full turn [rad]."""

@@ -6,8 +6,8 @@ A formula written with these operations has one version, and its rate is exact.
 from typing import NamedTuple
 
 from vfguide.geometry import vector
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.kernels.compiled import compiled
 
 
 class Dual(NamedTuple):

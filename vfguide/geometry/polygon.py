@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series
+from vfguide.kernels.compiled import compiled
 
 
 class Seen(NamedTuple):

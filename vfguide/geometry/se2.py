@@ -11,8 +11,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, writer
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, writer
 
 Vec2 = tuple[float, float]
 """A vector of the plane."""

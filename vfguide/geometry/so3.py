@@ -5,8 +5,8 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3, matmul, norm, scale
+from vfguide.kernels.compiled import compiled
 
 Quaternion = tuple[float, float, float, float]
 """w, x, y, z."""

@@ -2,8 +2,8 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 
 @compiled

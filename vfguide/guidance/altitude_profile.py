@@ -5,7 +5,7 @@ import math
 from vfguide.aircraft.path_limits import steepest_descent
 from vfguide.aircraft.performance import Performance, turn_length
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.distance_for_altitude import LINE_UP, SLOPE_RATE, profile_height
 from vfguide.planning.objective import GuidanceTarget
 

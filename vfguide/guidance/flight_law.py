@@ -10,13 +10,13 @@ from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState, step_time
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import norm, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
 from vfguide.guidance.altitude_profile import plan_slope
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.lateral import plan_turn, target_course
 from vfguide.guidance.wind_triangle import Heading, heading_for_course
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Course
 from vfguide.paths.leg import OUTBOUND
 from vfguide.planning.leg_planning import predicted_state, radius_factor_of

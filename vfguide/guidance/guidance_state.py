@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 
 
 class GuidanceState(NamedTuple):

@@ -11,8 +11,8 @@ from vfguide.aircraft.envelope import radius_in, usable_bank
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
 from vfguide.guidance.wind_triangle import Heading
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Course, Planar, loiter_course
 from vfguide.paths.leg import Leg
 from vfguide.paths.leg_phases import leg_course

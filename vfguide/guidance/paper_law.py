@@ -21,7 +21,6 @@ from vfguide.field.avoidance import avoidance_field, no_deflection
 from vfguide.field.composite import deflect_by_obstacles, deflect_by_robot, free_field
 from vfguide.field.goal_frame import goal_frame
 from vfguide.field.robots import Robot, Spacing
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.dual import Dual3
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
@@ -29,6 +28,7 @@ from vfguide.guidance import flight_law
 from vfguide.guidance.guidance_state import GuidanceState
 from vfguide.guidance.lateral import plan_turn
 from vfguide.guidance.wind_triangle import heading_for_course
+from vfguide.kernels.compiled import compiled
 from vfguide.planning.objective import GuidanceTarget, Objective
 from vfguide.planning.route import Route
 

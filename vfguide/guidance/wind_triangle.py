@@ -6,7 +6,7 @@ R. W. Beard and T. W. McLain, Small Unmanned Aircraft: Theory and Practice, 2012
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.planning.excess_wind import EXCESS_RATIO
 
 

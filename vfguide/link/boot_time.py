@@ -17,7 +17,7 @@ AHEAD = 2000
 """Time by which the counter may get ahead of our own clock from one message to the next [ms];
 chosen, since what waited on the way comes at once."""
 SAME_TIMELINE = 500
-"""Largest difference between our own clock and a counter that goes on where it went on before a leap
+"""Largest difference between our own clock and a counter that goes on where it did before a leap
 [ms]; chosen as the age above which no state is flown on."""
 US_PER_MS = 1000
 """Number of microseconds in a millisecond, a ratio."""

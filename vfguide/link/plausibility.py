@@ -37,8 +37,6 @@ LARGEST_UNDULATION = 120.0
 within -107 to 86 m."""
 FULL_CIRCLE = 36_000
 """Number of headings in a full circle of ADSB_VEHICLE [0.01 deg]."""
-ADDRESSES = 2**24
-"""Number of transponder addresses of 24 bits (ICAO Annex 10), of which 0 is none."""
 
 
 def is_plausible(message: Message) -> bool:
@@ -95,8 +93,7 @@ def _traffic(said: AdsbVehicle) -> bool:
     """Fields that its flags do not call valid may hold anything."""
     flags = said.flags
     return (
-        0 < said.ICAO_address < ADDRESSES
-        and abs(said.lat) * DEG_E7 <= 0.5 * math.pi
+        abs(said.lat) * DEG_E7 <= 0.5 * math.pi
         and abs(said.lon) * DEG_E7 <= math.pi
         and (not flags & AdsbFlags.VALID_ALTITUDE or LOWEST < said.altitude * MM < HIGHEST)
         and (not flags & AdsbFlags.VALID_VELOCITY or said.hor_velocity * CM_S < FASTEST)

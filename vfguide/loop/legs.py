@@ -4,9 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Table, reader, table_of
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Table, reader, table_of
 from vfguide.planning.objective import GuidanceTarget
 
 

@@ -6,9 +6,9 @@ from typing import NamedTuple
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 from vfguide.loop.attempts import ATTEMPT_MISS, Attempts, at_next, gives_up, no_attempts, once_more
 from vfguide.loop.legs import Goal, Legs, goal_of, target_of
 from vfguide.paths.leg import FIELD

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.leg import OUTBOUND, Leg
 from vfguide.planning.objective import Objective
 

@@ -5,6 +5,7 @@ import numpy as np
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import AirspaceTuple, airspace_of
+from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
 from vfguide.estimation.local_frame import (
     Measurement,
@@ -13,11 +14,10 @@ from vfguide.estimation.local_frame import (
     place_measured,
     place_state,
 )
-from vfguide.geometry.atmosphere import DENSITY_0
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row
 from vfguide.geometry.vector import ZERO, Matrix, Vec3, Vector, mat3, matvec
 from vfguide.guidance.laws import Law, law_of
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step
@@ -62,8 +62,8 @@ def step_measured(
 @compiled
 def step_body(
     time: float, p: Vector, R: Matrix, before: Row, legs: Legs, law: Law, vehicle: Row
-) -> tuple[Vec3, Row]:
-    """A step for a rigid body whose state is known: body rates [rad/s], and the next state.
+) -> tuple[Vec3, Row, float]:
+    """A step for a rigid body whose state is known.
 
     It flies at the airspeed of its gains, where its nose points.
 
@@ -75,13 +75,16 @@ def step_body(
         legs: legs of the mission.
         law: the record of the law.
         vehicle: a `Vehicle` that is a point.
+
+    Returns:
+        Body rates [rad/s], the next state, and the miss of a goal that was passed [m].
     """
     body, R_nb = read_vehicle(vehicle), mat3(R)
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
     state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, ZERO)
     inputs = Inputs(state, state, ZERO, True, 0.0, DENSITY_0)
-    setpoint, left, _ = step(inputs, read_state(before), legs, None, law, body)
+    setpoint, left, outcome = step(inputs, read_state(before), legs, None, law, body)
     after = np.empty(len(before))
     write_state(left, after)
-    return setpoint.omega_b, after
+    return setpoint.omega_b, after, outcome.passage.miss

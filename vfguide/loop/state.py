@@ -13,8 +13,8 @@ from vfguide.assurance.assurance import AssuranceState, fresh_assurance
 from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.air_state import without_model_error
 from vfguide.estimation.estimation import EstimationState, fresh_estimation
-from vfguide.geometry.rows import Row, flattener, python_reader, reader, width, writer
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
+from vfguide.kernels.rows import Row, flattener, python_reader, reader, width, writer
 from vfguide.loop.attempts import Attempts, at_next, no_attempts
 from vfguide.loop.mission import MissionState, fresh_mission
 from vfguide.loop.progress import Progress, fresh_progress

@@ -16,9 +16,9 @@ from vfguide.control import control, limits
 from vfguide.estimation import estimation
 from vfguide.estimation.caution import cautious
 from vfguide.estimation.estimation import Inputs
-from vfguide.geometry.compiled import compiled
 from vfguide.guidance import laws
 from vfguide.guidance.laws import Law
+from vfguide.kernels.compiled import compiled
 from vfguide.loop import mission, progress
 from vfguide.loop.legs import Legs
 from vfguide.loop.mission import Passage

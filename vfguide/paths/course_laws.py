@@ -16,8 +16,8 @@ from typing import NamedTuple
 from vfguide.aircraft.state import FlightState
 from vfguide.field.navigation import navigation_field, navigation_field_rate
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose, unrotated
+from vfguide.kernels.compiled import compiled
 
 CONVERGENCE_GAIN = 1.25
 """Gain from the distance beside a circle or line, in radii, to the tangent of the course angle

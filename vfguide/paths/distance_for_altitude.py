@@ -2,8 +2,8 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
+from vfguide.kernels.compiled import compiled
 
 LINE_UP = 1.57
 """Length of path before the goal on which the slope of the goal is taken up [turn lengths]; 100 m

@@ -12,8 +12,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import reader, writer
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import reader, writer
 
 CLOSED_TURN = 0.1
 """Largest angle missing to a full circle at which a turn counts as none [rad], chosen: a step

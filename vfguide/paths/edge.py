@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, Table, reader, width, writer
 from vfguide.geometry.se2 import Pose, after_turn, straight_on
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, Table, reader, width, writer
 from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_turns, three_turns
 
 PATH_KINDS = 6

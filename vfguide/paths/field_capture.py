@@ -6,7 +6,7 @@ The origin is the start of the final approach, x along the goal's course.
 import math
 
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar, arc_to_goal
 from vfguide.paths.leg import Leg
 from vfguide.paths.path_progress import TURN_IN

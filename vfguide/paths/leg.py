@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import ORIGIN
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import DubinsPath
 from vfguide.paths.edge import LAST_TURN, Edge

@@ -7,7 +7,7 @@ captured. A leg that cannot go on as it is becomes NEW and is planned again.
 """
 
 from vfguide.aircraft.performance import Gains
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Course, Planar, field_course
 from vfguide.paths.field_capture import off_field, rolls_out, stays_in_field, takes_up_field
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, before_end, in_phase

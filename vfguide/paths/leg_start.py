@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.performance import Gains
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import DubinsPath, is_hasty, length_of, shortest_path
 from vfguide.paths.field_capture import begins_in_field, is_lined_up

@@ -9,9 +9,9 @@ import math
 from typing import NamedTuple
 
 from vfguide.geometry.angles import FULL_TURN
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import replacing
 from vfguide.geometry.se2 import ORIGIN, Pose, centre_beside, point_from
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
 from vfguide.paths.dubins import SHORT_LAST_TURN, DubinsPath
 from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, segment_at

@@ -6,8 +6,8 @@ shortest. Therefore several longer paths are tried, and the shortest of those th
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose, after_turn, straight_on
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar
 from vfguide.paths.dubins import length_of, shortest_path
 

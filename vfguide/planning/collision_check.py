@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at, free_path, near_hazards
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose, unrotated
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.edge import Edge, RouteEdges, Segment, edge_in, pose_along, segments_of
 
 STEP_SHARE = 0.3

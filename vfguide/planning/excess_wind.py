@@ -11,8 +11,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import sub
+from vfguide.kernels.compiled import compiled
 from vfguide.planning.objective import GuidanceTarget
 
 EXCESS_RATIO = 0.95

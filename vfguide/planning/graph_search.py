@@ -16,8 +16,8 @@ import numpy as np
 
 from vfguide.airspace.keep_out import KeepOutZones
 from vfguide.airspace.planar_clearance import NO_HAZARD
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import write_pose
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.edge import EDGE_WIDTH, RouteEdges, edge_row
 from vfguide.planning.collision_check import Demand, Task, check_edge
 from vfguide.planning.roadmap import (

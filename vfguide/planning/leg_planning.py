@@ -7,9 +7,9 @@ from vfguide.aircraft.path_limits import largest_radius_factor, steepest_descent
 from vfguide.aircraft.performance import Gains, Performance, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.vector import Vec3, add, scale
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar, planar_from, planar_of
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.paths.leg import Leg, keep_radius

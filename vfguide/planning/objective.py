@@ -3,9 +3,9 @@
 from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 
 class GuidanceTarget(NamedTuple):

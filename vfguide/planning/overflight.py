@@ -16,8 +16,8 @@ from vfguide.airspace.footprint import Band
 from vfguide.airspace.keep_out import hazards_of
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Series, Vec3
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.planning.objective import GuidanceTarget
 

@@ -7,7 +7,7 @@ from vfguide.airspace.detection import Airspace
 from vfguide.airspace.hazards import traffic_zones
 from vfguide.airspace.keep_out import joined
 from vfguide.estimation.estimation import NavState
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.planning.leg_planning import advance_leg
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import band_of

@@ -12,8 +12,8 @@ from vfguide.aircraft.state import FlightState
 from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
 from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose, composed, straight_on
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import arc_to_goal, planar_from, planar_of
 from vfguide.paths.dubins import DubinsPath, length_of
 from vfguide.paths.edge import EDGE_WIDTH, Edge, Segment, edge_row, next_path

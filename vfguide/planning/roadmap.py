@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Table, width
 from vfguide.geometry.se2 import Pose, read_pose
 from vfguide.geometry.vector import Indices, Mask, Series
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Table, width
 from vfguide.paths.dubins import DubinsPath, length_of, read_dubins_path, write_dubins_path
 from vfguide.paths.edge import Edge, next_path
 

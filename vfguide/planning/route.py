@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.leg import Leg, new_leg
 from vfguide.planning.route_following import RouteFollowing, fresh_following
 

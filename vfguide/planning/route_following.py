@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Shape, replacing
 from vfguide.geometry.se2 import ORIGIN, Pose, seen_from
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Shape, replacing
 from vfguide.paths.course_laws import Course, planar_of
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import EDGE_WIDTH, FIRST_TURN, LAST_TURN, Edge, RouteEdges, edge_in

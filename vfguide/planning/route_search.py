@@ -7,7 +7,7 @@ import numpy as np
 from vfguide.airspace.footprint import Band
 from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import EDGE_WIDTH, RouteEdges, next_path, route_length
 from vfguide.planning.collision_check import Task, demand_of

@@ -6,8 +6,8 @@ import numpy as np
 
 from vfguide.airspace.keep_out import KeepOutZones, read_zone_row
 from vfguide.airspace.planar_clearance import NO_HAZARD
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Pose, composed
+from vfguide.kernels.compiled import compiled
 from vfguide.paths.edge import (
     EDGE_WIDTH,
     Edge,

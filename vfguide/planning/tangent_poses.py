@@ -6,9 +6,9 @@ from vfguide.airspace.footprint import read_side
 from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.airspace.planar_clearance import clearance_at_rest
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Table
 from vfguide.geometry.se2 import Pose, after_turn, straight_on, write_pose
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Table
 from vfguide.planning.collision_check import STEP_SHARE
 
 BEARINGS = 16

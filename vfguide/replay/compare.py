@@ -5,8 +5,8 @@ from itertools import zip_longest
 from typing import NamedTuple
 
 from vfguide.companion.companion import Companion
+from vfguide.companion.guided_flight import Step
 from vfguide.companion.plan import Plan
-from vfguide.companion.route import Step
 from vfguide.companion.session import Record, Session
 from vfguide.link.codec import Frame, Parser, decode
 from vfguide.link.enums import MavComponent

@@ -17,7 +17,7 @@ from vfguide.geometry.vector import Series, Vec3
 from vfguide.report.obstacle_drawing import Body, body_of
 from vfguide.report.traffic_drawing import TrafficPath, traffic_paths_of
 from vfguide.results.record import FlightRecord
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Colours of lines that the colour-blind can distinguish: the palette of Okabe and Ito (2008)

@@ -12,7 +12,7 @@ from vfguide.report.figures import Picture, draw_figures
 from vfguide.results.closest import closest
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 
 NO_VALUE = "-"
 """Text of a value that does not exist."""

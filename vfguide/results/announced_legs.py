@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.results.goal_passages import Legs, Pass, Sample, approach, judged, passed_between
 from vfguide.scenario.resolved import Goal
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from vfguide.field.obstacle import PlacedObstacle, Rows
 from vfguide.field.obstacle_arrays import distances, levels
-from vfguide.geometry.rows import columns
 from vfguide.geometry.vector import Series
+from vfguide.kernels.rows import columns
 from vfguide.results.path import positions
 from vfguide.results.record import Array, FlightRecord
 

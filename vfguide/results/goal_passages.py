@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.companion.goal_announcement import GoalAnnouncement
+from vfguide.annunciations.goal_announcement import GoalAnnouncement
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3

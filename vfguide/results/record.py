@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vfguide.aircraft.identification import Identified
-from vfguide.companion.loop_report import Noted
 from vfguide.geometry.vector import Matrices, Series, Vec3, Vectors
+from vfguide.loop.loop_report import Noted
 from vfguide.results.announced_legs import TimedAnnouncement, announced_legs
 from vfguide.results.arrivals import Arrivals
 from vfguide.results.goal_passages import Legs, Sample

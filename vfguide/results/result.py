@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from vfguide import __version__
-from vfguide.companion.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.files.atomic import write_atomically
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vectors

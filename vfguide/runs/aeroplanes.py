@@ -7,7 +7,7 @@ from vfguide.runs.fleet import Ending
 from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.logs import Logs
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.sim.plant import STEP
 from vfguide.sim.vehicle import steps_between_updates
 

@@ -10,8 +10,8 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from vfguide.companion.plan import Plan
+from vfguide.earth.projection import Projection
 from vfguide.estimation.local_frame import Measurement
-from vfguide.geometry.projection import Projection
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.guidance.laws import crossing
 from vfguide.link.codec import Encoder, Parser, decode
@@ -19,10 +19,10 @@ from vfguide.link.enums import AttitudeTypeMask, MavComponent
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import fresh_state, row_of_state
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.vehicle_setup import simulate
 from vfguide.runs.warm_up import warm_up
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
 from vfguide.sim.plant import STEP
 

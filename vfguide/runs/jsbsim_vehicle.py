@@ -9,10 +9,10 @@ import numpy as np
 
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
-from vfguide.geometry.geodesy import place_in_plane
-from vfguide.geometry.rows import columns, flattener, width
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
+from vfguide.kernels.rows import columns, flattener, width
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.results.announced_legs import AnnouncedLegs
@@ -22,7 +22,7 @@ from vfguide.results.result import TOUCH
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.plans import plan_of
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
@@ -122,12 +122,12 @@ class JsbsimVehicle:
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         sample = Sample(truth.time, p_n, v_n)
-        if self.companion.route.is_testing:
+        if self.companion.flight.is_testing:
             self._goals_from = math.inf
         else:
             self._goals_from = min(self._goals_from, truth.time)
             self.legs.feed(sample)
-            for said in self.companion.route.announced[len(self.legs.announced) :]:
+            for said in self.companion.flight.announced[len(self.legs.announced) :]:
                 self.legs.announce(said)
         self._noted.extend(numbers_of(self._instant(truth, sample)))
 
@@ -149,7 +149,7 @@ class JsbsimVehicle:
             altitude=truth.altitude,
             height_above_ground=truth.height_above_ground,
             position_error_n=self._position_error(at.p_n),
-            step=self.companion.route.noted,
+            step=self.companion.flight.noted,
         )
 
     def _position_error(self, p_n: Vec3) -> Vec3:
@@ -192,8 +192,8 @@ class JsbsimVehicle:
             ),
             goals_from=self._goals_from,
             announced=tuple(self.legs.announced),
-            identified=self.companion.route.identified,
-            decisions=decided if self.companion.route.plan.is_assured else None,
+            identified=self.companion.flight.identified,
+            decisions=decided if self.companion.flight.plan.is_assured else None,
         )
 
 

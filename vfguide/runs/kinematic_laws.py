@@ -1,23 +1,22 @@
 """The laws that steer the rigid bodies of plant `kinematic`: `paper` or `flight`."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
-from vfguide.companion.goal_announcement import announcement, is_passed
+from vfguide.annunciations.goal_announcement import announcement, is_passed
 from vfguide.field.goal_frame import GoalFrame
 from vfguide.field.robots import Spacing
 from vfguide.field.swarm_control import PaperGains, Swarm
-from vfguide.geometry.rows import row_of, width
 from vfguide.geometry.vector import Vectors
+from vfguide.kernels.rows import row_of, width
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.runs.steps import STEPS, Steps
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.plans import frame_of, plan_of
 from vfguide.scenario.resolved import Scenario, Vehicle
@@ -99,7 +98,7 @@ class FlightKinematicLaw:
         omega_b = np.empty_like(bodies.p_n)
         for i, plan in enumerate(self._plans):
             before = self._states[i]
-            omega_b[i], self._states[i] = self._step(
+            omega_b[i], self._states[i], miss = self._step(
                 time,
                 bodies.p_n[i],
                 bodies.R_nb[i],
@@ -109,5 +108,5 @@ class FlightKinematicLaw:
                 plan.vehicle_row,
             )
             if is_passed(before, self._states[i]):
-                self._legs[i].announce(announcement(before, self._states[i], math.nan))
+                self._legs[i].announce(announcement(before, self._states[i], miss))
         return Commands(self._speed, omega_b)

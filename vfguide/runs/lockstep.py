@@ -15,7 +15,7 @@ from vfguide.runs.logs import Logs
 from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.warm_up import Tell, tell_nobody, warm_up
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.sim.traffic import TIME_TOLERANCE
 
 AFTERWARDS = 5.0

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from vfguide.files.data import close_match
 from vfguide.files.errors import InputError
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.sim.condition import Model
 from vfguide.sim.fdm import stock_root
 

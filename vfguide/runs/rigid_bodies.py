@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfguide.geometry.arrays import euler_angles
-from vfguide.geometry.rows import columns
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG, US
+from vfguide.kernels.rows import columns
 from vfguide.link.codec import Encoder
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
@@ -19,7 +19,7 @@ from vfguide.runs.fleet import Ending
 from vfguide.runs.kinematic_laws import FlightKinematicLaw, KinematicLaw, PaperKinematicLaw
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, body_message
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle, start_us
 from vfguide.sim.kinematic import Bodies, Commands, Sighting, advance, sightings

@@ -13,7 +13,7 @@ from vfguide.results.result import Result, judge, write_result
 from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario
 from vfguide.runs.models import require_models
 from vfguide.runs.warm_up import Tell, tell_nobody
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 
 EARLY = frozenset({Ending.TIME, Ending.STOPPED})
 """Endings that make a verdict bad by themselves."""

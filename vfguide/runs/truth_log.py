@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from vfguide.geometry.atmosphere import calibrated_airspeed
-from vfguide.geometry.compiled import compiled
+from vfguide.earth.atmosphere import calibrated_airspeed
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CM_S, DEG_E7, MILLI_G, MM
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.sim.kinematic import Sighting
 from vfguide.sim.truth import Truth

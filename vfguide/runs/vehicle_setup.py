@@ -2,15 +2,15 @@
 
 import numpy as np
 
+from vfguide.earth.geodesy import ned_to_geodetic
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.files.errors import InputError
 from vfguide.files.traffic_entry import AltitudeType
-from vfguide.geometry.geodesy import ned_to_geodetic
-from vfguide.geometry.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import DEG, HPA
 from vfguide.link.enums import AdsbAltitudeType
 from vfguide.runs.instruments import instruments_from, motor_from
 from vfguide.runs.models import model_of
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.resolve import place_of, plane_of
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us
 from vfguide.scenario.traffic import path_of

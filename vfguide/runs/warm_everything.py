@@ -7,22 +7,25 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vfguide.daemon.warm_up import warm_up as warm_up_companion
+from vfguide.field_points.field_point import Point
+from vfguide.field_points.field_points import fields_at
 from vfguide.files.data import shipped_scenarios
-from vfguide.geometry.rows import table_of
 from vfguide.geometry.vector import ZERO
+from vfguide.kernels.rows import table_of
+from vfguide.preflight.load import load_scenario
+from vfguide.preflight.prediction import predict
+from vfguide.preflight.route_checks import Flies
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate
-from vfguide.scenario.field_point import Point
-from vfguide.scenario.field_points import fields_at
-from vfguide.scenario.load import load_scenario
 from vfguide.scenario.plans import plan_of
-from vfguide.scenario.prediction import predict
-from vfguide.scenario.route_checks import Flies
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
 FIELD_SCENARIOS = ("first-flight", "towers")
 """The shipped scenarios whose field is evaluated in both laws: one without obstacles, one with."""
+DRAWN = ("avoidance/fence-corner", "paper/example-2", "towers", "traffic")
+"""The shipped scenarios that are drawn: each kind of thing that a figure shows is in one of them.
+A drawing takes longer than the flight, and the next of the same kind compiles nothing."""
 
 
 @dataclass(frozen=True)
@@ -41,10 +44,10 @@ def everything() -> Sequence[Stage]:
 
 
 def _fly(name: str) -> None:
-    """Fly a shipped scenario, judge and draw it, and leave nothing."""
+    """Fly a shipped scenario, judge and perhaps draw it, and leave nothing."""
     with TemporaryDirectory(prefix="vfguide-warm-") as folder:
-        wanted = Path(folder, "run")
-        run_scenario(load_scenario(name), wanted, ignore_progress, NoRequests(), "")
+        loaded, wanted, draw = load_scenario(name), Path(folder, "run"), name in DRAWN
+        run_scenario(loaded, wanted, ignore_progress, NoRequests(), "", report=draw)
 
 
 def _fly_live() -> None:

@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from functools import cache, partial
 
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.jsbsim_vehicle import JsbsimVehicle
 from vfguide.runs.rigid_bodies import RigidBodies
 from vfguide.scenario.hazards import hazards_of
-from vfguide.scenario.load import LoadedScenario, load_scenario
+from vfguide.scenario.loaded import LoadedScenario
 
 UPDATES = 100
 """Number of updates of a warm-up flight; chosen, so that the companion takes over within it."""

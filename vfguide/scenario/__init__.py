@@ -1,1 +1,1 @@
-"""Scenarios: what files say of them made whole, checked before the flight, and made into plans."""
+"""Scenarios: what files say of them made whole, and made into the plans of companions."""

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vfguide.geometry.atmosphere import isa_density
-from vfguide.geometry.geodesy import TangentPlane, ned_to_geodetic
+from vfguide.earth.atmosphere import isa_density
+from vfguide.earth.geodesy import TangentPlane, ned_to_geodetic
 from vfguide.geometry.vector import Vec3
 
 

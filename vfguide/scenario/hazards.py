@@ -17,7 +17,7 @@ from vfguide.field.obstacle import PlacedObstacle, placed
 from vfguide.files.fence import Fence, check_zones, zone_of
 from vfguide.files.source import Source
 from vfguide.files.toml_types import in_words
-from vfguide.geometry.rows import table_of
+from vfguide.kernels.rows import table_of
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle, Scenario
 from vfguide.scenario.traffic import avoids_traffic

@@ -7,7 +7,7 @@ from vfguide.geometry.units import DEG
 from vfguide.guidance.laws import LAWS_BY_NAME
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
-from vfguide.scenario.load import LoadedScenario
+from vfguide.scenario.loaded import LoadedScenario
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle, start_us

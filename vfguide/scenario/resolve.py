@@ -3,6 +3,8 @@
 import math
 from collections.abc import Mapping
 
+from vfguide.earth.atmosphere import true_airspeed
+from vfguide.earth.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.files.aircraft_file import Aircraft
 from vfguide.files.obstacle_entry import check_sizes
 from vfguide.files.scenario_file import (
@@ -16,8 +18,6 @@ from vfguide.files.scenario_file import (
 )
 from vfguide.files.source import Location, Source
 from vfguide.files.traffic_entry import TrafficEntry
-from vfguide.geometry.atmosphere import true_airspeed
-from vfguide.geometry.geodesy import TangentPlane, geodetic_to_ned, tangent_plane
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.air import NO_AIR, Air, air_between

@@ -10,10 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfguide.earth.geodesy import R_level, ned_to_geodetic, tangent_plane
 from vfguide.field.obstacle import Rows
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.geodesy import R_level, ned_to_geodetic, tangent_plane
-from vfguide.geometry.rows import width, writer
 from vfguide.geometry.so3 import exp, from_quaternion, to_quaternion
 from vfguide.geometry.vector import (
     Mat3,
@@ -31,6 +29,8 @@ from vfguide.geometry.vector import (
     transpose,
     vec3,
 )
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import width, writer
 
 FORWARD: Vec3 = (1.0, 0.0, 0.0)
 """Unit vector along body x, dimensionless."""

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.geodesy import (
+from vfguide.earth.geodesy import (
     R_level,
     TangentPlane,
     geodetic_to_ned,

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
-from vfguide.geometry.rows import row_of, table_of
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Matrix, Vector
+from vfguide.kernels.rows import row_of, table_of
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
 from vfguide.sim.plant import Accelerations

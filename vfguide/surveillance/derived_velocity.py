@@ -1,8 +1,12 @@
-"""Velocity of an aircraft that reports none, from where it was."""
+"""Velocity of an aircraft from where it was, where it reports none, or one that it does not fly.
+
+Receivers are known that call a velocity valid which they do not have: north, or zero.
+"""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
-from vfguide.geometry.vector import scale, sub
+from vfguide.geometry.vector import Vec3, add, dot, norm, scale, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.surveillance.report import ASSUMED_CLIMB, ASSUMED_SPEED, Report, Volume
 
@@ -14,6 +18,17 @@ POSITION_STEP = 20.0
 """Error of the difference of two reported positions [m]; chosen: 10 m for each."""
 HEIGHT_STEP = 8.0
 """Error of the difference of two reported heights [m]; chosen, the 25 ft in which they come."""
+CONTRADICTION_TIME = 2.0
+"""Least time over which told velocities are compared with positions [s]; chosen."""
+REPORT_DELAY = 3.0
+"""Error of the time between two reports that does not count against a velocity [s]; chosen, since
+receivers pass reports on up to 3 s late."""
+CONTRADICTION = 30.0
+"""Distance that told velocities may miss a later position by [m]; chosen above errors of 10 m in
+each of two reports."""
+CLIMB_CONTRADICTION = 16.0
+"""Height that told vertical speeds may miss a later height by [m]; chosen, two steps of
+heights."""
 
 
 def past_reports(before: Sequence[Report], report: Report) -> tuple[Report, ...]:
@@ -23,23 +38,71 @@ def past_reports(before: Sequence[Report], report: Report) -> tuple[Report, ...]
 
 
 def with_derived_velocity(report: Report, past: Sequence[Report], volume: Volume) -> Report:
-    """The report with a velocity from the oldest of the past ones, where it tells none.
+    """The report with a velocity from the oldest of the past ones, where it tells no right one.
 
     Its doubt grows by the error of that velocity instead of that of a standing aircraft.
     """
     time = elapsed(past[0].time_ms, report.time_ms) if past else 0.0
-    if time < LEAST_PAST_TIME or (report.tells_velocity and report.tells_climb):
+    if time < LEAST_PAST_TIME:
         return report
+    same_height = abs(report.height_doubt - past[0].height_doubt) < HEIGHT_STEP
+    is_told, climb_is_told = report.tells_velocity, report.tells_climb
+    if time >= CONTRADICTION_TIME:
+        is_told = is_told and miss_of_velocity(report, past) <= allowed_miss(report, past)
+        climb_is_told = climb_is_told and miss_of_climb(report, past) <= CLIMB_CONTRADICTION
     each = report.intruder
     vx, vy, vz = each.v_n
     north, east, down = scale(1.0 / time, sub(each.p_n, past[0].intruder.p_n))
     rate, rate_up = each.uncertainty_rate, each.uncertainty_rate_up
-    if not report.tells_velocity:
+    if not is_told:
         vx, vy = north, east
         rate = volume.uncertainty_rate + min(POSITION_STEP / time, ASSUMED_SPEED)
-    if not report.tells_climb and abs(report.height_doubt - past[0].height_doubt) < HEIGHT_STEP:
+    if not climb_is_told and same_height:
         vz = down
         rate_up = volume.uncertainty_rate_up + min(HEIGHT_STEP / time, ASSUMED_CLIMB)
     return report._replace(
         intruder=each._replace(v_n=(vx, vy, vz), uncertainty_rate=rate, uncertainty_rate_up=rate_up)
     )
+
+
+def miss_of_velocity(report: Report, past: Sequence[Report]) -> float:
+    """Distance by which the told velocities, since the oldest report, miss the newest place [m].
+
+    The time between the two may be wrong by REPORT_DELAY, but not negative.
+    """
+    time = elapsed(past[0].time_ms, report.time_ms)
+    moved = level(sub(report.intruder.p_n, past[0].intruder.p_n))
+    told = level(told_motion(report, past))
+    along, square = dot(moved, told), dot(told, told)
+    least, most = max(0.0, 1.0 - REPORT_DELAY / time), 1.0 + REPORT_DELAY / time
+    share = min(max(along / square, least), most) if square > 0.0 else 1.0
+    return norm(sub(moved, scale(share, told)))
+
+
+def allowed_miss(report: Report, past: Sequence[Report]) -> float:
+    """The miss of told velocities up to which they are right [m].
+
+    In a turn, a wrong time moves a place by as much as the velocity has changed since.
+    """
+    turned = sub(report.intruder.v_n, past[0].intruder.v_n)
+    return CONTRADICTION + REPORT_DELAY * norm(level(turned))
+
+
+def miss_of_climb(report: Report, past: Sequence[Report]) -> float:
+    """Height by which the told vertical speeds, since the oldest report, miss the newest [m]."""
+    moved = sub(report.intruder.p_n, past[0].intruder.p_n)
+    return abs(moved[2] - told_motion(report, past)[2])
+
+
+def told_motion(report: Report, past: Sequence[Report]) -> Vec3:
+    """The motion since the oldest report by the told velocities, trapezoids, NED [m]."""
+    motion = (0.0, 0.0, 0.0)
+    for one, after in pairwise((*past, report)):
+        half = 0.5 * elapsed(one.time_ms, after.time_ms)
+        motion = add(motion, scale(half, add(one.intruder.v_n, after.intruder.v_n)))
+    return motion
+
+
+def level(x_n: Vec3) -> Vec3:
+    """The horizontal part of a vector, NED."""
+    return (x_n[0], x_n[1], 0.0)

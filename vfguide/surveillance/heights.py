@@ -8,11 +8,12 @@ the ownship's pressure altitude less the own height. Geometric heights are above
 
 from typing import NamedTuple
 
-from vfguide.geometry.pressure_altitude import pressure_altitude
+from vfguide.earth.pressure_altitude import pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.link.plausibility import LARGEST_UNDULATION
+from vfguide.surveillance.told_height import ToldHeight
 
 PRESSURE_ERROR = 20.0
 """Doubt of a height by pressure where weather has no part in it [m]; chosen: errors of two
@@ -39,10 +40,24 @@ class HeightDatum(NamedTuple):
     tells no pressure."""
     undulation: float | None = None
     """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not tell it."""
+    pressure_doubt: float = 0.0
+    """By how much the pressure offset may be wrong [m]."""
+    undulation_doubt: float = 0.0
+    """By how much the undulation may be wrong [m]."""
 
 
 UNKNOWN_DATUM = HeightDatum()
 """The datum where the autopilot tells neither."""
+
+
+def datum_of(pressure_offset: ToldHeight | None, undulation: ToldHeight | None) -> HeightDatum:
+    """The datum that follows from what the autopilot tells; None: it does not tell it."""
+    return HeightDatum(
+        None if pressure_offset is None else pressure_offset.middle,
+        None if undulation is None else undulation.middle,
+        0.0 if pressure_offset is None else pressure_offset.doubt,
+        0.0 if undulation is None else undulation.doubt,
+    )
 
 
 class Height(NamedTuple):
@@ -68,7 +83,7 @@ def height_of(said: AdsbVehicle, datum: HeightDatum, own: float) -> Height:
     if not is_by_pressure(said):
         if datum.undulation is None:
             return Height(told, LARGEST_UNDULATION)
-        return Height(told - datum.undulation, 0.0)
+        return Height(told - datum.undulation, datum.undulation_doubt)
     least, greatest = offsets(datum, told)
     return Height(told - 0.5 * (least + greatest), PRESSURE_ERROR + 0.5 * (greatest - least))
 
@@ -80,7 +95,11 @@ def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
     """
     if datum.pressure_offset is None:
         return weather(told)
-    return min(datum.pressure_offset, 0.0), max(datum.pressure_offset, 0.0)
+    least, greatest = (
+        datum.pressure_offset - datum.pressure_doubt,
+        datum.pressure_offset + datum.pressure_doubt,
+    )
+    return min(least, 0.0), max(greatest, 0.0)
 
 
 def weather(altitude: float) -> tuple[float, float]:

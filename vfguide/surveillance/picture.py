@@ -3,30 +3,40 @@
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
-from vfguide.surveillance.heard import Heard, taken
 from vfguide.surveillance.height_notes import HeightNotes
 from vfguide.surveillance.heights import UNKNOWN_DATUM, HeightDatum
 from vfguide.surveillance.own_track import OwnTrack, extended
 from vfguide.surveillance.ownship_echo import after_report
-from vfguide.surveillance.report import Ownship, Report, Volume, placed_at, refusal, report_of
+from vfguide.surveillance.report import Ownship, Report, Volume, refusal, report_of
+from vfguide.surveillance.track import Track, begun, distance_from, extended_track, nearest_fit
 
 LONGEST_SILENCE = 20.0
 """Age at which a report is dropped [s]; chosen: twenty reports were missed, and its volume has
 doubled."""
 MAX_AIRCRAFT = 200
-"""Largest number of aircraft that are remembered; chosen, further ones are ignored."""
-
-
+"""Largest number of aircraft that are remembered, the nearest ones; chosen."""
+OWN_REACH = 1000.0
+"""Distance from the ownship beyond which a report with its own address is another aircraft's [m];
+chosen above what a report that is late can be away."""
+OWN_REACH_REPORTS = 5
+"""Number of such reports in a row that are told; chosen longer than positions glitch."""
 OWN_FOUND = "transponder {icao:06X} is this aircraft's own"
 """Note where a transponder is recognised as the ownship's."""
 OWN_LOST = "transponder {icao:06X} is not this aircraft's own: it counts as traffic"
 """Note where a recognised transponder does not agree with the ownship any more."""
+OWN_ADDRESS_ELSEWHERE = (
+    "another aircraft reports this aircraft's own address {icao:06X}, {distance:.1f} km away: "
+    "it is not avoided"
+)
+"""Note where the address that the plan calls the own one is somebody else's too."""
+TOO_MANY = f"more than {MAX_AIRCRAFT} aircraft are heard: only the nearest are kept clear of"
+"""Note where aircraft are not remembered."""
 REFUSED = "a report of traffic is not used: {why}"
 """Note where a report is refused, once for each reason."""
 
 
 class Picture:
-    """The newest reports of other aircraft, by their addresses."""
+    """The tracks of other aircraft."""
 
     def __init__(self, origin: Vec3, volume: Volume, own_icao: int = 0) -> None:
         """An empty picture.
@@ -37,21 +47,24 @@ class Picture:
             own_icao: address of the own transponder; 0: it is not known.
         """
         self._origin, self._volume, self._own_icao = origin, volume, own_icao
-        self._heard: dict[int, Heard] = {}
+        self._tracks: dict[int, Track] = {}
+        """By their numbers."""
+        self._begun = 0
         self._track = OwnTrack()
         self._told: set[str] = set()
         self._height_notes = HeightNotes()
         self._told_own: set[int] = set()
+        self._own_elsewhere = 0
         self.refused = 0
         """Number of implausible reports."""
 
     def __len__(self) -> int:
-        return len(self._heard)
+        return len(self._tracks)
 
     @property
     def is_empty(self) -> bool:
         """Whether there is no aircraft in it."""
-        return not self._heard
+        return not self._tracks
 
     def follow(self, ownship: Ownship) -> None:
         """Take the ownship's state; later than before."""
@@ -72,42 +85,56 @@ class Picture:
             ownship: the ownship then; None: its state is not known.
             datum: how reported heights relate to those above mean sea level.
         """
-        if said.ICAO_address == self._own_icao != 0:
-            return []
         report = report_of(said, now_ms, self._origin, self._volume, datum)
         if report is None:
             self.refused += 1
             return self._once(REFUSED.format(why=refusal(said)))
-        self._take(report, ownship)
-        known, notes = self._heard.get(report.icao), self._own_notes(report.icao)
-        if known is not None and not known.recognition.is_ignored:
+        if report.icao == self._own_icao != 0:
+            return self._own_elsewhere_notes(report, ownship)
+        track = self._taken(report)
+        if ownship is not None:
+            recognition = after_report(track.recognition, report, ownship, self._track)
+            track = track._replace(recognition=recognition)
+        self._tracks[track.number] = track
+        notes = self._own_notes(track) + self._drop_farthest(ownship)
+        if track.is_traffic:
             notes += self._height_notes.notes(said, datum, now_ms)
         return notes
 
-    def _take(self, report: Report, ownship: Ownship | None) -> None:
-        """Take a report that can be true; further aircraft than MAX_AIRCRAFT are ignored."""
-        known = self._heard.get(report.icao)
-        if known is None and len(self._heard) >= MAX_AIRCRAFT:
-            return
-        heard = (
-            Heard(report, past=(report,)) if known is None else taken(known, report, self._volume)
-        )
-        self.refused += heard.odd is report
-        if ownship is not None:
-            recognition = after_report(heard.recognition, report, ownship, self._track)
-            heard = heard._replace(recognition=recognition)
-        self._heard[report.icao] = heard
+    def _taken(self, report: Report) -> Track:
+        """The track of a report that can be true, with it."""
+        of_address = [each for each in self._tracks.values() if each.report.icao == report.icao]
+        track = nearest_fit(of_address, report)
+        if track is not None:
+            return extended_track(track, report, self._volume)
+        self._begun += 1
+        return begun(self._begun, report, is_first=not of_address)
 
-    def _own_notes(self, icao: int) -> list[str]:
-        """Notes of whether an aircraft is recognised as the ownship, where that is new."""
-        known = self._heard.get(icao)
-        is_own = known is not None and known.recognition.is_own
-        if is_own == (icao in self._told_own):
+    def _drop_farthest(self, ownship: Ownship | None) -> list[str]:
+        """Forget the farthest where there are more than MAX_AIRCRAFT; returns a note of it."""
+        if len(self._tracks) <= MAX_AIRCRAFT:
+            return []
+        farthest = max(self._tracks.values(), key=lambda each: _importance(each, ownship))
+        del self._tracks[farthest.number]
+        return self._once(TOO_MANY)
+
+    def _own_elsewhere_notes(self, report: Report, ownship: Ownship | None) -> list[str]:
+        """A note where the own address, as the plan has it, is somebody else's too."""
+        away = 0.0 if ownship is None else norm(sub(report.intruder.p_n, ownship.p_n))
+        self._own_elsewhere = self._own_elsewhere + 1 if away > OWN_REACH else 0
+        if self._own_elsewhere != OWN_REACH_REPORTS:
+            return []
+        return [OWN_ADDRESS_ELSEWHERE.format(icao=report.icao, distance=1e-3 * away)]
+
+    def _own_notes(self, track: Track) -> list[str]:
+        """Notes of whether a track is recognised as the ownship, where that is new."""
+        is_own, icao = track.recognition.is_own, track.report.icao
+        if is_own == (track.number in self._told_own):
             return []
         if is_own:
-            self._told_own.add(icao)
+            self._told_own.add(track.number)
             return [OWN_FOUND.format(icao=icao)]
-        self._told_own.remove(icao)
+        self._told_own.remove(track.number)
         return [OWN_LOST.format(icao=icao)]
 
     def _once(self, note: str) -> list[str]:
@@ -120,22 +147,32 @@ class Picture:
     def forget(self, now_ms: int) -> None:
         """Drop aircraft silent for LONGEST_SILENCE, or all after a restart of the autopilot.
 
-        `now_ms` is its time_boot_ms [ms].
+        What was recognised as the own transponder is remembered. `now_ms` is the autopilot's
+        time_boot_ms [ms].
         """
-        self._heard = {
-            icao: each
-            for icao, each in self._heard.items()
-            if abs(elapsed(each.report.time_ms, now_ms)) < LONGEST_SILENCE
+        self._tracks = {
+            number: each
+            for number, each in self._tracks.items()
+            if abs(age := elapsed(each.report.time_ms, now_ms)) < LONGEST_SILENCE
+            or (each.recognition.is_own and age > 0.0)
         }
 
-    def others(self, ownship: Ownship) -> list[Report]:
-        """All reports but those of the ownship's own transponder, the nearest first."""
-        there = (each.report for each in self._heard.values() if not each.recognition.is_ignored)
-        return sorted(
-            there, key=lambda each: norm(sub(placed_at(each, ownship.time_ms), ownship.p_n))
-        )
+    def others(self, ownship: Ownship) -> list[Track]:
+        """All aircraft but the ownship's own transponder, the nearest first."""
+        there = (each for each in self._tracks.values() if each.is_traffic)
+        return sorted(there, key=lambda each: distance_from(each, ownship.p_n, ownship.time_ms))
 
-    def newest(self, icao: int) -> Report | None:
-        """The newest report of an aircraft; None if it was dropped."""
-        known = self._heard.get(icao)
+    def newest(self, number: int) -> Report | None:
+        """The newest report of the track of a number; None if it was dropped."""
+        known = self._tracks.get(number)
         return None if known is None else known.report
+
+
+def _importance(track: Track, ownship: Ownship | None) -> tuple[bool, float]:
+    """The order in which aircraft are remembered: the own transponder, then the nearest."""
+    here, now_ms = (
+        ((0.0, 0.0, 0.0), track.report.time_ms)
+        if ownship is None
+        else (ownship.p_n, ownship.time_ms)
+    )
+    return not track.recognition.is_own, distance_from(track, here, now_ms)

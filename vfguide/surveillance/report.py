@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.airspace.hazards import Intruder
-from vfguide.geometry.geodesy import place_in_plane
+from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MS
 from vfguide.geometry.vector import Vec3, add, scale
 from vfguide.link.boot_time import elapsed
@@ -22,8 +22,6 @@ ASSUMED_SPEED = 60.0
 small aircraft."""
 ASSUMED_CLIMB = 5.0
 """Vertical speed that is assumed of an aircraft that reports none [m/s]; chosen, 1000 ft/min."""
-NO_ADDRESS = "its address is 0"
-"""Reason to refuse a report that cannot be told from those of other aircraft."""
 NO_POSITION = "it has no position"
 """Reason to refuse a report without VALID_COORDS."""
 IMPLAUSIBLE = "it cannot be true"
@@ -56,7 +54,7 @@ class Report(NamedTuple):
     """The newest report of one aircraft."""
 
     icao: int
-    """ICAO address of its transponder, 24 bits."""
+    """ICAO address of its transponder, 24 bits; or what else it is known by, 0 where by nothing."""
     name: str
     """Callsign, or the address in hexadecimal digits where none is reported."""
     time_ms: int
@@ -118,8 +116,6 @@ def report_of(
 
 def refusal(said: AdsbVehicle) -> str | None:
     """Why a report is not used, in words; None: it is."""
-    if said.ICAO_address == 0:
-        return NO_ADDRESS
     if not said.flags & AdsbFlags.VALID_COORDS:
         return NO_POSITION
     return None if is_plausible(said) else IMPLAUSIBLE

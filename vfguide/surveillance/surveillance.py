@@ -18,7 +18,8 @@ REACH = 40.0
 """Time within which an aircraft must be able to meet the vehicle to be in the step [s]; chosen
 above the lookahead of alerts."""
 MAX_INTRUDERS = 8
-"""Largest number of aircraft in the step, the nearest ones; chosen for the time they take."""
+"""Largest number of aircraft in the step, those in conflict before the nearest ones; chosen for the
+time they take."""
 
 
 class Surveillance:
@@ -60,13 +61,15 @@ class Surveillance:
         """Look at all others; returns notes for the operator."""
         self._looked = ownship.time_ms
         self._picture.forget(ownship.time_ms)
-        others = [each for each in self._picture.others(ownship) if within_reach(each, ownship)]
-        self._near = tuple(each.icao for each in others)[:MAX_INTRUDERS]
+        tracks = self._picture.others(ownship)
+        others = [each for each in tracks if within_reach(each.report, ownship)]
         before, self._alerts = self._alerts, {}
         notes: list[str] = []
-        for each in others:
-            self._alerts[each.icao], note = look(before.get(each.icao, Alert()), each, ownship)
+        for number, report, *_ in others:
+            self._alerts[number], note = look(before.get(number, Alert()), report, ownship)
             notes += [note] if note else []
+        others.sort(key=lambda each: not self._alerts[each.number].near[-1])
+        self._near = tuple(each.number for each in others[:MAX_INTRUDERS])
         return notes
 
     def among(self, hazards: Hazards, now_ms: int, t: float) -> Hazards:
@@ -78,7 +81,7 @@ class Surveillance:
 
     def rows(self, now_ms: int, t: float) -> Rows:
         """The rows of `Intruder` of the aircraft in reach, at the times of `among`."""
-        reports = (self._picture.newest(icao) for icao in self._near)
+        reports = (self._picture.newest(number) for number in self._near)
         return rows_of([each for each in reports if each is not None], now_ms, t)
 
 

@@ -12,8 +12,8 @@ import math
 from enum import IntEnum
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Mat3, Vec3
+from vfguide.kernels.compiled import compiled
 
 EDGED = 4.0
 """Exponent p of the powers |x|^(2p) in boxes, cylinders and cones; chosen: their edges are rounded

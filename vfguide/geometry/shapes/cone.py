@@ -2,7 +2,6 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.base import (
     BESIDE,
     EDGED,
@@ -16,6 +15,7 @@ from vfguide.geometry.shapes.base import (
 )
 from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 TIP = 0.1
 """Roundness of the apex of a cone, dimensionless: the apex lies TIP / 2 of the height below the

@@ -2,7 +2,6 @@
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.polygon import prism_distance
 from vfguide.geometry.shapes.base import (
     BESIDE,
@@ -17,6 +16,7 @@ from vfguide.geometry.shapes.base import (
 )
 from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 
 def cylinder(radius: float, height: float) -> Shape:

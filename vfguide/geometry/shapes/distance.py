@@ -8,10 +8,10 @@ bounds the error, because the body lies behind it. Positions are in the body's o
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.base import Level, Shape
 from vfguide.geometry.shapes.shape import shape_level
 from vfguide.geometry.vector import Vec3, add, cross, dot, matvec, norm, scale, sub, unit
+from vfguide.kernels.compiled import compiled
 
 PRECISION = 1e-4
 """Ratio of the error to the distance from outside at which the iteration ends; chosen."""

@@ -5,7 +5,6 @@ Points are in the body's own axes, its centre at the origin, z down [m].
 
 from collections.abc import Callable
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.base import Kind, Level, Section, Shape, stretched
 from vfguide.geometry.shapes.cone import (
     WIDEST_CONE,
@@ -34,6 +33,7 @@ from vfguide.geometry.shapes.superquadric import (
     superquadric_section,
 )
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 SHAPES: dict[str, Callable[..., Shape]] = {
     "sphere": sphere,

@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.shapes.base import (
     BESIDE,
     EDGED,
@@ -21,6 +20,7 @@ from vfguide.geometry.shapes.base import (
 )
 from vfguide.geometry.shapes.rays import Array, Rays, root
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 TOO_STEEP = 300.0
 """Natural logarithm of the level, a number, above which only the bound of the box is used; chosen,

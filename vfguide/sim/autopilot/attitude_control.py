@@ -9,9 +9,9 @@ import math
 
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 ATTITUDE_GAIN = 2.5
 """Rate at which errors of roll and pitch decay [1/s]: 1 / FW_R_TC and 1 / FW_P_TC, PX4's defaults

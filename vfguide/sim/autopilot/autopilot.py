@@ -6,7 +6,7 @@ No socket, clock or thread: the caller brings the time, the truth and the bytes.
 import math
 
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.atmosphere import isa_density, true_airspeed
+from vfguide.earth.atmosphere import isa_density, true_airspeed
 from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3

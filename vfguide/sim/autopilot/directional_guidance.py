@@ -15,9 +15,9 @@ Logic for Trajectory Tracking*, AIAA 2004-4900. Nothing here is shared with the 
 
 import math
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.se2 import Vec2
 from vfguide.geometry.units import G0
+from vfguide.kernels.compiled import compiled
 
 PERIOD_RATIO = 3.0
 """Ratio of the period of the guidance to V / g: 8 s at 25 m/s, where PX4's NPFG_PERIOD is 10 s;

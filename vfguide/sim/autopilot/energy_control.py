@@ -17,8 +17,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.units import G0
+from vfguide.kernels.compiled import compiled
 
 HEIGHT_TIME = 3.0
 """Time constant with which errors of height decay [s]; chosen, PX4's FW_T_ALT_TC is 5 s."""

@@ -3,11 +3,11 @@
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.atmosphere import calibrated_airspeed, isa_density
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.pressure_altitude import pressure_altitude
-from vfguide.geometry.projection import project, reproject
+from vfguide.earth.atmosphere import calibrated_airspeed, isa_density
+from vfguide.earth.pressure_altitude import pressure_altitude
+from vfguide.earth.projection import project, reproject
 from vfguide.geometry.vector import Vec3, add, norm, sub
+from vfguide.kernels.compiled import compiled
 from vfguide.sim.autopilot.instruments import AirspeedFault, Instruments
 from vfguide.sim.autopilot.noise import Errs, StateNoise
 from vfguide.sim.truth import Truth

@@ -4,7 +4,7 @@ import math
 from enum import Enum
 from typing import NamedTuple
 
-from vfguide.geometry.pressure_altitude import PRESSURE_0
+from vfguide.earth.pressure_altitude import PRESSURE_0
 from vfguide.geometry.vector import Vec3
 
 

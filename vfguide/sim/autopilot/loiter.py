@@ -10,11 +10,11 @@ from typing import NamedTuple
 
 from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.performance import Performance
-from vfguide.geometry.atmosphere import isa_density
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.geodesy import geodetic_to_ned, tangent_plane
+from vfguide.earth.atmosphere import isa_density
+from vfguide.earth.geodesy import geodetic_to_ned, tangent_plane
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 from vfguide.sim.autopilot.attitude_control import rates_for_attitude, within_limits
 from vfguide.sim.autopilot.directional_guidance import lateral_acceleration
 from vfguide.sim.autopilot.energy_control import (

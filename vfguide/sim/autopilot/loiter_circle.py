@@ -4,10 +4,10 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.performance import Performance, turn_length
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.geodesy import TangentPlane
+from vfguide.earth.geodesy import TangentPlane
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 
 HOLD_RADIUS = 1.57
 """Radius of the circle of a hold [turn lengths]; chosen, 100 m at 25 m/s. Wind and bank may make it

@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from vfguide.geometry.atmosphere import LAPSE, TEMPERATURE_0
-from vfguide.geometry.pressure_altitude import isa_pressure
+from vfguide.earth.atmosphere import LAPSE, TEMPERATURE_0
+from vfguide.earth.pressure_altitude import isa_pressure
 from vfguide.geometry.so3 import quaternion_from_euler
 from vfguide.geometry.units import CDEG, CM_S, DEG, DEG_E7, HPA, MM, PERCENT
 from vfguide.link.enums import (

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.rows import place, python_reader, row_of, width
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Matrix, Vec3, Vector
+from vfguide.kernels.rows import place, python_reader, row_of, width
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition, Model
 from vfguide.sim.inner_loop.inner_loop import Tables

@@ -1,7 +1,7 @@
 """The inner loop of the software autopilot: body rates and thrust to servos and motor."""
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Vec3
+from vfguide.kernels.compiled import compiled
 from vfguide.sim.inner_loop.rate_loop import RateTable, rate_loop
 from vfguide.sim.inner_loop.thrust_map import Axes, AxesTuple, Throttles, throttle_for
 from vfguide.sim.signals import ControlTuple, Inner, InnerTuple

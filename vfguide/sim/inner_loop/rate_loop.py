@@ -11,9 +11,9 @@ pressure, damping with rho V, gyroscopic terms with neither.
 
 from typing import NamedTuple
 
-from vfguide.geometry.compiled import compiled
-from vfguide.geometry.rows import Row, reader
 from vfguide.geometry.vector import Vec3, dot, sub
+from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import Row, reader
 from vfguide.sim.signals import Inner, Surfaces
 
 

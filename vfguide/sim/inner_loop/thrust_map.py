@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.compiled import compiled
 from vfguide.geometry.vector import Matrix, Series
+from vfguide.kernels.compiled import compiled
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
 from vfguide.sim.signals import Controls

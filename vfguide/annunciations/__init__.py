@@ -1,0 +1,1 @@
+"""Annunciations: what the operator reads, in plain words."""

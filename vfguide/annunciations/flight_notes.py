@@ -1,0 +1,66 @@
+"""Notes of what a step has changed in position, progress and wind."""
+
+from vfguide.annunciations.goal_notes import leg_note
+from vfguide.estimation.position_resets import settled
+from vfguide.kernels.rows import Row
+from vfguide.link.messages import GpsGlobalOrigin
+from vfguide.loop.loop_report import is_alarmed, number_of_resets
+from vfguide.loop.state import LoopState, state_of_row
+
+JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
+"""Note of a position reset."""
+ORIGIN_MOVED = "the autopilot has moved the origin of its local frame: heeded"
+"""Note of an origin that has moved."""
+WEAK_AGAIN = "the wind has fallen"
+"""Note at the end of a wind hold."""
+NO_PROGRESS = (
+    "no progress to goal {goal}: flown a full circle more than its way has, "
+    "and no nearer than {least:.0f} m along it"
+)
+"""Note on a leg without progress."""
+
+
+def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
+    """Note of an origin of the local frame that was received again, unchanged or moved."""
+    if before is None or after is None:
+        return []
+    was = (before.latitude, before.longitude, before.altitude)
+    return [] if was == (after.latitude, after.longitude, after.altitude) else [ORIGIN_MOVED]
+
+
+def progress_notes(before: Row, after: Row) -> list[str]:
+    """Notes of a leg that has begun to make no progress."""
+    if is_alarmed(before) or not is_alarmed(after):
+        return []
+    s = state_of_row(after)
+    return [NO_PROGRESS.format(goal=s.mission.goal + 1, least=s.progress.least)]
+
+
+def reset_notes(before: Row, after: Row) -> list[str]:
+    """Note of a position reset in a step."""
+    resets, was = state_of_row(after).estimation.resets, number_of_resets(before)
+    if resets.number == was or settled(resets):
+        return []
+    return [JUMPED.format(size=resets.size)]
+
+
+def wind_notes(before: Row, after: Row, goals: int, airspeed: float) -> list[str]:
+    """Note of a wind hold that begins or ends in a step.
+
+    Args:
+        before: row of the `LoopState` before the step.
+        after: row of the `LoopState` after it.
+        goals: number of the goals.
+        airspeed: true airspeed that the plan asks for [m/s].
+    """
+    now, held = state_of_row(after), state_of_row(before).mission.wind_hold.holds
+    return [] if now.mission.wind_hold.holds == held else [wind_note(now, goals, airspeed)]
+
+
+def wind_note(s: LoopState, goals: int, airspeed: float) -> str:
+    """Note of a wind hold that begins or ends, of an aircraft that flies at `airspeed` [m/s]."""
+    goal, hold = s.mission.goal, s.mission.wind_hold
+    if not hold.holds:
+        return f"{WEAK_AGAIN}: {leg_note(goal, goals)}"
+    what = f"goal {goal + 1} unreachable" if goal < goals else "no circle"
+    return f"{what} now: wind {hold.ratio * airspeed:.0f} of {airspeed:.0f} m/s, holding against it"

@@ -1,0 +1,28 @@
+"""Notes of the goals: which one is flown to, and how one was passed."""
+
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
+
+
+def leg_note(goal: int, goals: int) -> str:
+    """Note of what is flown to: `goal`, counted from 0, of a number of goals, or the circle."""
+    return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
+
+
+def passage_note(said: GoalAnnouncement, goals: int) -> str:
+    """Note of a goal that was passed, of a number of goals."""
+    goal = said.goal + 1
+    if said.outcome is Outcome.GIVEN_UP:
+        return f"goal {goal} missed {times(said.missed + 1)}: {onward(goal, goals)}"
+    if said.outcome is Outcome.MISSED:
+        return f"goal {goal} missed by {said.miss:.1f} m or by its course: going round"
+    return f"goal {goal} reached, {said.miss:.1f} m off; {leg_note(goal, goals)}"
+
+
+def onward(passed: int, goals: int) -> str:
+    """Note of what follows after some of a number of goals."""
+    return f"going on to goal {passed + 1}" if passed < goals else "loitering"
+
+
+def times(number: int) -> str:
+    """A number of times in words."""
+    return "once" if number == 1 else f"{number} times"

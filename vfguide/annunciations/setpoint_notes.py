@@ -1,0 +1,80 @@
+"""What the operator reads of setpoints: that they go out, or that they do not, and why.
+
+It says what happened: that they go out is told when one has gone out.
+"""
+
+import re
+
+from vfguide.geometry.units import SECOND
+from vfguide.telemetry.round_trip import RoundTrip
+
+SILENCE_TIMEOUT = SECOND
+"""Time without a setpoint after which the operator is told why [us]; chosen."""
+SLOW = "slow link: a setpoint acts {delay:.1f} s after the state it is made for"
+"""Note where the link is slow."""
+SENT = "setpoints go out"
+"""Note where the first setpoint has gone out."""
+SENT_AGAIN = f"{SENT} again"
+"""Note where setpoints go out after a silence that was told."""
+NOT_SENT = "no setpoints: {why}"
+"""Note where no setpoints go out though the autopilot may follow."""
+
+
+class SetpointAnnunciator:
+    """Makes notes of setpoints that go out or fail to, and remembers which it made."""
+
+    def __init__(self) -> None:
+        self._silent_from = 0
+        """Time since when the present reason has held, or of the last setpoint [us]."""
+        self._is_slow = False
+        """Whether the operator knows that the link is slow."""
+        self._has_sent = False
+        """Whether a setpoint has gone out since the autopilot was found."""
+        self._is_told = False
+        """Whether the operator knows that they go out."""
+        self._why: str | None = None
+        """Why they do not, as it was told."""
+
+    def find(self, now: int) -> None:
+        """Record that an autopilot was found at `now` [us]: it has got no setpoint yet."""
+        self._has_sent = False
+        self.rest(now)
+
+    def rest(self, now: int) -> None:
+        """Record at `now` [us] that none may go out, which the phase tells."""
+        self._silent_from, self._is_told, self._why = now, False, None
+
+    def follow(self) -> None:
+        """Record that the autopilot follows, which tells that they go out."""
+        self._is_told |= self._why is None
+
+    def send(self, now: int, what_follows: str) -> list[str]:
+        """The note of a setpoint that goes out at `now` [us], and of what follows, if anything."""
+        self._silent_from, is_told = now, self._is_told
+        note = SENT_AGAIN if self._has_sent else SENT
+        self._has_sent, self._is_told, self._why = True, True, None
+        return [] if is_told else [f"{note}, {what_follows}" if what_follows else note]
+
+    def lag(self, link: RoundTrip) -> list[str]:
+        """The note of a setpoint that goes out over a link that has become slow."""
+        was_slow, self._is_slow = self._is_slow, link.is_slow
+        return [SLOW.format(delay=link.delay)] if link.is_slow and not was_slow else []
+
+    def is_silent(self, now: int) -> bool:
+        """Whether none has gone out for so long at `now` [us] that the operator wants to know why.
+
+        A reason that was told is followed by another one only after that time too.
+        """
+        return now - self._silent_from > SILENCE_TIMEOUT
+
+    def fail(self, now: int, why: str) -> list[str]:
+        """The note of a silence and its reason at `now` [us], where they are new."""
+        before, self._why = self._why, why
+        self._silent_from, self._is_told = now, False
+        is_new = before is None or without_numbers(why) != without_numbers(before)
+        return [NOT_SENT.format(why=why)] if is_new else []
+
+
+def without_numbers(why: str) -> str:
+    """A reason without its numbers, which change while it stays the same."""
+    return re.sub(r"\d", "", why)

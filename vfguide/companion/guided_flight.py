@@ -1,0 +1,274 @@
+"""One vehicle's flight along its plan: when a step is due, and the state between steps."""
+
+import math
+from collections.abc import Callable
+
+from vfguide.aircraft.identification import Identified
+from vfguide.aircraft.state import RateSetpoint
+from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
+from vfguide.airspace.hazards import Hazards
+from vfguide.annunciations.airspeed_notes import AirspeedAnnunciator
+from vfguide.annunciations.doubt_notes import doubt_notes, unfit
+from vfguide.annunciations.flight_notes import progress_notes, reset_notes, wind_notes
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, announcement
+from vfguide.annunciations.goal_notes import leg_note, passage_note
+from vfguide.annunciations.hazard_notes import HazardAnnunciator
+from vfguide.annunciations.identification_notes import (
+    BROKEN_OFF,
+    NO_ROOM,
+    TESTING,
+    identified_notes,
+)
+from vfguide.assurance.decision import Reason
+from vfguide.companion.identification_flight import IdentificationFlight
+from vfguide.companion.obstacle_clock import ObstacleClock
+from vfguide.companion.plan import Plan
+from vfguide.estimation.air_state import AirReport
+from vfguide.estimation.local_frame import Measurement, Quaternion, place_state
+from vfguide.geometry.units import MS
+from vfguide.geometry.vector import Vec3
+from vfguide.guidance.laws import crossing
+from vfguide.kernels.rows import Row
+from vfguide.link.messages import AdsbVehicle
+from vfguide.loop.attempts import no_attempts
+from vfguide.loop.loop_report import (
+    Noted,
+    air_report,
+    decision_of_row,
+    doubts_of_row,
+    goal_of_row,
+    has_news,
+    is_in_doubt,
+    noted_numbers,
+    number_of_resets,
+    trusts_sensor_of_row,
+)
+from vfguide.loop.rows import step_measured
+from vfguide.loop.state import (
+    begin_leg,
+    begin_mission,
+    forget_learned,
+    fresh_state,
+    leave_goal,
+    row_of_state,
+    state_of_row,
+    take_over,
+    watching,
+)
+from vfguide.surveillance.picture import Picture
+from vfguide.surveillance.report import Ownship
+from vfguide.surveillance.surveillance import Surveillance
+from vfguide.telemetry.knowledge import Knowledge, heard
+
+HELD_PERIODS = 1.0
+"""Number of guidance periods for which the state is predicted beyond the delay: half of one because
+a setpoint is held for it, half because the reference's rate is that of the period before."""
+DUE_SHARE = 0.9
+"""Share of the guidance period after which the next step is due; chosen below 1, since an attitude
+may come a little early."""
+
+Step = Callable[..., tuple[Vec3, float, Quaternion, Row, float]]
+"""The type of `step_measured`."""
+ASSUMED_GUST = 1.0
+"""Standard deviation of gusts with which trajectories are predicted [m/s]; chosen, since it is not
+measured."""
+
+
+class GuidedFlight:
+    """One vehicle's flight along its plan."""
+
+    def __init__(self, plan: Plan, step: Step = step_measured) -> None:
+        """A flight that has not begun, of `plan` with the `step` of the control loop."""
+        self.plan = plan
+        """What is flown now."""
+        self.identified: Identified | None = None
+        """The aircraft as a test flight has shown it."""
+        self._step = step
+        self._identification = IdentificationFlight(plan) if plan.identify else None
+        obstacles = 0 if plan.hazards is None else len(plan.hazards.obstacles)
+        self._state = row_of_state(fresh_state(obstacles))
+        self.notes: list[str] = []
+        """What the operator should read; the caller takes it away."""
+        self.announced: list[GoalAnnouncement] = []
+        """The goals that were passed, as it saw them, in the order of time."""
+        self.unfit: str | None = None
+        """Why what the autopilot tells cannot be flown on; None where it can."""
+        self._annunciator = HazardAnnunciator(plan.hazard_names)
+        self._airspeed_notes = AirspeedAnnunciator()
+        self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
+        self._obstacle_clock = ObstacleClock(plan)
+        self._stepped: int | None = None
+        self._follows = False
+        self._jumped = False
+
+    @property
+    def is_testing(self) -> bool:
+        """Whether a test flight goes before the first goal now."""
+        return self._identification is not None
+
+    @property
+    def air(self) -> AirReport:
+        """The estimate of the air."""
+        return air_report(self._state)
+
+    @property
+    def noted(self) -> Noted:
+        """What records keep of the last step."""
+        return Noted(*noted_numbers(self._state))
+
+    def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
+        """The setpoint for the newest attitude; None: not due, or something is not known.
+
+        It acts `delay` [s] after that attitude, and is held until the next one does. Its body
+        rates are FRD [rad/s].
+
+        Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
+        the present goal begins anew.
+        """
+        if known.attitude is None or not self._due(known.time_ms):
+            return None
+        self.notes += self._obstacle_clock.notes(known)
+        if self.objection(known) is not None:
+            return None
+        state = heard(known, delay + HELD_PERIODS / self.plan.rate)
+        if state is None:
+            return None
+        if follows:
+            self._obstacle_clock.settle(known)
+        t, now_ms = self._obstacle_clock.time(known), known.time_ms
+        if self._surveillance.is_listening:
+            self._surveillance.follow(ownship_of(state, now_ms, self.plan))
+        if self._surveillance.is_due(now_ms):
+            ownship = place_state(state, self.plan.origin)
+            self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
+        hazards = self.plan.hazards
+        if hazards is not None:
+            hazards = self._surveillance.among(hazards, now_ms, t)
+        if follows and not self._follows:
+            self._begin_leg(state, hazards, t)
+        self._follows = follows
+        plan, before = self.plan, self._state
+        omega_b, thrust, q_nb, after, miss = self._step(
+            tuple(state),
+            plan.origin,
+            before,
+            plan.legs,
+            None
+            if hazards is None
+            else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
+            crossing(plan.law),
+            plan.vehicle_row
+            if self._identification is None
+            else self._identification.vehicle_row(goal_of_row(before)),
+        )
+        self._tell_doubts(before, after)
+        self._state = after if follows else watching(before, after)
+        if follows:
+            self._tell_news(before, after, not math.isnan(state.calibrated), t)
+        setpoint = RateSetpoint(omega_b, thrust, q_nb)
+        if follows and self._identification is not None:
+            self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
+            self._test(self._identification)
+        elif follows:
+            self.notes += progress_notes(before, after)
+            if math.isfinite(miss):
+                self.announced.append(announcement(before, after, miss))
+                self.notes.append(passage_note(self.announced[-1], len(plan.goals)))
+        return setpoint
+
+    def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
+        """Take a report of another aircraft; without an attitude its time is unknown."""
+        if known.attitude is None:
+            return
+        state, now_ms = heard(known), known.time_ms
+        ownship = None if state is None else ownship_of(state, now_ms, self.plan)
+        self.notes += self._surveillance.hear(said, now_ms, ownship, known.datum)
+
+    def objection(self, known: Knowledge) -> str | None:
+        """Why the autopilot must not begin to follow, None: it may."""
+        return self._obstacle_clock.objection(known)
+
+    def take_jump(self) -> bool:
+        """Whether there was a position reset since the last call."""
+        jumped, self._jumped = self._jumped, False
+        return jumped
+
+    def pause(self) -> None:
+        """Record that the autopilot does not follow, or that it is unknown whether it does."""
+        self._follows = False
+
+    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool, t: float) -> None:
+        """Tell of what a step at `t` [s] has changed in air, position, wind and among hazards."""
+        if has_news(before, after):
+            believes = trusts_sensor_of_row(after)
+            self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
+            self.notes += reset_notes(before, after)
+            self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
+            self._jumped |= number_of_resets(after) != number_of_resets(before)
+        if self.plan.hazards is not None:
+            self.notes += self._annunciator.notes(after, t)
+
+    def _tell_doubts(self, before: Row, after: Row) -> None:
+        """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""
+        self.unfit = None
+        if is_in_doubt(after) or is_in_doubt(before):
+            doubts = doubts_of_row(after)
+            self.notes += doubt_notes(doubts_of_row(before), doubts)
+            self.unfit = unfit(doubts)
+
+    def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
+        """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
+        before = state_of_row(self._state)
+        self._annunciator = HazardAnnunciator(self.plan.hazard_names)
+        if self._identification is None:
+            self._state = row_of_state(take_over(before))
+            self.notes.append(leg_note(before.mission.goal, len(self.plan.goals)))
+            return
+        self._state = row_of_state(begin_mission(before))
+        if hazards is not None:
+            p_n = place_state(state, self.plan.origin).p_n
+            hazards = in_sight(hazards, before.detection.known.copy(), p_n, t)
+        if name := self._identification.begin(state, hazards, t):
+            self.notes.append(TESTING.format(what=name))
+            self.plan = self._identification.plan
+        else:
+            self._end_test(self._identification, NO_ROOM)
+
+    def _test(self, identification: IdentificationFlight) -> None:
+        """Go on with the test flight; after it the goals are flown to with what it has shown."""
+        if decision_of_row(self._state).reason != Reason.NOMINAL:
+            self._end_test(identification, BROKEN_OFF)
+            return
+        if identification.is_stuck(goal_of_row(self._state)):
+            self._state = row_of_state(leave_goal(state_of_row(self._state)))
+        leg = goal_of_row(self._state)
+        if name := identification.enters(leg):
+            self.notes.append(TESTING.format(what=name))
+        if identification.is_over(leg):
+            self.identified = identification.identify()
+            self._end_test(identification, *identified_notes(self.identified))
+
+    def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
+        """Fly to the goals, with what the test flight has shown if it has."""
+        before, after = self.plan.aircraft, identification.plan_after(self.identified)
+        self._identification, self.plan, self._annunciator = (
+            None,
+            after,
+            HazardAnnunciator(after.hazard_names),
+        )
+        s = forget_learned(state_of_row(self._state), before, after.aircraft)
+        self._state = row_of_state(begin_leg(s, 0, no_attempts()))
+        self.notes += (*notes, leg_note(0, len(after.goals)))
+
+    def _due(self, now_ms: int) -> bool:
+        """Whether the next step is due at the autopilot's time [ms]."""
+        if self._stepped is not None and (now_ms - self._stepped) * MS < DUE_SHARE / self.plan.rate:
+            return False
+        self._stepped = now_ms
+        return True
+
+
+def ownship_of(state: Measurement, now_ms: int, plan: Plan) -> Ownship:
+    """The ownship at the time `now_ms` of the attitude [ms], in the frame of the plan."""
+    ownship = place_state(state._replace(lead=0.0), plan.origin)
+    return Ownship(now_ms, ownship.p_n, ownship.v_n)

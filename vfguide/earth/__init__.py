@@ -1,0 +1,1 @@
+"""The Earth: its ellipsoid, the local frames of autopilots, the standard atmosphere."""

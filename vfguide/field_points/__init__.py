@@ -1,0 +1,1 @@
+"""The fields of a scenario at points of one's own, without a flight."""

@@ -1,0 +1,100 @@
+"""Law `flight` at points of a scenario: where the plan leads from there, and how that is flown."""
+
+import math
+from dataclasses import replace
+
+from vfguide.aircraft.air_density import in_air
+from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn
+from vfguide.aircraft.envelope import usable_bank
+from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
+from vfguide.companion.plan import Plan
+from vfguide.earth.atmosphere import isa_density
+from vfguide.estimation.estimation import known_state
+from vfguide.field_points.field_point import FieldPoint, Point
+from vfguide.field_points.shortest_plan import (
+    NoPlanError,
+    Start,
+    Surroundings,
+    best_start,
+    surroundings_at,
+)
+from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.units import G0
+from vfguide.geometry.vector import Mat3, Vec3, matvec, transpose
+from vfguide.guidance.flight_law import height_above_floor, wanted_slope
+from vfguide.guidance.guidance_state import fresh_guidance
+from vfguide.guidance.wind_triangle import heading_for_course
+from vfguide.planning.excess_wind import EXCESS_RATIO
+
+SLOPE_STEPS = 2000
+"""Largest number of steps in which the slope settles; chosen, 40 s of flight at 50 Hz."""
+
+
+def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
+    """The direction of the plan to the first goal from a point, and the attitude that flies it.
+
+    Args:
+        plan: the plan of the vehicle.
+        point: the point; of two plans that are equally short the one nearer to its velocity counts.
+        wind_n: wind, blowing toward, NED [m/s].
+
+    Raises:
+        NoPlanError: there is none from there.
+    """
+    if math.hypot(*wind_n) > EXCESS_RATIO * plan.vehicle.gains.airspeed:
+        raise NoPlanError("the wind is about as fast as the aircraft, no course can be planned")
+    density = isa_density(plan.origin[2] - point.p_n[2])
+    plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
+    around = surroundings_at(plan, point, wind_n)
+    start = best_start(around, math.atan2(point.v_n[1], point.v_n[0]))
+    if start.route.following.clearance < 0.0:
+        raise NoPlanError("no way to the goal is found among what is known there")
+    return settled(around, start)
+
+
+def settled(around: Surroundings, start: Start) -> FieldPoint:
+    """The direction, attitude and body rates of a vehicle that has settled on a plan."""
+    airspeed = around.plan.vehicle.gains.airspeed
+    gamma = settled_path_angle(around, start)
+    wind = around.wind_n[0], around.wind_n[1]
+    level = airspeed * math.cos(gamma)
+    heading = heading_for_course(start.course, start.course_rate, wind, level)
+    aircraft, gains, _ = around.plan.vehicle
+    bank_max = usable_bank(aircraft, gains, airspeed)
+    lift = lift_for_turn(level * heading.psi_rate, gamma, bank_max, aircraft.load_max)
+    R_a = attitude_of(around.plan, heading.psi, gamma, lift)
+    turn = (0.0, 0.0, G0 * math.tan(lift.bank) / airspeed)
+    F = (
+        math.cos(gamma) * math.cos(heading.psi),
+        math.cos(gamma) * math.sin(heading.psi),
+        -math.sin(gamma),
+    )
+    return FieldPoint(F, None, None, R_a, matvec(transpose(R_a), turn), ())
+
+
+def attitude_of(plan: Plan, azimuth: float, gamma: float, lift: Lift) -> Mat3:
+    """The attitude that flies along a direction [rad] with a lift; a rigid body needs none."""
+    aircraft, gains, is_point = plan.vehicle
+    if is_point:
+        return from_euler(lift.bank, gamma, azimuth)
+    alpha = aircraft.alpha_zero + aircraft.alpha_load * lift.load / gains.airspeed**2
+    return attitude_for_lift(azimuth, gamma, lift.bank, alpha)
+
+
+def settled_path_angle(around: Surroundings, start: Start) -> float:
+    """The path angle through the air [rad] once the slope has followed the altitude profile."""
+    aircraft, gains, _ = vehicle = around.plan.vehicle
+    state, airspeed = start.objective.state, gains.airspeed
+    wind, nav = (around.wind_n[0], around.wind_n[1]), known_state(state, -1.0)
+    heading = heading_for_course(start.course, start.course_rate, wind, airspeed)
+    s = fresh_guidance()
+    for _ in range(SLOPE_STEPS):
+        slope = wanted_slope(nav, start.objective, start.route, start.wanted, heading, s, vehicle)
+        if slope == s.slope:
+            break
+        s = s._replace(slope=slope)
+    above = height_above_floor(state, around.airspace)
+    limits = path_limits(airspeed, airspeed, above, aircraft)
+    asked = path_angle(s.slope, heading.groundspeed, around.wind_n[2], airspeed)
+    gamma, _ = allowed_path(asked, limits)
+    return gamma

@@ -1,0 +1,1 @@
+"""Compiled code: functions compiled and kept, records as rows of numbers, loops over points."""

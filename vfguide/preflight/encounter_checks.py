@@ -1,0 +1,71 @@
+"""Encounter checks: vehicles of one scenario do not avoid each other, so whether they meet."""
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from vfguide.files.source import Source
+from vfguide.geometry.vector import Vectors
+from vfguide.preflight.prediction import PREDICTION_STEP, predict
+from vfguide.preflight.route_checks import Flies
+from vfguide.scenario.resolved import Scenario, Vehicle
+
+AFTER_LAST_GOAL = 5.0
+"""Time after the last goal of the last vehicle up to which encounters are looked for [s]: that for
+which a run goes on."""
+
+
+class Encounter(NamedTuple):
+    """Where two paths come closest."""
+
+    distance: float
+    """Least distance [m]."""
+    time: float
+    """When that is [s]."""
+
+
+def closest_approach(one: Vectors, other: Vectors) -> Encounter:
+    """Of two paths (N, 3) whose positions are PREDICTION_STEP apart, straight between them."""
+    apart = one - other
+    moved = np.diff(apart, axis=0)
+    squares = np.maximum(np.einsum("ij,ij->i", moved, moved), np.finfo(float).tiny)
+    part = np.clip(-np.einsum("ij,ij->i", apart[:-1], moved) / squares, 0.0, 1.0)
+    distances = np.linalg.norm(apart[:-1] + part[:, None] * moved, axis=1)
+    nearest = int(distances.argmin())
+    return Encounter(float(distances[nearest]), PREDICTION_STEP * (nearest + float(part[nearest])))
+
+
+def check_encounters(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
+    """A warning of each two vehicles that come within two safety radii, flown as planned.
+
+    `flies` are one of each vehicle. Vehicles that avoid each other are not looked at, those whose
+    test flight comes first neither.
+    """
+    pairs = zip(scenario.vehicles, flies, strict=True)
+    flown = [(vehicle, each) for vehicle, each in pairs if not vehicle.identify]
+    if scenario.law != "flight" or not scenario.avoidance.between_vehicles or len(flown) < 2:
+        return ()
+    least, warnings = 2.0 * scenario.avoidance.safety_radius_m, list[str]()
+    for one, other, meeting in encounters(scenario, flown):
+        if meeting.distance < least:
+            rule = (
+                f"vehicles {one} and {other} come within {meeting.distance:.0f} m of each other "
+                f"after {meeting.time:.0f} s as they are planned, where {least:g} m are kept; "
+                "they do not avoid each other: move a start or a goal"
+            )
+            warnings.append(f"{source.path}: {rule}")
+    return tuple(warnings)
+
+
+def encounters(
+    scenario: Scenario, flown: Sequence[tuple[Vehicle, Flies]]
+) -> Iterator[tuple[int, int, Encounter]]:
+    """Where each two vehicles come closest, and their ids."""
+    predicted = [(vehicle.id, *predict(scenario, vehicle, flies)) for vehicle, flies in flown]
+    last = max(circles_from for _, _, circles_from in predicted)
+    end = last + math.ceil(AFTER_LAST_GOAL / PREDICTION_STEP) + 1
+    for (one, path, _), (other, beside, _) in combinations(predicted, 2):
+        yield one, other, closest_approach(path[:end], beside[:end])

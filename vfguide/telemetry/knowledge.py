@@ -1,0 +1,199 @@
+"""The newest messages of the autopilot, and the measurement that they make."""
+
+import math
+from typing import Any, NamedTuple
+
+from vfguide.autopilots.makes import ASSUMED
+from vfguide.earth.atmosphere import isa_density
+from vfguide.estimation.local_frame import Measurement
+from vfguide.geometry.units import DEG_E7, HPA, MM, MS
+from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    GlobalPositionInt,
+    GpsGlobalOrigin,
+    GpsRawInt,
+    LocalPositionNed,
+    Message,
+    ScaledPressure,
+    SystemTime,
+    VfrHud,
+    WindCov,
+)
+from vfguide.link.plausibility import is_plausible, undulation_of
+from vfguide.surveillance.heights import HeightDatum, datum_of, pressure_offset
+from vfguide.surveillance.told_height import ToldHeight, told_again
+from vfguide.telemetry.date import Date, date_after
+
+STALE = 0.5
+"""Age above which a position, an attitude or an airspeed is not used [s]; chosen. The flight goes
+on without an airspeed."""
+WIND_STALE = 5.0
+"""Age above which the autopilot's wind is not used, but estimated [s]; chosen."""
+UNKNOWN = (math.nan, math.nan, math.nan)
+"""A wind that was not measured, not a number [m/s]."""
+
+
+class Knowledge(NamedTuple):
+    """The newest message of each kind; None where there was none."""
+
+    origin: GpsGlobalOrigin | None = None
+    """Origin of the autopilot's local frame."""
+    attitude: AttitudeQuaternion | None = None
+    """Attitude and body rates."""
+    position: LocalPositionNed | None = None
+    """Position and velocity in the local frame."""
+    hud: VfrHud | None = None
+    """Calibrated airspeed and altitude."""
+    hud_time: int = 0
+    """Time of the attitude that was newest when the airspeed arrived [ms]."""
+    wind: WindCov | None = None
+    """Wind as the autopilot estimates it."""
+    wind_time: int = 0
+    """Time of the attitude that was newest when the wind arrived [ms]."""
+    date: Date | None = None
+    """The date, and when it was so."""
+    clock: BootClock | None = None
+    """The time of the autopilot, by its attitudes; all times here are this clock's."""
+    projection: int = int(ASSUMED.projection)
+    """The `Projection` of the autopilot's local frame."""
+    place: GlobalPositionInt | None = None
+    """Latitude and longitude of the vehicle."""
+    undulation: ToldHeight | None = None
+    """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
+    pressure_offset: ToldHeight | None = None
+    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot tells
+    no pressure that weather can make."""
+
+    @property
+    def datum(self) -> HeightDatum:
+        """How heights that others report relate to those above mean sea level."""
+        return datum_of(self.pressure_offset, self.undulation)
+
+    @property
+    def time_ms(self) -> int:
+        """Time of the newest attitude [ms], 0 before the first."""
+        return 0 if self.clock is None else self.clock.time_ms
+
+
+_PLACES: dict[type[Message], int] = {
+    GpsGlobalOrigin: Knowledge._fields.index("origin"),
+    AttitudeQuaternion: Knowledge._fields.index("attitude"),
+    LocalPositionNed: Knowledge._fields.index("position"),
+    VfrHud: Knowledge._fields.index("hud"),
+    WindCov: Knowledge._fields.index("wind"),
+    SystemTime: Knowledge._fields.index("date"),
+    GlobalPositionInt: Knowledge._fields.index("place"),
+    GpsRawInt: Knowledge._fields.index("undulation"),
+    ScaledPressure: Knowledge._fields.index("pressure_offset"),
+}
+"""The number of the field that each kind of message changes."""
+_TIMES: dict[type[Message], int] = {
+    VfrHud: Knowledge._fields.index("hud_time"),
+    WindCov: Knowledge._fields.index("wind_time"),
+}
+"""The number of the field with the time of a message that contains none."""
+_CLOCK = Knowledge._fields.index("clock")
+OBSERVED = tuple(_PLACES)
+"""The kinds of messages from which a measurement is made."""
+
+
+def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
+    """The knowledge after `message`, which arrives at `now` [us].
+
+    An implausible message changes nothing, nor does a late one, nor an attitude heard before.
+    """
+    place = _PLACES.get(type(message))
+    if place is None or not is_plausible(message):
+        return known
+    if isinstance(message, SystemTime | GpsRawInt | ScaledPressure):
+        return with_derived(known, message)
+    after: list[Any] = list(known)
+    after[place] = message
+    if isinstance(message, AttitudeQuaternion):
+        after[_CLOCK] = clock = moved_on(known.clock, message.time_boot_ms, now)
+        if clock is None:
+            return known
+    elif isinstance(message, LocalPositionNed):
+        before = known.position
+        if before is not None and is_late(before.time_boot_ms, message.time_boot_ms):
+            return known
+    elif known.attitude is not None and (time_place := _TIMES.get(type(message))):
+        after[time_place] = known.time_ms
+    return Knowledge._make(after)
+
+
+def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPressure) -> Knowledge:
+    """The knowledge after a message of which only what follows from it is kept."""
+    match message:
+        case SystemTime():
+            return known._replace(date=date_after(known.date, message, known.clock))
+        case GpsRawInt():
+            height = undulation_of(message)
+            return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
+        case ScaledPressure():
+            return with_pressure(known, message)
+
+
+def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
+    """The knowledge after a pressure at the newest position; unchanged where there is none."""
+    origin, position = known.origin, known.position
+    if origin is None or position is None:
+        return known
+    altitude = origin.altitude * MM - position.z
+    offset = pressure_offset(message.press_abs * HPA, altitude)
+    if offset is None:
+        return known._replace(pressure_offset=None)
+    return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
+
+
+def heard(known: Knowledge, lead: float = 0.0) -> Measurement | None:
+    """The measurement for `place_state`; None while anything is missing or too old.
+
+    Airspeed and wind are not numbers where they are missing or too old. `lead` is the time after
+    the attitude for which the state is predicted [s].
+    """
+    attitude, position, hud, origin = known.attitude, known.position, known.hud, known.origin
+    if attitude is None or position is None or hud is None or origin is None:
+        return None
+    ahead = elapsed(position.time_boot_ms, attitude.time_boot_ms)
+    if abs(ahead) > STALE:
+        return None
+    wind, now = known.wind, known.time_ms
+    if wind is not None and (now - known.wind_time) * MS > WIND_STALE:
+        wind = None
+    return Measurement(
+        now * MS,
+        (origin.latitude * DEG_E7, origin.longitude * DEG_E7, origin.altitude * MM),
+        (position.x, position.y, position.z),
+        (position.vx, position.vy, position.vz),
+        ahead,
+        (attitude.q1, attitude.q2, attitude.q3, attitude.q4),
+        hud.airspeed if (now - known.hud_time) * MS <= STALE else math.nan,
+        hud.alt,
+        isa_density(hud.alt),
+        UNKNOWN if wind is None else (wind.wind_x, wind.wind_y, wind.wind_z),
+        (attitude.rollspeed, attitude.pitchspeed, attitude.yawspeed),
+        lead,
+        known.projection,
+    )
+
+
+def lacking(known: Knowledge) -> str | None:
+    """Why there is no flight state, in words; None: nothing is missing."""
+    attitude, position = known.attitude, known.position
+    heard = {
+        "attitude (ATTITUDE_QUATERNION)": attitude,
+        "position (LOCAL_POSITION_NED)": position,
+        "airspeed (VFR_HUD)": known.hud,
+        "origin of the local frame (GPS_GLOBAL_ORIGIN)": known.origin,
+    }
+    missing = [name for name, message in heard.items() if message is None]
+    if missing:
+        return f"not heard yet: {', '.join(missing)}"
+    if attitude is None or position is None:
+        return None
+    age = elapsed(position.time_boot_ms, attitude.time_boot_ms)
+    if age > STALE:
+        return "the position is too old (LOCAL_POSITION_NED)"
+    return "the attitude is too old (ATTITUDE_QUATERNION)" if age < -STALE else None
