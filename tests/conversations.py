@@ -17,6 +17,7 @@ from vfguide.link.messages import (
     Heartbeat,
     LocalPositionNed,
     SetAttitudeTarget,
+    Timesync,
     VfrHud,
 )
 
@@ -48,6 +49,8 @@ def state(time_boot_ms: int, north: float = 0.0) -> list:
 class Conversation:
     """Time goes on by itself; what the companion says is kept."""
 
+    answers_timesync = True
+
     def __init__(self, *, engage: bool = True, sysid: int = 1) -> None:
         self.companion = Companion(sysid, plan(), engage=engage)
         self.now = START
@@ -58,6 +61,14 @@ class Conversation:
     def hear(self, *messages) -> list:
         """What the companion answers."""
         out = [answer for m in messages for answer in self.companion.receive(self.now, m)]
+        return self.keep(out)
+
+    def keep(self, out: list) -> list:
+        """Keep what the companion says; the autopilot answers at once how late it is."""
+        if self.answers_timesync:
+            for question in [m for m in out if isinstance(m, Timesync)]:
+                answer = question._replace(tc1=1000 * self.boot_ms)
+                out = [*out, *self.companion.receive(self.now, answer)]
         self.said += out
         self.told += self.companion.news()
         return out
@@ -76,10 +87,7 @@ class Conversation:
         return out
 
     def poll(self) -> list:
-        out = self.companion.poll(self.now)
-        self.said += out
-        self.told += self.companion.news()
-        return out
+        return self.keep(self.companion.poll(self.now))
 
     def stop(self) -> list:
         out = self.companion.stop(self.now)

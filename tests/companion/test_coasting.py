@@ -4,18 +4,21 @@ import math
 
 import numpy as np
 import pytest
-from conversations import flying, heartbeat, setpoints
+from conversations import flying, heartbeat, setpoints, state
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rate_body import Body, advance, level, load_factor
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.autopilots.px4 import Px4Mode
-from vfguide.companion.setpoints import COAST_AFTER
+from vfguide.companion.setpoints import COAST_AFTER, true_cruise
 from vfguide.control.coasting import coast
+from vfguide.earth.atmosphere import DENSITY_0, isa_density
 from vfguide.geometry.so3 import to_quaternion
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO
+from vfguide.link.messages import VfrHud
+from vfguide.telemetry.knowledge import Knowledge
 
 OFFBOARD = Px4Mode.OFFBOARD
 
@@ -25,6 +28,7 @@ def silence(talk, seconds):
     out = []
     for tick in range(round(seconds * 50)):
         talk.now += 20_000
+        talk.boot_ms += 20
         if tick % 25 == 0:
             out += talk.hear(heartbeat(OFFBOARD))
         out += talk.poll()
@@ -43,6 +47,31 @@ def test_where_attitudes_come_again_they_are_flown_on_and_it_may_happen_again():
     for _ in range(3):
         assert len(silence(talk, 0.6)) == 1
         assert len(setpoints(talk.fly(1.0, OFFBOARD))) >= 45
+
+
+def test_where_attitudes_come_on_and_nothing_else_the_bank_is_the_one_that_is_told():
+    """It was turned on by the roll rate of the last setpoint, though it was known to be level."""
+    talk = flying()
+    out = []
+    for tick in range(50):
+        talk.now += 20_000
+        talk.boot_ms += 20
+        beat = [heartbeat(OFFBOARD)] if tick % 25 == 0 else []
+        out += talk.hear(*beat, state(talk.boot_ms)[-1]) + talk.poll()
+    coasting = setpoints(out)[-1]
+    assert abs(setpoints(talk.said[:-60])[-1].body_roll_rate) > 1.0
+    assert coasting.q == pytest.approx((1.0, 0.0, 0.0, 0.0), abs=1e-6)
+    assert coasting.body_roll_rate == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("height", [0.0, 3000.0, 6000.0])
+def test_the_turn_is_that_of_the_true_airspeed(height):
+    plan = flying().companion.flight.plan
+    hud = VfrHud(25.0, 25.0, 0, 0, height, 0.0)
+    thinner = DENSITY_0 / isa_density(height)
+    assert true_cruise(Knowledge(hud=hud), plan) ** 2 == pytest.approx(
+        thinner * plan.tuned.airspeed**2
+    )
 
 
 def test_nothing_goes_out_to_an_autopilot_that_does_not_follow():

@@ -107,8 +107,8 @@ def airspeed_in(known):
     return measurement(known)[6]
 
 
-def test_an_airspeed_before_any_attitude_is_taken_up_with_the_next_one():
-    known = observe(Knowledge(), VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0))
+def test_an_airspeed_an_hour_before_any_attitude_is_taken_up_with_the_next_one():
+    known = observe(Knowledge(), VfrHud(24.0, 25.0, 0, 30, 600.0, 0.0), 0)
     for message in state(90_000):
         if not isinstance(message, VfrHud):
             known = observe(known, message)
@@ -135,3 +135,19 @@ def test_an_airspeed_from_before_the_autopilots_restart_is_old():
     for message in (state(1000)[1], state(1000)[3]):
         known = observe(known, message, LATER + 10_000_000)
     assert math.isnan(airspeed_in(known))
+
+
+@pytest.mark.parametrize("boot_ms", [100, 3000, 10**6, 2**32 - 100])
+@pytest.mark.parametrize(("before_s", "is_known"), [(0.1, True), (100.0, False)])
+def test_what_was_heard_before_the_first_attitude_is_as_old_as_it_is(boot_ms, before_s, is_known):
+    """It counted as of the time 0 of the counter, whatever that was at the first attitude."""
+    known, now = Knowledge(), 10**9
+    origin, position, hud, attitude = state(boot_ms)
+    wind = WindCov(0, 3.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for message in (origin, hud, wind):
+        known = observe(known, message, now - round(before_s * 1e6))
+    for message in (position, attitude):
+        known = observe(known, message, now)
+    measured = measurement(known)
+    assert math.isfinite(measured.calibrated) is is_known
+    assert math.isfinite(measured.wind_l[0]) is is_known

@@ -19,6 +19,7 @@ from vfguide.link.messages import (
     GlobalPositionInt,
     GpsGlobalOrigin,
     GpsRawInt,
+    LocalPositionNed,
     VfrHud,
 )
 
@@ -193,3 +194,70 @@ def test_the_undulation_is_what_a_receiver_with_a_fix_tells(altitude, ellipsoid,
     talk.hear(heartbeat(Px4Mode.OFFBOARD), told, *state(talk.boot_ms + 20))
     known = talk.companion._known.datum.undulation
     assert known == (None if undulation is None else pytest.approx(undulation))
+
+
+class Shaken(Conversation):
+    """The position goes to and fro by a distance."""
+
+    distance = 0.0
+    every = 10
+
+    def hear(self, *messages):
+        far = self.boot_ms // 20 // self.every % 2
+        return super().hear(
+            *(
+                m._replace(x=m.x + far * self.distance) if isinstance(m, LocalPositionNed) else m
+                for m in messages
+            )
+        )
+
+
+def shaken(distance, every):
+    talk = Shaken()
+    talk.fly(1.0)
+    talk.fly(1.0, Px4Mode.OFFBOARD)
+    talk.distance, talk.every = distance, every
+    return talk
+
+
+@pytest.mark.parametrize("every", [1, 10, 25])
+def test_a_place_that_goes_to_and_fro_is_told_once_and_ends_in_hold(every):
+    talk = shaken(20_000.0, every)
+    talk.fly(3.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+    assert sum("not followed unless" in note for note in talk.told) == 1
+    assert not any("right again" in note for note in talk.told)
+    talk.fly(3.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.YIELDING
+
+
+@pytest.mark.parametrize("every", [1, 10])
+def test_a_position_that_goes_to_and_fro_is_told_now_and_then(every):
+    talk = shaken(20.0, every)
+    talk.fly(9.0, Px4Mode.OFFBOARD)
+    assert 1 <= sum("has jumped" in note for note in talk.told) <= 2
+
+
+def test_a_flight_that_begins_at_the_end_of_the_reach_may_lead_away_first():
+    """The goal is at the origin of the plan; the vehicle flies north, 25 m each second."""
+    far = reach_of(plan()) - 60.0
+    lat, lon, alt = ned_to_geodetic(tangent_plane(*plan().origin), (far - 125.0, 0.0, 0.0))
+    talk = Elsewhere((lat / DEG, lon / DEG, alt))
+    talk.fly(1.0)
+    talk.fly(9.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+    assert not any("km from the nearest goal" in note for note in talk.told)
+
+
+@pytest.mark.parametrize("height", [-2500.0, 2500.0, 6000.0])
+def test_another_height_in_flight_is_not_followed_and_ends_in_hold_if_it_lasts(height):
+    """Origin and VFR_HUD agree on it, as after a wrong fix."""
+    talk = Elsewhere()
+    talk.fly(1.0)
+    talk.fly(1.0, Px4Mode.OFFBOARD)
+    talk.origin = (LATITUDE / DEG, LONGITUDE / DEG, ALTITUDE + height)
+    talk.fly(2.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+    assert any("can be climbed or sunk" in note for note in talk.told)
+    talk.fly(3.0, Px4Mode.OFFBOARD)
+    assert talk.companion.phase is Phase.YIELDING

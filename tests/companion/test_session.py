@@ -11,9 +11,11 @@ from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import AttitudeTypeMask, MavComponent, MavType
-from vfguide.link.messages import CommandLong, Heartbeat, SetAttitudeTarget
+from vfguide.link.messages import CommandLong, Heartbeat, SetAttitudeTarget, Timesync
 
 TICK = 20_000
+ANSWER = Timesync(1, 1000 * START)
+"""To the first question, which is asked when the first heartbeat is heard."""
 
 
 class Recorded:
@@ -28,8 +30,8 @@ class Recorded:
 
 
 def frames_of(encoder, seconds=1.0):
-    """(time, bytes) of a second of an autopilot's messages, heartbeat first."""
-    frames = [(START, encoder.encode(heartbeat()))]
+    """(time, bytes) of a second of an autopilot's messages, first heartbeat and first answer."""
+    frames = [(START, encoder.encode(first)) for first in (heartbeat(), ANSWER)]
     for tick in range(round(seconds * SECOND / TICK)):
         frames += [
             (START + tick * TICK, encoder.encode(message)) for message in state(5000 + 20 * tick)
@@ -76,7 +78,7 @@ def test_setpoints_are_body_rates_and_thrust_for_the_autopilot_at_its_own_time()
 
 def test_the_rate_is_that_of_the_plan_however_fast_attitudes_come():
     session, encoder = Recorded().session, Encoder(1, 1)
-    session.receive(START, encoder.encode(heartbeat()))
+    session.receive(START, encoder.encode(heartbeat()) + encoder.encode(ANSWER))
     sent = 0
     for ms in range(0, 2000, 5):
         for message in state(5000 + ms):

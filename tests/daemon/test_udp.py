@@ -9,13 +9,26 @@ from vfguide.daemon.transport import ConnectError
 from vfguide.daemon.udp import PEER_SILENT, UdpLink, call, listen
 from vfguide.link.codec import Encoder
 from vfguide.link.enums import MavAutopilot, MavState, MavType
-from vfguide.link.messages import Heartbeat
+from vfguide.link.messages import AttitudeQuaternion, Heartbeat
 from vfguide.link.url import parse_url
 
 BEAT = Heartbeat(MavType.FIXED_WING, MavAutopilot.PX4, 0, Px4Mode.HOLD, MavState.ACTIVE)
 AUTOPILOT = Encoder(1, 1).encode(BEAT)
 CAMERA = Encoder(1, 100).encode(BEAT)
 OTHER = Encoder(2, 1).encode(BEAT)
+ATTITUDE = Encoder(1, 1).encode(AttitudeQuaternion(5000, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+STRANGERS = [
+    ATTITUDE,
+    *(
+        Encoder(1, 1).encode(Heartbeat(kind, make, 0, 10, MavState.ACTIVE))
+        for kind, make in (
+            (MavType.FIXED_WING, MavAutopilot.ARDUPILOTMEGA),
+            (MavType.QUADROTOR, MavAutopilot.PX4),
+            (MavType.GCS, MavAutopilot.INVALID),
+        )
+    ),
+]
+"""What others send who speak as the vehicle's autopilot."""
 
 
 class Peer:
@@ -91,14 +104,54 @@ def test_the_autopilot_of_another_vehicle_is_told(link, peers):
     assert warning.endswith("vehicle 2 is heard, waited for is 1")
 
 
+LOOK = 50_000
+
+
+def run_until(link, begin, end):
+    """The program looks at its socket again and again; what it takes."""
+    return [raw for now in range(begin, end, LOOK) for raw in raws(link.receive(now))]
+
+
 def test_after_a_silence_another_one_may_be_the_peer(link, peers):
     first, second = peers
     first.send(AUTOPILOT)
-    link.receive(0)
+    run_until(link, 0, PEER_SILENT + LOOK)
+    second.send(ATTITUDE)
+    assert not link.receive(PEER_SILENT + LOOK)
     second.send(AUTOPILOT)
-    assert raws(link.receive(PEER_SILENT + 1)) == [AUTOPILOT]
+    assert raws(link.receive(PEER_SILENT + 2 * LOOK)) == [AUTOPILOT]
     link.send(b"answer")
     assert second.hears() == b"answer"
+
+
+@pytest.mark.parametrize("said", STRANGERS)
+def test_who_speaks_first_is_not_the_peer_unless_it_can_be_flown_with(link, peers, said):
+    """It is heard, so that the companion can say who it is, until the autopilot speaks."""
+    stranger, autopilot = peers
+    stranger.send(said)
+    assert raws(link.receive(0)) == [said]
+    autopilot.send(AUTOPILOT)
+    assert raws(link.receive(LOOK)) == [AUTOPILOT]
+    stranger.send(said, AUTOPILOT)
+    autopilot.send(ATTITUDE)
+    assert raws(link.receive(2 * LOOK)) == [ATTITUDE]
+    link.send(b"answer")
+    assert autopilot.hears() == b"answer"
+    assert stranger.hears() is None
+
+
+@pytest.mark.parametrize("said", [AUTOPILOT, *STRANGERS])
+@pytest.mark.parametrize("pause", [600_000, PEER_SILENT + 1, 20_000_000])
+def test_while_this_program_stands_still_nobody_takes_the_place_of_the_peer(
+    link, peers, said, pause
+):
+    """Both have spoken all the time, and what the stranger said waits before the rest."""
+    autopilot, stranger = peers
+    autopilot.send(AUTOPILOT)
+    run_until(link, 0, 10 * LOOK)
+    stranger.send(said)
+    autopilot.send(ATTITUDE)
+    assert raws(link.receive(10 * LOOK + pause)) == [ATTITUDE]
 
 
 def test_junk_does_not_hide_the_frames_of_the_next_datagram(link, peers):
@@ -131,7 +184,7 @@ def test_a_called_peer_is_the_only_one(link, peers):
 @pytest.mark.parametrize("host", ["a" * 64, "a" * 300, "a..b", "\u00fc" * 70, "\udcff"])
 def test_what_is_no_name_of_a_host_is_told(host):
     """Names are encoded before they are asked for, in labels of 63 characters."""
-    with pytest.raises(ConnectError, match="(not the name of a|unknown) host"):
+    with pytest.raises(ConnectError, match=r"(not the name of a|unknown) host"):
         listen(parse_url(f"udpin:{host}:14540"), 1)
 
 

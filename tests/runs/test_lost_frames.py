@@ -45,6 +45,20 @@ def bursts(seed):
     return alter
 
 
+def bursty(share, length, seed):
+    """A share of the time nothing arrives, for gaps of a mean length [s] (Gilbert, 1960)."""
+    rng, state = Random(seed), [False, 2.0]
+
+    def alter(t, message):
+        while t >= state[1]:
+            state[0] = not state[0]
+            mean = length if state[0] else length * (1.0 - share) / share
+            state[1] += rng.expovariate(1.0 / mean)
+        return [] if state[0] else [message]
+
+    return alter
+
+
 def is_flown_as_it_should(flight):
     goal = flight.result.vehicles[0].goals[0]
     assert goal.reached
@@ -58,6 +72,12 @@ def is_flown_as_it_should(flight):
 @pytest.mark.parametrize("share", [0.1, 0.3, 0.5])
 def test_a_lossy_link(tmp_path, share, seed):
     is_flown_as_it_should(fly_altered(tmp_path, lossy(share, seed)))
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("length", [0.03, 0.1])
+def test_a_link_that_loses_a_third_in_bursts(tmp_path, length, seed):
+    is_flown_as_it_should(fly_altered(tmp_path, bursty(0.3, length, seed)))
 
 
 @pytest.mark.parametrize("seed", range(3))

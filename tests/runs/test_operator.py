@@ -112,6 +112,21 @@ class Elsewhere(Between):
         return [m._replace(x=m.x + self.distance) for m in messages]
 
 
+class Another(Between):
+    """A second autopilot says the same with another counter, and that it holds."""
+
+    def __init__(self, begin, end):
+        super().__init__((AttitudeQuaternion, LocalPositionNed, Heartbeat), begin, end)
+
+    def strike(self, time, messages):
+        return [each for m in messages for each in (m, self.other(m))]
+
+    def other(self, m):
+        if isinstance(m, Heartbeat):
+            return m._replace(custom_mode=int(HOLD))
+        return m._replace(time_boot_ms=m.time_boot_ms + 5_000_000)
+
+
 class WithoutSensor(Between):
     """The airspeed is not a number."""
 
@@ -239,6 +254,14 @@ FLIGHTS = {
     "answers much too late": {
         "events": [Late(Timesync, 5, 12, 1.0)], "acts": [(20, choose(OFFBOARD))]
     },
+    "answers stop": {"events": [Lost(Timesync, 8, 15)], "acts": [(20, choose(OFFBOARD))]},
+    "answers never come": {"events": [Lost(Timesync, -1, 99)]},
+    "answers stop, and the rest is late": {
+        "events": [Lost(Timesync, 8, 99), Late(ALL, 9, 99, 1.0)]
+    },
+    "everything much too late": {"events": [Late(ALL, 8, 20, 1.5)]},
+    "another speaks": {"events": [Another(8, 14)], "acts": [(26, choose(OFFBOARD))]},
+    "another speaks from the beginning": {"events": [Another(-1, 99)]},
     "answers late by anything": {"events": [Late(Timesync, 5, 30, 0.0, 0.5)]},
     "answers too late from the beginning": {"events": [Late(Timesync, -1, 12, 0.8)]},
     "half of everything lost": {"events": [Lost(ALL, 3, 30, 0.5)]},
@@ -277,6 +300,10 @@ def test_a_flight_is_told_truly_and_once(tmp_path, name):
         ("airspeed late at first", "no setpoints: not heard yet: airspeed", "no airspeed sensor"),
         ("airspeed for a while", "the airspeed sensor is believed from now on", "not believed"),
         ("everything late by anything", "the autopilot follows", "jumped"),
+        ("answers stop", "the autopilot does not answer TIMESYNC, so that the delay", "fallen"),
+        ("answers never come", "no setpoints: the autopilot does not answer TIMESYNC", "again"),
+        ("everything much too late", "no setpoints: the attitudes arrive 1.5 s late", "jumped"),
+        ("another speaks", "more than one autopilot speaks as vehicle 1", "released"),
         ("answers late", "slow link: a setpoint acts 0.4 s after", "jumped"),
         ("stopped while held", "ended: the autopilot flies HOLD", "handing over"),
     ],

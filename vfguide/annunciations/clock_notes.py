@@ -35,8 +35,11 @@ class TimeAnnunciator:
         return [DATE_FOLLOWED] if abs(leapt - was.leap) < abs(leapt) else []
 
     def _counter_notes(self, before: Knowledge, after: Knowledge) -> list[str]:
+        """The note of a leap, none where the counter leaps back."""
         clock, was = after.clock, before.clock
         if clock is None or was is None or clock.leaps == was.leaps:
+            return []
+        if clock.returns != was.returns:
             return []
         if self._told is not None and clock.time_ms - self._told < LEAP_NOTE_INTERVAL:
             return []

@@ -5,12 +5,14 @@ from what it received, and from when it sent something, so that a recording give
 """
 
 from vfguide.annunciations.clock_notes import TimeAnnunciator
+from vfguide.annunciations.phase_notes import RESTARTED
 from vfguide.autopilots.engagement import FINAL_PHASES, Phase
 from vfguide.companion.data_requests import DataRequests
 from vfguide.companion.guided_flight import GuidedFlight, Step
 from vfguide.companion.offboard_control import OffboardControl
 from vfguide.companion.plan import Plan
 from vfguide.geometry.units import SECOND
+from vfguide.link.boot_time import BootClock
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
@@ -31,9 +33,10 @@ from vfguide.link.messages import (
 )
 from vfguide.loop.rows import step_measured
 from vfguide.surveillance.heights import is_by_pressure
-from vfguide.telemetry.contact import Contact
+from vfguide.telemetry.contact import LINK_TIMEOUT, Contact
 from vfguide.telemetry.knowledge import OBSERVED, Knowledge, observe
 from vfguide.telemetry.round_trip import RoundTrip
+from vfguide.telemetry.speakers import Speakers
 
 HANDLED = frozenset(
     message.MSGID
@@ -78,6 +81,7 @@ class Companion:
         self._round_trip = RoundTrip()
         self._time_notes = TimeAnnunciator()
         self._contact = Contact()
+        self._speakers = Speakers()
         self._beat: int | None = None
 
     @property
@@ -112,15 +116,12 @@ class Companion:
                 return out
             case Heartbeat():
                 self._hear_heartbeat(now, message)
-            case CurrentMode() if self.phase is not Phase.SEARCHING:
-                self._control.mode.hear_current_mode(message)
-                self._contact.hear(now)
+            case CurrentMode() if not self._is_searching:
+                self._hear_current_mode(now, message)
             case AdsbVehicle():
                 self._hear_traffic(message)
             case CommandAck():
-                self._control.mode.answer(message)
-                if complaint := self._requests.answer(message):
-                    self._news.append(complaint)
+                self._hear_answer(message)
             case Timesync():
                 self._hear_timesync(now, message)
             case GpsGlobalOrigin():
@@ -166,6 +167,40 @@ class Companion:
         """Whether the origin of the local frame is unknown, or may have been a wrong one."""
         return self._known.origin is None or self._control.doubts_place
 
+    @property
+    def _is_searching(self) -> bool:
+        """Whether no autopilot has been found."""
+        return self.phase is Phase.SEARCHING
+
+    def _hear_leap(self, now: int, before: BootClock, after: BootClock) -> None:
+        """After a leap of the counter the origin may be another, and so may the autopilot."""
+        self._speakers.hear(now, before, after)
+        if self._is_searching:
+            return
+        self._requests.ask_origin()
+        if now - before.heard > LINK_TIMEOUT:
+            self._known = self._known._replace(origin=None)
+            self._requests.begin(now, self._control.mode.autopilot, self.flight.plan.rate)
+            self._control.mode.begin_anew(RESTARTED)
+
+    def _hear_current_mode(self, now: int, said: CurrentMode) -> None:
+        """Follow the mode that the autopilot tells besides its heartbeats."""
+        self._contact.hear(now)
+        if self._tells_its_own_mode(now):
+            self._control.mode.hear_current_mode(said)
+
+    def _tells_its_own_mode(self, now: int) -> bool:
+        """Whether a mode is of the autopilot that was flown: after a lost link its clock tells."""
+        clock = self._known.clock
+        is_known = clock is not None and now - clock.heard <= SECOND
+        return is_known or self.phase is not Phase.INTERRUPTED
+
+    def _hear_answer(self, ack: CommandAck) -> None:
+        """Take the answer to a command."""
+        self._control.mode.answer(ack)
+        if complaint := self._requests.answer(ack):
+            self._news.append(complaint)
+
     def _watch_link(self, now: int) -> None:
         """Record that the link to the autopilot is lost."""
         if self.phase is not Phase.SEARCHING and (why := self._contact.silence(now)):
@@ -185,8 +220,16 @@ class Companion:
         if after is before:
             return
         self._contact.hear(now)
+        if (clock := after.clock) is not None and clock is not before.clock:
+            self._hear_clock(now, before.clock, clock)
         if isinstance(message, TIMED):
             self._news += self._time_notes.notes(before, after)
+
+    def _hear_clock(self, now: int, before: BootClock | None, after: BootClock) -> None:
+        """A new time of the autopilot tells the age of its states, and a leap of its counter."""
+        self._round_trip.hear_state(now, after.time_ms)
+        if before is not None and before.leaps != after.leaps:
+            self._hear_leap(now, before, after)
 
     def _hear_traffic(self, report: AdsbVehicle) -> None:
         """Take a report; the first pressure altitude makes it ask for the own pressure."""
@@ -197,7 +240,7 @@ class Companion:
     def _hear_timesync(self, now: int, message: Timesync) -> None:
         """Take an answer to a question of our own; it tells the delay of the link."""
         self._round_trip.hear(now, message)
-        self._control.hear_delay(now, self._round_trip)
+        self._control.watch(now, self._round_trip, self._speakers)
 
     def _hear_heartbeat(self, now: int, heartbeat: Heartbeat) -> None:
         """Note that the autopilot lives, follow its mode, introduce ourselves to a new one."""
@@ -205,7 +248,8 @@ class Companion:
         if new:
             self._contact = Contact(now)
         self._contact.hear_heartbeat(now)
-        self._control.mode.hear_heartbeat(heartbeat)
+        if self._tells_its_own_mode(now):
+            self._control.mode.hear_heartbeat(heartbeat)
         if new and self.phase is Phase.OFFERING:
             autopilot = self._control.mode.autopilot
             self._known = Knowledge(
@@ -221,12 +265,12 @@ class Companion:
         if self._beat is None or now - self._beat >= SECOND:
             self._beat = now
             out.append(self._own_heartbeat())
-        if (phase := self._control.phase) is Phase.SEARCHING or phase in FINAL_PHASES:
+        if (phase := self.phase) is Phase.SEARCHING or phase in FINAL_PHASES:
             return out
-        self._control.weigh(now)
+        self._control.watch(now, self._round_trip, self._speakers)
         if self._needs_origin:
             self._requests.ask_origin_again(now)
-        self._control.tell_why_silent(now, self._known)
+        self._control.tell_why_silent(now, self._known, self._round_trip)
         out += self._round_trip.due(now)
         if request := self._requests.due(now):
             out.append(request)
@@ -236,6 +280,7 @@ class Companion:
 
     def _guide(self, now: int) -> list[Message]:
         """The setpoint for the state at a new attitude."""
+        self._control.watch(now, self._round_trip, self._speakers)
         waited = self._contact.waited(now)
         out = self._control.guide(now, self._known, self._round_trip, waited=waited)
         if out and self.flight.take_jump():  # the origin may have moved: it is told if asked for

@@ -64,6 +64,8 @@ from vfguide.surveillance.report import Ownship
 from vfguide.surveillance.surveillance import Surveillance
 from vfguide.telemetry.knowledge import Knowledge, measurement
 
+RESET_NOTE_INTERVAL = 5000
+"""Least time between two notes of position resets [ms]; chosen."""
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
 a setpoint is held for it, half because the reference's rate is that of the period before."""
@@ -102,6 +104,7 @@ class GuidedFlight:
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
         self._obstacle_clock = ObstacleClock(plan)
         self._stepped: int | None = None
+        self._told_reset: int | None = None
         self._follows = False
         self._jumped = False
 
@@ -210,7 +213,7 @@ class GuidedFlight:
         """Tell of what a step has changed in air, position and wind."""
         believes = trusts_sensor_of_row(after)
         self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
-        self.notes += reset_notes(before, after)
+        self._tell_resets(before, after)
         self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
         self._jumped |= number_of_resets(after) != number_of_resets(before)
 
@@ -229,6 +232,15 @@ class GuidedFlight:
         if in_doubt:
             self._tell_doubts(before, after)
         return has_news
+
+    def _tell_resets(self, before: Row, after: Row) -> None:
+        """Tell of a position reset, and of no other one for a while: they come many in a row."""
+        notes, now_ms = reset_notes(before, after), self._stepped
+        if not notes or now_ms is None:
+            return
+        if self._told_reset is None or now_ms - self._told_reset >= RESET_NOTE_INTERVAL:
+            self._told_reset = now_ms
+            self.notes += notes
 
     def _tell_doubts(self, before: Row, after: Row) -> None:
         """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""

@@ -5,6 +5,7 @@ from enum import IntEnum
 from vfguide.annunciations.phase_notes import (
     FALLEN_BACK,
     INTRUDER,
+    NOT_ARMED,
     SILENT_UNTIL_CHANGE,
     STRANGER,
     phase_notes,
@@ -23,6 +24,11 @@ HEARTBEAT_INTERVAL = SECOND
 OFFER_GAP = 500_000
 """Longest time between two setpoints of one offer [us]; chosen as half of the shortest time after
 which an autopilot misses them."""
+DISARMED = (MavState.UNINIT, MavState.BOOT, MavState.CALIBRATING, MavState.STANDBY)
+"""States of an autopilot that is not armed, as after a restart: nobody chose the mode that it flies
+then."""
+NEVER = 2**63
+"""A time that does not come [us], beyond all dates; a choice."""
 MAX_TOLD = 5
 """Largest number of strangers of whom the operator is told; chosen."""
 
@@ -45,11 +51,16 @@ class ModeControl:
         """Whether the autopilot says that it follows setpoints."""
         self.hindrance: str | None = None
         """Why the companion cannot guide; None: it can."""
+        self.is_alone = True
+        """Whether no other autopilot speaks with the same address: else a mode may be another's,
+        and another would be asked for one."""
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
-        self._sysid = sysid
+        self.sysid = sysid
+        """MAVLink system of the vehicle."""
         self._mode: int | None = None
         self._falls_back = False
+        self._is_armed = False
         self._hold_from = 0
         self._strangers: set[str] = set()
         self._offered: int | None = None
@@ -80,6 +91,9 @@ class ModeControl:
 
     def hear_heartbeat(self, said: Heartbeat) -> None:
         """Follow the mode in a heartbeat of the vehicle's autopilot."""
+        was_armed, self._is_armed = self._is_armed, said.system_status not in DISARMED
+        if was_armed and not self._is_armed and self.phase in (Phase.FLYING, Phase.INTERRUPTED):
+            self.begin_anew(NOT_ARMED)
         self._hear_mode(said.custom_mode, said.system_status == MavState.CRITICAL)
 
     def hear_current_mode(self, said: CurrentMode) -> None:
@@ -94,6 +108,9 @@ class ModeControl:
 
     def _hear_mode(self, custom_mode: int, falls_back: bool) -> None:
         """Follow the mode, and whether the autopilot's failsafe has chosen it."""
+        if not self.is_alone and self.phase is not Phase.SEARCHING:
+            self._mode, self.follows = None, False
+            return
         before, self._mode, self._falls_back = self._mode, custom_mode, falls_back
         self.follows = custom_mode == self.autopilot.follow_mode
         if before not in (None, custom_mode) and not self.follows:
@@ -132,6 +149,10 @@ class ModeControl:
         """
         self._yield(now + self.autopilot.loss_time + HEARTBEAT_INTERVAL, why)
 
+    def begin_anew(self, why: str) -> None:
+        """Record that the autopilot may be another one: neither guided nor asked for a mode."""
+        self._yield(NEVER, why)
+
     def _yield(self, hold_from: int, why: str) -> None:
         self._hold_from = hold_from
         self.happen(Event.UNABLE, why)
@@ -152,7 +173,7 @@ class ModeControl:
     def request(self, now: int) -> CommandLong | None:
         """The mode change to ask for at `now` [us], if any."""
         if self.phase is Phase.YIELDING:
-            return self._request_hold(now)
+            return self._request_hold(now) if self.is_alone else None
         if self.phase not in ASKING_PHASES:
             return None
         if self.phase is Phase.OFFERING and self.engage and self._has_offered(now):
@@ -208,13 +229,13 @@ class ModeControl:
             self._request = self._ask_for(self.autopilot.hold_mode)
 
     def _ask_for(self, mode: IntEnum) -> ModeRequest:
-        return ModeRequest(self._sysid, self.autopilot, mode)
+        return ModeRequest(self.sysid, self.autopilot, mode)
 
     def _tell_of(self, said: Heartbeat) -> None:
         """Tell the operator once of each of the first who are not the vehicle's autopilot."""
         searching = self.phase is Phase.SEARCHING and said.autopilot != MavAutopilot.INVALID
         text = STRANGER if searching else INTRUDER
-        note = text.format(sysid=self._sysid, who=describe(said), flown=flown())
+        note = text.format(sysid=self.sysid, who=describe(said), flown=flown())
         if note not in self._strangers and len(self._strangers) < MAX_TOLD:
             self._strangers.add(note)
             self.notes.append(note)

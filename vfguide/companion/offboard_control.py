@@ -16,7 +16,8 @@ from vfguide.companion.setpoints import Setpoints
 from vfguide.geometry.units import SECOND, US
 from vfguide.link.messages import Message
 from vfguide.telemetry.knowledge import Knowledge, lacking
-from vfguide.telemetry.round_trip import RoundTrip
+from vfguide.telemetry.round_trip import UNANSWERED, RoundTrip
+from vfguide.telemetry.speakers import TWO_SPEAK, Speakers
 
 UNFIT_TIME = 10 * SECOND
 """Time after which a state that could not be flown on is tried again, if the operator chooses the
@@ -49,6 +50,8 @@ class OffboardControl:
         self._setpoint_notes = SetpointAnnunciator()
         self._place = PlaceWatch(plan, notes)
         self._slow: str | None = None
+        self._unknown: str | None = None
+        self._shared: str | None = None
         self._unfit: str | None = None
         self._unfit_until = 0
 
@@ -82,8 +85,11 @@ class OffboardControl:
         if could_send and self.mode.may_send:
             self._notes.append(note)
 
-    def hear_delay(self, now: int, link: RoundTrip) -> None:
-        """The delay of the link is known anew at `now` [us]: nothing is guided over a slow one."""
+    def watch(self, now: int, link: RoundTrip, speakers: Speakers) -> None:
+        """What is known of the link at `now` [us]: nothing is guided over a slow or shared one."""
+        self.mode.is_alone = not speakers.are_two(now)
+        self._shared = None if self.mode.is_alone else TWO_SPEAK.format(sysid=self.mode.sysid)
+        self._unknown = UNANSWERED if link.is_unanswered else None
         if not link.is_too_slow:
             self._slow = None
         elif self._slow is None:
@@ -92,7 +98,8 @@ class OffboardControl:
 
     def weigh(self, now: int) -> None:
         """Record at `now` [us] whether anything keeps the companion from guiding."""
-        why = self._slow or (self._unfit if now < self._unfit_until else None)
+        unfit = self._unfit if now < self._unfit_until else None
+        why = self._shared or self._slow or self._unknown or unfit
         if why is None and self._place.wrong is not None:
             why = self._place.hindrance(follows=self.mode.is_followed)
         if why is not self.mode.hindrance:
@@ -112,7 +119,9 @@ class OffboardControl:
         if not self.mode.may_send:
             self.flight.pause()
             return []
-        setpoint = None if waited else self.flight.guide(checked, self.mode.follows, link.delay)
+        if waited or not link.is_known:
+            return []
+        setpoint = self.flight.guide(checked, self.mode.follows, link.lead)
         if setpoint is None:
             return []
         if self.flight.unfit is not None:
@@ -132,7 +141,7 @@ class OffboardControl:
 
         After it the autopilot's own failsafe acts.
         """
-        setpoint = self._setpoints.coast(now, known.attitude, self.flight.plan)
+        setpoint = self._setpoints.coast(now, known, self.flight.plan)
         if setpoint is None:
             return []
         is_flown = self.mode.is_followed and self.mode.may_send
@@ -140,7 +149,7 @@ class OffboardControl:
         self._setpoints.end()
         return out
 
-    def tell_why_silent(self, now: int, known: Knowledge) -> None:
+    def tell_why_silent(self, now: int, known: Knowledge, link: RoundTrip) -> None:
         """Tell at `now` [us] why no setpoints go out though they should."""
         notes, mode = self._setpoint_notes, self.mode
         if mode.phase not in SENDING:
@@ -148,7 +157,7 @@ class OffboardControl:
         elif mode.hindrance is not None:
             self._notes += notes.fail(now, mode.hindrance)
         elif notes.is_silent(now):
-            objection = lacking(known) or self.flight.objection(known)
+            objection = lacking(known) or self.flight.objection(known) or link.objection
             self._notes += notes.fail(now, objection or NO_ATTITUDE)
         if mode.phase is Phase.FLYING:
             notes.follow()

@@ -27,6 +27,12 @@ PLACE_INTERVAL = 200
 LONGEST_GLITCH = 4000
 """Time for which a wrong place is flown through [ms]; chosen above the 3 s for which estimators
 are known to glitch, and short, since a wrong goal is flown to meanwhile."""
+RIGHT_LASTS = 1000
+"""Time for which the place has to be right again in flight before it is followed [ms]; chosen, so
+that one that goes to and fro is wrong all the time."""
+IN_FLIGHT = 1.5
+"""Factor of the distances at which a plan may be begun within which it may be flown, a number;
+chosen, so that a flight that begins at the limit may turn round first."""
 PLACE_LEAP = 1000.0
 """Sum of the coordinates of a step of the position above which it is looked at at once [m];
 chosen."""
@@ -76,6 +82,8 @@ class PlaceWatch:
         self.wrong: str | None = None
         """Why the place is wrong, so that the origin is asked for again; None: it is right."""
         self._since = 0
+        self._wrong_last = 0
+        self._right_from: int | None = None
         self._origin: GpsGlobalOrigin | None = None
         self._position: LocalPositionNed | None = None
 
@@ -84,7 +92,7 @@ class PlaceWatch:
 
         In flight, where the autopilot `follows`, it has to be wrong for LONGEST_GLITCH.
         """
-        lasts = self._looked is not None and self._looked - self._since >= LONGEST_GLITCH
+        lasts = self._wrong_last - self._since >= LONGEST_GLITCH
         return self.wrong if lasts or not follows else None
 
     def checked(self, known: Knowledge, *, follows: bool) -> Knowledge:
@@ -124,11 +132,24 @@ class PlaceWatch:
         if measured is None:
             return
         wrong = wrong_place(self._plan, known, measured, follows=follows)
+        if self._goes_to_and_fro(now, wrong) and follows:
+            return
         if wrong is None or self.wrong is None:
-            self._since = now
+            self._since = self._wrong_last = now
+        else:
+            self._wrong_last = now
         if follows and (wrong is None) != (self.wrong is None):
             self._notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
         self.wrong = wrong
+
+    def _goes_to_and_fro(self, now: int, wrong: str | None) -> bool:
+        """Whether a wrong place has not been right again for long enough at `now` [ms]."""
+        if wrong is not None or self.wrong is None:
+            self._right_from = None
+            return False
+        if self._right_from is None:
+            self._right_from = now
+        return now - self._right_from < RIGHT_LASTS
 
 
 def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositionNed:
@@ -141,13 +162,13 @@ def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositio
 def wrong_place(plan: Plan, known: Knowledge, m: Measurement, *, follows: bool) -> str | None:
     """Why a measurement cannot be that of a vehicle at the place of `plan`; None: it can."""
     p_n = measured_position(without_names(m), plan.origin)
+    factor = IN_FLIGHT if follows else 1.0
     distance, reach = min(norm(sub(goal.p_n, p_n)) for goal in plan.goals), reach_of(plan)
-    if not distance <= reach:
+    if not distance <= factor * reach:
         return TOO_FAR.format(distance=1e-3 * distance, reach=1e-3 * reach)
-    if not follows:
-        height, climb = min(abs(goal.p_n[2] - p_n[2]) for goal in plan.goals), climb_of(plan)
-        if not height <= climb:
-            return TOO_HIGH.format(distance=height, reach=climb)
+    height, climb = min(abs(goal.p_n[2] - p_n[2]) for goal in plan.goals), climb_of(plan)
+    if not height <= factor * climb:
+        return TOO_HIGH.format(distance=height, reach=climb)
     return contradiction(known, m)
 
 

@@ -1,12 +1,16 @@
 """The setpoints that go out: how many, when the last one did, and what follows where none can."""
 
+import math
+
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.autopilots.autopilot import Autopilot
 from vfguide.companion.plan import Plan
 from vfguide.control.coasting import coast
 from vfguide.control.limits import limit_rates
+from vfguide.earth.atmosphere import DENSITY_0, isa_density
 from vfguide.geometry.units import US
-from vfguide.link.messages import AttitudeQuaternion, SetAttitudeTarget
+from vfguide.link.messages import SetAttitudeTarget
+from vfguide.telemetry.knowledge import Knowledge
 
 COAST_AFTER = 0.2
 """Time without a new attitude after which a coordinated turn is flown [s]; chosen, a roll at 60
@@ -46,22 +50,30 @@ class Setpoints:
         )
         return said
 
-    def coast(
-        self, now: int, attitude: AttitudeQuaternion | None, plan: Plan
-    ) -> RateSetpoint | None:
-        """The setpoint at `now` [us] that ends a roll, where attitudes stay away; None: not due.
+    def coast(self, now: int, known: Knowledge, plan: Plan) -> RateSetpoint | None:
+        """The setpoint at `now` [us] that ends a roll, where none can be made; None: not due.
 
-        There is one after each that was made for an attitude.
+        There is one after each that was made for an attitude. The roll has gone on since that one
+        went out, or since an attitude that was heard later.
         """
-        flown, age = self._flown, (now - self.sent_at) * US
-        if flown is None or attitude is None or age < max(COAST_AFTER, COAST_PERIODS / plan.rate):
+        flown, attitude, clock = self._flown, known.attitude, known.clock
+        age = (now - self.sent_at) * US
+        if flown is None or attitude is None or clock is None:
+            return None
+        if age < max(COAST_AFTER, COAST_PERIODS / plan.rate):
             return None
         q_nb = (attitude.q1, attitude.q2, attitude.q3, attitude.q4)
         rates = (flown.body_roll_rate, flown.body_pitch_rate, flown.body_yaw_rate)
-        gains = plan.tuned
-        omega_b, q = coast(q_nb, rates, age, gains.airspeed, gains.bank_max)
+        since = (now - max(self.sent_at, clock.heard)) * US
+        omega_b, q = coast(q_nb, rates, since, true_cruise(known, plan), plan.tuned.bank_max)
         return RateSetpoint(limit_rates(omega_b, plan.aircraft.rate_max), flown.thrust, q)
 
     def end(self) -> None:
         """Record that the last setpoint is not held any more, so that nothing follows it."""
         self._flown = None
+
+
+def true_cruise(known: Knowledge, plan: Plan) -> float:
+    """True airspeed to fly at the height of the vehicle [m/s]: that of the plan is equivalent."""
+    density = DENSITY_0 if known.hud is None else isa_density(known.hud.alt)
+    return plan.tuned.airspeed * math.sqrt(DENSITY_0 / density)

@@ -5,9 +5,11 @@ from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
+from vfguide.autopilots.makes import autopilot_of
 from vfguide.daemon.transport import ConnectError
-from vfguide.link.codec import Frame, Parser
+from vfguide.link.codec import Frame, Parser, decode
 from vfguide.link.enums import MavComponent
+from vfguide.link.messages import Heartbeat
 from vfguide.link.url import NetworkUrl
 
 MAX_DATAGRAM = 65_535
@@ -17,6 +19,9 @@ MOST_AT_ONCE = 256
 companion from its other duties."""
 PEER_SILENT = 3_000_000
 """Time of silence after which a peer may be replaced by another [us]; chosen."""
+LONGEST_PAUSE = 500_000
+"""Time between two looks at the socket above which this program stood still, so that nobody was
+silent [us]; chosen, it looks 20 times a second."""
 MAX_STRANGERS = 5
 """Largest number of other senders of which the operator is warned; chosen."""
 
@@ -33,8 +38,9 @@ class UdpLink:
         Args:
             opened: bound or connected, and never blocking.
             sysid: of the vehicle.
-            peer: where its autopilot is; None: where it is heard from first, and from elsewhere
-                only after a silence.
+            peer: where its autopilot is; None: where a heartbeat of one that can be flown with
+                comes from first, and from elsewhere only after a silence. Until then, where
+                anything is heard from first that speaks as it: the companion says who that is.
         """
         self.socket = opened
         self.warnings: list[str] = []
@@ -42,7 +48,9 @@ class UdpLink:
         self._sysid = sysid
         self._peer = peer
         self._learns = peer is None
+        self._is_sure = False
         self._heard = 0
+        self._looked: int | None = None
         self._strangers: set[Address] = set()
         self._parser = Parser()
 
@@ -53,10 +61,11 @@ class UdpLink:
     def receive(self, now: int) -> list[Frame]:
         """The frames of the peer that have arrived by `now` [us], in their order."""
         frames: list[Frame] = []
+        self._look(now)
         for data, sender in datagrams(self.socket):
             found = self._parser.feed(data, whole=True)
             for sysid in autopilots(found):
-                self._hear(now, sender, sysid)
+                self._hear(now, sender, sysid, is_flown=has_flown_autopilot(found, sysid))
             if sender == self._peer:
                 frames += found
         return frames
@@ -71,18 +80,34 @@ class UdpLink:
         """Give the port back."""
         self.socket.close()
 
-    def _hear(self, now: int, sender: Address, sysid: int) -> None:
-        """Note the sender of our autopilot; warn of others."""
+    def _look(self, now: int) -> None:
+        """Note that the socket is looked at: nobody is silent while this program stands still."""
+        pause = 0 if self._looked is None else now - self._looked
+        self._looked = now
+        if pause > LONGEST_PAUSE:
+            self._heard += pause
+
+    def _hear(self, now: int, sender: Address, sysid: int, *, is_flown: bool) -> None:
+        """Note the sender of our autopilot, which says so itself if it `is_flown`; warn of others.
+
+        Once it has, nobody takes its place who does not.
+        """
         if sysid != self._sysid:
             self._tell_of(sender, f"vehicle {sysid} is heard, waited for is {self._sysid}")
             return
-        if self._learns and (self._peer is None or now - self._heard > PEER_SILENT):
-            self._peer = sender
+        if self._learns and self._may_follow(now, is_flown=is_flown):
+            self._peer, self._is_sure = sender, is_flown
         if sender == self._peer:
             self._heard = now
         else:
             place = name_of(self._peer)
             self._tell_of(sender, f"ignored as vehicle {sysid}, whose autopilot is at {place}")
+
+    def _may_follow(self, now: int, *, is_flown: bool) -> bool:
+        """Whether a sender may be the peer from `now` [us] on."""
+        if not self._is_sure:
+            return self._peer is None or is_flown
+        return is_flown and now - self._heard > PEER_SILENT
 
     def _tell_of(self, stranger: Address, text: str) -> None:
         """Warn the operator once of each of the first strangers."""
@@ -94,6 +119,17 @@ class UdpLink:
 def autopilots(frames: list[Frame]) -> set[int]:
     """Systems whose autopilot sent one of these frames."""
     return {frame.sysid for frame in frames if frame.compid == MavComponent.AUTOPILOT1}
+
+
+def has_flown_autopilot(frames: list[Frame], sysid: int) -> bool:
+    """Whether one of these frames is a heartbeat of that system that can be flown with."""
+    beats = (
+        decode(frame)
+        for frame in frames
+        if (frame.sysid, frame.compid) == (sysid, MavComponent.AUTOPILOT1)
+        and frame.msgid == Heartbeat.MSGID
+    )
+    return any(isinstance(beat, Heartbeat) and autopilot_of(beat) is not None for beat in beats)
 
 
 def listen(url: NetworkUrl, sysid: int) -> UdpLink:

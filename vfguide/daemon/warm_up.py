@@ -15,6 +15,7 @@ from vfguide.link.messages import (
     GpsGlobalOrigin,
     Heartbeat,
     LocalPositionNed,
+    Timesync,
     VfrHud,
     WindCov,
 )
@@ -34,6 +35,7 @@ def warm_up(plan: Plan) -> None:
     for mode in (ASSUMED.hold_mode, ASSUMED.follow_mode):
         beat = Heartbeat(MavType.FIXED_WING, ASSUMED.make, 0, mode, MavState.ACTIVE)
         companion.receive(0, beat)
+    companion.receive(0, Timesync(1, 0))  # the answer to what it asked at the time 0
     speed = plan.gains.airspeed
     companion.receive(0, GpsGlobalOrigin(*origin))
     companion.receive(0, WindCov(0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))

@@ -17,6 +17,9 @@ tells that the counter began anew."""
 AHEAD = 2000
 """Time by which the counter may get ahead of our own clock from one message to the next [ms];
 chosen, since what waited on the way comes at once."""
+SAME_TIMELINE = 500
+"""Largest difference between our own clock and a counter that goes on where it did before a leap
+[ms]; chosen as the age above which no state is flown on."""
 US_PER_MS = 1000
 """Number of microseconds in a millisecond, a ratio."""
 
@@ -45,6 +48,10 @@ class BootClock(NamedTuple):
     """How often the counter has leapt."""
     leap: float = 0.0
     """By how much it leapt last [s]."""
+    left: int | None = None
+    """Counter less our own clock before the last leap [ms]."""
+    returns: int = 0
+    """How often it has leapt back to where it went on before the leap."""
 
     def at(self, boot_ms: int) -> int:
         """The time at another time_boot_ms [ms]."""
@@ -67,10 +74,13 @@ def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | Non
     """
     if clock is None:
         return BootClock(boot_ms, boot_ms, now)
-    counter, time_ms, heard, leaps, leap = clock
+    counter, time_ms, heard, leaps, leap, left, returns = clock
     step, own = counted(counter, boot_ms), max(now - heard, 0) // US_PER_MS
     if -LATE_TIME < step <= 0:
         return None
     if 0 < step <= own + AHEAD:
-        return _boot_clock((boot_ms, time_ms + step, now, leaps, leap))
-    return BootClock(boot_ms, time_ms + own, now, leaps + 1, (step - own) * MS)
+        return _boot_clock((boot_ms, time_ms + step, now, leaps, leap, left, returns))
+    before, ahead = counter - heard // US_PER_MS, boot_ms - now // US_PER_MS
+    back = left is not None and abs(counted(left, ahead)) <= SAME_TIMELINE
+    leap = (step - own) * MS
+    return BootClock(boot_ms, time_ms + own, now, leaps + 1, leap, before, returns + back)

@@ -9,7 +9,7 @@ from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
 from vfguide.kernels.written_functions import maker
-from vfguide.link.boot_time import BootClock, elapsed, is_late, moved_on
+from vfguide.link.boot_time import US_PER_MS, BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
     GlobalPositionInt,
@@ -121,12 +121,15 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
         after[_CLOCK] = clock = moved_on(known.clock, message.time_boot_ms, now)
         if clock is None:
             return known
+        if known.clock is None:
+            for time_place in _TIMES.values():
+                after[time_place] += clock.time_ms - now // US_PER_MS
     elif isinstance(message, LocalPositionNed):
         before = known.position
         if before is not None and is_late(before.time_boot_ms, message.time_boot_ms):
             return known
-    elif known.attitude is not None and (time_place := _TIMES.get(kind)):
-        after[time_place] = known.time_ms
+    elif time_place := _TIMES.get(kind):
+        after[time_place] = now // US_PER_MS if known.clock is None else known.time_ms
     return _knowledge(after)
 
 
