@@ -354,6 +354,7 @@ def test_law_flight_meets_the_pose_and_loiters(tmp_path):
     assert result["verdict"] == "good"
     (goal,) = result["vehicles"][0]["goals"]
     assert goal["miss_m"] < 0.5
+    assert goal["told_miss_m"] == pytest.approx(goal["miss_m"], abs=0.05)
     assert max(goal["course_error_deg"], goal["climb_error_deg"]) < 1.0
     (record,) = flight.records
     assert np.linalg.norm(record.v_n, axis=1) == pytest.approx(25.0, abs=1e-9)

@@ -32,7 +32,7 @@ def predict_body(
     """
     rate = scenario.guidance.rate_hz
     path = np.empty((math.ceil(scenario.duration_s * rate) + 1, 3))
-    path[0] = vehicle.position_m
+    path[:1] = vehicle.position_m
     circles_from = fly_body(
         np.array(from_euler(*(angle * DEG for angle in vehicle.euler_deg))),
         row_of_state(fresh_state()),

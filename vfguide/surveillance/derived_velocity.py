@@ -23,10 +23,10 @@ CONTRADICTION_TIME = 2.0
 REPORT_DELAY = 3.0
 """Error of the time between two reports that does not count against a velocity [s]; chosen, since
 receivers pass reports on up to 3 s late."""
-POSITION_CONTRADICTION = 30.0
+PLACE_MISS = 30.0
 """Distance that told velocities may miss a later position by [m]; chosen above errors of 10 m in
 each of two reports."""
-CLIMB_CONTRADICTION = 16.0
+CLIMB_MISS = 16.0
 """Height that told vertical speeds may miss a later height by [m]; chosen, two steps of
 heights."""
 
@@ -49,7 +49,7 @@ def with_derived_velocity(report: Report, past: Sequence[Report], volume: Volume
     is_told, climb_is_told = report.tells_velocity, report.tells_climb
     if time >= CONTRADICTION_TIME:
         is_told = is_told and miss_of_velocity(report, past) <= allowed_miss(report, past)
-        climb_is_told = climb_is_told and miss_of_climb(report, past) <= CLIMB_CONTRADICTION
+        climb_is_told = climb_is_told and miss_of_climb(report, past) <= CLIMB_MISS
     each = report.intruder
     vx, vy, vz = each.v_n
     north, east, down = scale(1.0 / time, sub(each.p_n, past[0].intruder.p_n))
@@ -85,7 +85,7 @@ def allowed_miss(report: Report, past: Sequence[Report]) -> float:
     In a turn, a wrong time moves a place by as much as the velocity has changed since.
     """
     turned = sub(report.intruder.v_n, past[0].intruder.v_n)
-    return POSITION_CONTRADICTION + REPORT_DELAY * norm(level(turned))
+    return PLACE_MISS + REPORT_DELAY * norm(level(turned))
 
 
 def miss_of_climb(report: Report, past: Sequence[Report]) -> float:
