@@ -131,7 +131,7 @@ def test_a_called_peer_is_the_only_one(link, peers):
 @pytest.mark.parametrize("host", ["a" * 64, "a" * 300, "a..b", "\u00fc" * 70, "\udcff"])
 def test_what_is_no_name_of_a_host_is_told(host):
     """Names are encoded before they are asked for, in labels of 63 characters."""
-    with pytest.raises(ConnectError, match="(not the name of a|unknown) host"):
+    with pytest.raises(ConnectError, match=r"(not the name of a|unknown) host"):
         listen(parse_url(f"udpin:{host}:14540"), 1)
 
 
