@@ -11,7 +11,7 @@ from unittest import mock
 
 from programs import VFGUIDE
 
-from vfguide.cli.main import main
+from vfguide.cli.program import run_program
 
 WIDE = {"COLUMNS": "300"}
 """A terminal on which no message is broken into lines."""
@@ -20,7 +20,7 @@ WIDE = {"COLUMNS": "300"}
 def vfguide(
     *arguments: object, cwd: Path, encoding: str = "utf-8"
 ) -> subprocess.CompletedProcess[str]:
-    """The program from its first line to its exit status, in this process.
+    """The program with its streams and signals, in this process.
 
     A start costs more than most flights: a process of its own is for what is about processes.
     """
@@ -31,10 +31,9 @@ def vfguide(
         stack.enter_context(redirect_stdout(out))
         stack.enter_context(redirect_stderr(err))
         stack.enter_context(mock.patch.object(sys, "argv", words))
-        stack.enter_context(mock.patch.object(sys, "unraisablehook", sys.unraisablehook))
         stack.enter_context(mock.patch.dict(os.environ, WIDE))
         try:
-            main()
+            run_program(sys.exit)
         except SystemExit as ended:
             return subprocess.CompletedProcess(words, ended.code, read_back(out), read_back(err))
     raise AssertionError("a command ends with a status")

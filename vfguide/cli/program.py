@@ -8,7 +8,7 @@ import atexit
 import logging
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NoReturn
 
@@ -29,8 +29,21 @@ ENDINGS = {
 """How commands end that are asked to before their loop looks for it; the others are interrupted."""
 
 
-def run_program() -> NoReturn:
-    """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
+def end_in_good_order(status: int) -> NoReturn:
+    """End the process, which has done its work; what libraries left is cleaned up.
+
+    Taking Python down with the machine code in it takes a second, in which a signal would be the
+    exit status.
+    """
+    atexit._run_exitfuncs()  # pyright: ignore[reportPrivateUsage]
+    os._exit(status)
+
+
+def run_program(leave: Callable[[int], NoReturn] = end_in_good_order) -> NoReturn:
+    """Run the command line; bad input and Ctrl-C end with one line and their exit status.
+
+    `leave` ends the process with a status, when the work is done.
+    """
     ending = ENDINGS.get(next(iter(sys.argv[1:]), ""), INTERRUPTION)
     with (
         tolerant_streams() as streams,
@@ -41,17 +54,7 @@ def run_program() -> NoReturn:
         for stream in streams:
             stream.drain(LAST_WORDS if REQUESTS.wanted() else None)
         REQUESTS.close()
-        end_in_good_order(status)
-
-
-def end_in_good_order(status: int) -> NoReturn:
-    """End the process, which has done its work; what libraries left is cleaned up.
-
-    Taking Python down with the machine code in it takes a second, in which a signal would be the
-    exit status.
-    """
-    atexit._run_exitfuncs()  # pyright: ignore[reportPrivateUsage]
-    os._exit(status)
+        leave(status)
 
 
 def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
