@@ -180,7 +180,7 @@ class Companion:
         self._requests.ask_origin()
         if now - before.heard > LINK_TIMEOUT:
             self._known = self._known._replace(origin=None)
-            self._requests.begin(now, self._control.mode.autopilot, self.flight.plan.rate)
+            self._requests.ask_streams(self._control.mode.autopilot, self.flight.plan.rate)
             self._control.mode.begin_anew(RESTARTED)
 
     def _hear_current_mode(self, now: int, said: CurrentMode) -> None:

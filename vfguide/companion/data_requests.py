@@ -54,6 +54,10 @@ class DataRequests:
         """
         self._origin_asked = now - ORIGIN_RETRY
         self._requests, self._pressure_asked = Requests(), False
+        self.ask_streams(autopilot, rate)
+
+    def ask_streams(self, autopilot: Autopilot, rate: float) -> None:
+        """Ask for the streams of an autopilot at the `rate` of guidance [Hz]."""
         self._requests.ask(requested_streams(self._sysid, autopilot, rate))
 
     def ask_origin(self) -> None:

@@ -19,7 +19,7 @@ from vfguide.estimation.local_frame import (
 from vfguide.geometry.units import DEG_E7, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed
-from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed
+from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed, VfrHud
 from vfguide.telemetry.knowledge import Knowledge, measurement
 
 PLACE_INTERVAL = 200
@@ -86,6 +86,7 @@ class PlaceWatch:
         self._right_from: int | None = None
         self._origin: GpsGlobalOrigin | None = None
         self._position: LocalPositionNed | None = None
+        self._hud: VfrHud | None = None
 
     def hindrance(self, *, follows: bool) -> str | None:
         """Why the place keeps the companion from guiding; None: it does not.
@@ -105,12 +106,14 @@ class PlaceWatch:
         if self.wrong is None:
             if known.origin is not self._origin:
                 self._notes += origin_notes(self._origin, known.origin)
-            self._origin, self._position = known.origin, known.position
+            self._origin, self._position, self._hud = known.origin, known.position, known.hud
             return known
-        if self._position is None or known.position is None:
+        was, hud = self._position, known.hud
+        if was is None or known.position is None or hud is None or self._hud is None:
             return known
-        self._position = moved_on(self._position, known.position)
-        return known._replace(origin=self._origin, position=self._position)
+        self._position = moved_on(was, known.position)
+        hud = hud._replace(alt=self._hud.alt)  # the density of the air is that of its height
+        return known._replace(origin=self._origin, position=self._position, hud=hud)
 
     def _is_due(self, known: Knowledge) -> bool:
         """Whether it is time to look, or the place does not go on from the last one."""

@@ -19,7 +19,7 @@ MOST_AT_ONCE = 256
 companion from its other duties."""
 PEER_SILENT = 3_000_000
 """Time of silence after which a peer may be replaced by another [us]; chosen."""
-LONGEST_PAUSE = 500_000
+LONGEST_UNSEEN = 500_000
 """Time between two looks at the socket above which this program stood still, so that nobody was
 silent [us]; chosen, it looks 20 times a second."""
 MAX_STRANGERS = 5
@@ -84,7 +84,7 @@ class UdpLink:
         """Note that the socket is looked at: nobody is silent while this program stands still."""
         pause = 0 if self._looked is None else now - self._looked
         self._looked = now
-        if pause > LONGEST_PAUSE:
+        if pause > LONGEST_UNSEEN:
             self._heard += pause
 
     def _hear(self, now: int, sender: Address, sysid: int, *, is_flown: bool) -> None:
