@@ -13,6 +13,7 @@ from vfguide.daemon.clock import Clock
 from vfguide.daemon.daemon import HOLD_TIMEOUT, Daemon, Outcome
 from vfguide.daemon.flight_log import FLUSH_INTERVAL, FlightLog
 from vfguide.daemon.warm_up import warm_up
+from vfguide.estimation.local_frame import distance_from
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import CommandLong, Heartbeat
@@ -190,3 +191,16 @@ def test_a_warm_up_flies_past_a_goal(plan, monkeypatch):
     warm_up(plan)
     assert passed
     assert "goal 1 missed" in passed[0] or "goal 1 reached" in passed[0]
+
+
+def test_a_warm_up_compares_the_places_that_an_autopilot_tells(plan, monkeypatch):
+    compared = []
+
+    def spy(measured, place):
+        compared.append(distance_from(measured, place))
+        return compared[-1]
+
+    monkeypatch.setattr("vfguide.companion.place.distance_from", spy)
+    warm_up(plan)
+    assert compared
+    assert max(compared) < 10.0

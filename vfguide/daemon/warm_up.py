@@ -12,6 +12,7 @@ from vfguide.link.enums import AdsbFlags, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
+    GlobalPositionInt,
     GpsGlobalOrigin,
     Heartbeat,
     LocalPositionNed,
@@ -45,6 +46,7 @@ def warm_up(plan: Plan) -> None:
         time = step * STATE_INTERVAL
         place, velocity = (along * c, along * s, 0.0), (speed * c, speed * s, 0.0)
         companion.receive(0, LocalPositionNed(time, *place, *velocity))
+        companion.receive(0, GlobalPositionInt(time, *origin, 0, 0, 0, 0, 0))
         companion.receive(0, VfrHud(speed, speed, 0, 0, altitude, 0.0))
         companion.receive(0, AttitudeQuaternion(time, *q_nb, 0.0, 0.0, 0.0))
         companion.receive(
