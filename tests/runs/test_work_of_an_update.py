@@ -8,8 +8,8 @@ import sys
 from collections import Counter
 
 import pytest
-from vfguide.scenario.load import load_scenario
 
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow
