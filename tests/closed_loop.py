@@ -94,17 +94,17 @@ class Flight:
 
     @property
     def radius(self):
-        return max(moment.course.radius for moment in self.moments)
+        return max(moment.command.radius for moment in self.moments)
 
     @property
     def switches(self):
         """How often the phase changed."""
-        return sum(a.course.phase != b.course.phase for a, b in pairwise(self.moments))
+        return sum(a.command.phase != b.command.phase for a, b in pairwise(self.moments))
 
     @property
     def reversals(self):
         """How often a bank to one side was followed by one to the other, 25 degrees and more."""
-        steep = [m.course.bank for m in self.moments if abs(m.course.bank) > 25.0 * DEG]
+        steep = [m.command.bank for m in self.moments if abs(m.command.bank) > 25.0 * DEG]
         return sum(a * b < 0.0 for a, b in pairwise(steep))
 
 

@@ -28,7 +28,7 @@ class Moment(NamedTuple):
     state: FlightState
     row: Row
     """Of the `LoopState` that the step left."""
-    wish: GuidanceCommand
+    command: GuidanceCommand
 
     @property
     def goal(self) -> int:
@@ -60,8 +60,8 @@ def fly(
         airspace = None
         if plan.hazards is not None:
             airspace = Airspace(plan.hazards, plan.fence, body.time, ASSUMED_GUST)
-        omega_b, row, wish = step_told(state, row, plan.legs, airspace, plan.law, plan.vehicle_row)
-        flown.append(Moment(state, row, wish))
+        omega_b, row, command = step_told(state, row, plan.legs, airspace, plan.law, plan.vehicle_row)
+        flown.append(Moment(state, row, command))
         for _ in range(SUBSTEPS):
             body = advance(body, omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)
     return flown

@@ -158,7 +158,7 @@ def test_after_the_last_goal_it_stays_on_a_level_circle_that_touches_the_goal(si
     body = level((-400.0, 30.0, -150.0), 0.0, GAINS.airspeed, AEROSONDE)
     moments = fly(body, plan_of([to], side, radius), wind_n, 150.0)
     (begun, *_) = (k for k, moment in enumerate(moments) if moment.goal == 1)
-    flown_radius = max(radius, moments[-1].course.radius)
+    flown_radius = max(radius, moments[-1].command.radius)
     centre = np.array([0.0, side * flown_radius])
     path = np.array([moment.state.p_n for moment in moments[begun:]])
     off = np.linalg.norm(path[:, :2] - centre, axis=1) - flown_radius
