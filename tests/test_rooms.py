@@ -2,6 +2,7 @@
 
 import ast
 import tomllib
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,8 @@ HEIGHT = {
     for room in layer.split("|")
 }
 """Of each room; rooms of one layer have the same, and none of those knows the others."""
+CROWDED = 16
+"""Modules of a folder above which a newcomer does not see what is in it."""
 WHOLE_RUNS = "runs"
 """Its folder has what is run from the command line on."""
 
@@ -75,6 +78,13 @@ MODULES = [
 @pytest.mark.parametrize("file", MODULES, ids=lambda file: f"{file.parent.name}/{file.stem}")
 def test_a_rooms_tests_import_nothing_above_it(file):
     assert too_high(file, TESTS) == []
+
+
+def test_no_room_is_crowded():
+    modules = [path for path in (ROOT / "vfguide").rglob("*.py") if path.name != "__init__.py"]
+    sizes = Counter(path.parent.relative_to(ROOT / "vfguide").as_posix() for path in modules)
+    assert {room.partition("/")[0] for room in sizes} == set(HEIGHT)
+    assert {room: size for room, size in sizes.items() if size > CROWDED} == {}
 
 
 def test_every_folder_of_tests_is_a_room():

@@ -10,8 +10,9 @@ from vfguide.autopilots.engagement import SENDING
 from vfguide.companion.session import Session
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.preflight.load import load_scenario
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result, judge
+from vfguide.results.result import Result
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs

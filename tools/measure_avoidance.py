@@ -34,8 +34,9 @@ from vfguide.geometry.se2 import Pose
 from vfguide.kernels.rows import place
 from vfguide.preflight.load import load_scenario
 from vfguide.results.fence_distance import fence_clearance
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import TOUCH, judge
+from vfguide.results.verdict import TOUCH
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.scenario.loaded import LoadedScenario

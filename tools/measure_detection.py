@@ -14,7 +14,7 @@ import tomli_w
 
 from vfguide.files.errors import InputError
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.runs.lockstep import fly_scenario
 
 Table = dict[str, Any]

@@ -27,7 +27,8 @@ from numpy.random import Generator
 
 from vfguide.preflight.load import load_scenario
 from vfguide.results.fence_distance import fence_clearance
-from vfguide.results.result import TOUCH, judge
+from vfguide.results.judge import judge
+from vfguide.results.verdict import TOUCH
 from vfguide.runs.lockstep import fly_scenario
 
 AIRCRAFT = {"aerosonde": 25.0, "easystar": 10.5, "c172p": 50.0}

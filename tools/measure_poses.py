@@ -28,8 +28,8 @@ from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft, find_scenario
 from vfguide.geometry.units import G0
 from vfguide.preflight.load import load_scenario
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import judge
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.runs.models import model_of
 from vfguide.scenario.loaded import LoadedScenario

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.runs.lockstep import fly_scenario
 
 START = (-300.0, 0.0, -200.0)

@@ -35,7 +35,7 @@ def test_with_room_there_is_nothing_to_say(tmp_path: Path) -> None:
 def test_a_start_straight_before_a_wall_is_message_for(tmp_path: Path) -> None:
     message = message_for(tmp_path, MINIMAL + box([-470, 0, -100], [20, 600, 400]))
     assert message == (
-        "vehicle[0].position_m = [-500.0, 0.0, -100.0]: no way out from here, straight on leads "
+        "vehicle[0].position_m = [-500.0, 0.0, -100.0]: no escape from here, straight on leads "
         'into "shed"; allowed farther from it, or with another heading_deg'
     )
 

@@ -18,8 +18,8 @@ from vfguide.report.drawing import Flights
 from vfguide.report.figures import draw_figures
 from vfguide.report.path_figures import draw_plan, draw_side
 from vfguide.report.report import render
+from vfguide.results.judge import judge
 from vfguide.results.record import Decisions
-from vfguide.results.result import judge
 
 WORLD = """
 [fence]

@@ -30,7 +30,9 @@ from vfguide.report.time_figures import (
     draw_position,
     draw_rates,
 )
-from vfguide.results.result import Result, in_words, judge
+from vfguide.results.judge import judge
+from vfguide.results.result import Result
+from vfguide.results.verdict import in_words
 
 pytestmark = pytest.mark.slow
 

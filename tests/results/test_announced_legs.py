@@ -15,7 +15,7 @@ from scenario_texts import MINIMAL
 from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
 from vfguide.results.announced_legs import AnnouncedLegs, TimedAnnouncement, announced_legs
 from vfguide.results.goal_passages import Legs, Sample
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.scenario.resolved import Goal
 
 pytestmark = pytest.mark.slow

@@ -14,8 +14,10 @@ from scenario_texts import MINIMAL, SECOND
 
 from vfguide import __version__
 from vfguide.files.atomic import write_atomically
+from vfguide.results.judge import judge
 from vfguide.results.record import Decisions, FlightRecord
-from vfguide.results.result import judge, min_separation, write_result
+from vfguide.results.result import write_result
+from vfguide.results.verdict import min_separation
 from vfguide.scenario.resolved import Scenario
 
 DOCUMENTED = json.loads(

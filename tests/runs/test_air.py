@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from vfguide.preflight.load import load_scenario
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result, judge
+from vfguide.results.result import Result
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.lockstep import Lockstep
 from vfguide.runs.logs import Logs

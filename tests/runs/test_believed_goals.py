@@ -12,8 +12,9 @@ import pytest
 from vfguide.annunciations.goal_announcement import Outcome
 from vfguide.preflight.load import load_scenario
 from vfguide.results.announced_legs import TimedAnnouncement
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result, judge
+from vfguide.results.result import Result
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow

@@ -10,7 +10,7 @@ import pytest
 from vfguide.preflight.encounter_checks import encounters
 from vfguide.preflight.load import load_scenario
 from vfguide.preflight.route_checks import Flies
-from vfguide.results.result import min_separation
+from vfguide.results.verdict import min_separation
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow

@@ -8,7 +8,8 @@ import pytest
 from vfguide.aircraft.envelope import turn_radius
 from vfguide.files.errors import InputError
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import VehicleResult, judge
+from vfguide.results.judge import judge
+from vfguide.results.result import VehicleResult
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.loaded import LoadedScenario
 

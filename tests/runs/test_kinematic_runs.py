@@ -16,8 +16,8 @@ from vfguide.geometry.units import CM_S, DEG_E7, MM, US
 from vfguide.link.messages import HilStateQuaternion
 from vfguide.link.tlog import TlogReader
 from vfguide.preflight.load import load_scenario
+from vfguide.results.judge import judge
 from vfguide.results.path import positions
-from vfguide.results.result import judge
 from vfguide.runs.lockstep import Ending, fly_scenario
 from vfguide.runs.truth_log import TRUTH_COMPONENT
 from vfguide.runs.vehicle_setup import start_us

@@ -22,7 +22,8 @@ from vfguide.report.report import render, span, write_report
 from vfguide.report.time_figures import draw_attitude, draw_position, draw_rates, draw_speed
 from vfguide.results.clearance import clearances
 from vfguide.results.closest import closest
-from vfguide.results.result import Result, judge
+from vfguide.results.judge import judge
+from vfguide.results.result import Result
 from vfguide.runs.lockstep import fly_scenario
 from vfguide.scenario.obstacles import rows_of
 from vfguide.terminal import flight_display

@@ -20,7 +20,7 @@ from pose_options import options
 
 from vfguide.files.data import data_folder
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow

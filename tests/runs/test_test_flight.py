@@ -13,7 +13,7 @@ from vfguide.earth.atmosphere import isa_density
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, data_folder, find_aircraft
 from vfguide.preflight.load import load_scenario
-from vfguide.results.result import judge
+from vfguide.results.judge import judge
 from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow

@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-import numpy as np
-
 from vfguide.files.source import Source
+from vfguide.geometry.polyline import nearest_to_origin
 from vfguide.geometry.vector import Vectors
 from vfguide.preflight.prediction import PREDICTION_STEP, predict
 from vfguide.preflight.route_checks import Flies
@@ -29,13 +28,8 @@ class Encounter(NamedTuple):
 
 def closest_approach(one: Vectors, other: Vectors) -> Encounter:
     """Of two paths (N, 3) whose positions are PREDICTION_STEP apart, straight between them."""
-    apart = one - other
-    moved = np.diff(apart, axis=0)
-    squares = np.maximum(np.einsum("ij,ij->i", moved, moved), np.finfo(float).tiny)
-    part = np.clip(-np.einsum("ij,ij->i", apart[:-1], moved) / squares, 0.0, 1.0)
-    distances = np.linalg.norm(apart[:-1] + part[:, None] * moved, axis=1)
-    nearest = int(distances.argmin())
-    return Encounter(float(distances[nearest]), PREDICTION_STEP * (nearest + float(part[nearest])))
+    nearest = nearest_to_origin(one - other)
+    return Encounter(nearest.distance, PREDICTION_STEP * nearest.along)
 
 
 def check_encounters(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:

@@ -38,6 +38,7 @@ from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.obstacles import rows_of
 from vfguide.scenario.resolved import Goal, Scenario, Vehicle
 from vfguide.scenario.traffic import avoids_traffic
+from vfguide.scenario.wind import blowing
 
 SPACING = 2.0
 """Distance between two checked positions on a final approach [m]; chosen."""
@@ -223,10 +224,8 @@ def _radius(scenario: Scenario, flies: Flies) -> float:
 
 
 def _wind(scenario: Scenario) -> Vec3:
-    """The wind of the scenario, blowing toward, NED [m/s]."""
-    toward = scenario.wind.from_deg * DEG + math.pi
-    speed = scenario.wind.speed_mps
-    return (speed * math.cos(toward), speed * math.sin(toward), 0.0)
+    """The wind that the scenario begins with, NED, blowing toward [m/s]."""
+    return blowing(scenario.wind.speed_mps, scenario.wind.from_deg)
 
 
 def _warning(source: Source, at: Location, rule: str) -> str:

@@ -11,7 +11,8 @@ from vfguide.report.drawing import Flights
 from vfguide.report.figures import Picture, draw_figures
 from vfguide.results.closest import closest
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result, in_words
+from vfguide.results.result import Result
+from vfguide.results.verdict import in_words
 from vfguide.scenario.loaded import LoadedScenario
 
 NO_VALUE = "-"

@@ -19,7 +19,7 @@ class Ending(Enum):
     GROUND = "ground"
     """A vehicle touched the ground."""
     FAR_AWAY = "away"
-    """A vehicle is farther away than `FAR_AWAY` of `vfguide.results.result`."""
+    """A vehicle is farther away than `FAR_AWAY` of `vfguide.results.verdict`."""
     STOPPED = "interrupted"
     """The user stopped it."""
 

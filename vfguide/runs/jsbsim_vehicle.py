@@ -18,7 +18,7 @@ from vfguide.link.messages import SetAttitudeTarget
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.goal_passages import Sample
 from vfguide.results.record import AirBelief, Decisions, FlightRecord, Instant
-from vfguide.results.result import TOUCH
+from vfguide.results.verdict import TOUCH
 from vfguide.runs.steps import STEPS, Steps
 from vfguide.runs.truth_log import TRUTH_COMPONENT, truth_message
 from vfguide.runs.vehicle_setup import simulate

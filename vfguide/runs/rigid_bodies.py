@@ -14,7 +14,7 @@ from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.arrivals import Arrivals
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.results.record import Array, FlightRecord
-from vfguide.results.result import FAR_AWAY
+from vfguide.results.verdict import FAR_AWAY
 from vfguide.runs.fleet import Ending
 from vfguide.runs.kinematic_laws import FlightKinematicLaw, KinematicLaw, PaperKinematicLaw
 from vfguide.runs.steps import STEPS, Steps

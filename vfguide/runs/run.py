@@ -8,8 +8,9 @@ from vfguide.files.errors import InputError
 from vfguide.files.new_folder import new_folder
 from vfguide.link.tlog import TlogError
 from vfguide.report.report import write_report
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
-from vfguide.results.result import Result, judge, write_result
+from vfguide.results.result import Result, write_result
 from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario
 from vfguide.runs.models import require_models
 from vfguide.runs.warm_up import Tell, tell_nobody

@@ -9,7 +9,8 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from vfguide.results.closest import closest
-from vfguide.results.result import Result, in_words
+from vfguide.results.result import Result
+from vfguide.results.verdict import in_words
 from vfguide.runs.fleet import Flown
 from vfguide.scenario.resolved import Scenario
 from vfguide.terminal.console import err, out, shown
