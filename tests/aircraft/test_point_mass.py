@@ -12,6 +12,8 @@ from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.point_mass import advance, dynamics, lagged
 from vfguide.geometry.units import G0
 
+pytestmark = pytest.mark.slow
+
 FLOWN = dynamics(AEROSONDE, Gains(25.0))
 SMALL = dynamics(EASYSTAR, Gains(11.0))
 STILL = (0.0, 0.0, 0.0)

@@ -14,6 +14,8 @@ from plans import TEST_FLIGHT
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.circuit import AIRSPEED_CHANGE, ROOM_SPACING, circuit
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_places_are_close_together_along_the_whole_circuit(side):

@@ -8,6 +8,8 @@ from vfguide.autopilots.px4 import Px4Mode
 from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import Heartbeat
 
+pytestmark = pytest.mark.slow
+
 OFFBOARD, HOLD = Px4Mode.OFFBOARD, Px4Mode.HOLD
 STRANGERS = [
     (MavType.FIXED_WING, MavAutopilot.ARDUPILOTMEGA, 3),

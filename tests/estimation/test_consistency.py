@@ -15,6 +15,8 @@ from vfguide.geometry.so3 import exp, from_euler, rot_z
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import add, matmul, norm, scale, sub
 
+pytestmark = pytest.mark.slow
+
 STEP = 0.02
 SPEED = 25.0
 NONE = math.nan, math.nan, math.nan

@@ -27,6 +27,8 @@ from vfguide.geometry import dual
 from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.vector import cross, dot, norm, scale, sub
 
+pytestmark = pytest.mark.slow
+
 AT_ORIGIN = goal_frame(STILL, 0.0, 0.0)
 coordinates = st.floats(-3.0, 3.0).filter(lambda x: x == 0.0 or abs(x) > 1e-3)
 vectors = st.tuples(coordinates, coordinates, coordinates)

@@ -23,6 +23,8 @@ from vfguide.geometry.shapes import shape
 from vfguide.geometry.shapes.shape import shape_level
 from vfguide.kernels.rows import width
 
+pytestmark = pytest.mark.slow
+
 coordinates = st.floats(-60.0, 60.0)
 points = st.tuples(coordinates, coordinates, coordinates)
 angles = st.floats(-math.pi, math.pi)

@@ -19,6 +19,8 @@ from vfguide.field.obstacle import PlacedObstacle, obstacle_surface
 from vfguide.geometry.dual import Dual3
 from vfguide.kernels.rows import place
 
+pytestmark = pytest.mark.slow
+
 Q = (-60.0, 80.0, 0.0)
 VELOCITY = (12.0, -5.0, 3.0)
 LEVELS = [1.0, 1.5, 3.0]

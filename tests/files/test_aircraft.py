@@ -20,6 +20,8 @@ from vfguide.sim.plant import STEP, Plant
 from vfguide.sim.signals import Controls
 from vfguide.sim.trim import TrimError, trim
 
+pytestmark = pytest.mark.slow
+
 HANDS_OFF = (0.0, 0.0, 0.0)
 SEA_LEVEL = 0.0
 GROUND = -1000.0

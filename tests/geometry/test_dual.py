@@ -9,6 +9,8 @@ from vfguide.geometry.dual import Dual, Dual3
 from vfguide.geometry.so3 import rot_y
 from vfguide.geometry.vector import norm
 
+pytestmark = pytest.mark.slow
+
 numbers = st.floats(-10.0, 10.0)
 vectors = st.tuples(numbers, numbers, numbers)
 duals = st.builds(Dual, numbers, numbers)

@@ -17,6 +17,8 @@ from vfguide.geometry.shapes.shape import (
     widest_at,
 )
 
+pytestmark = pytest.mark.slow
+
 coordinates = st.floats(-2.0, 2.0)
 points = st.tuples(coordinates, coordinates, coordinates)
 

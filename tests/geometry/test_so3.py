@@ -9,6 +9,8 @@ from scipy.spatial.transform import Rotation
 from vfguide.geometry import so3
 from vfguide.geometry.vector import cross, dot, matmul, matvec, norm, scale, transpose
 
+pytestmark = pytest.mark.slow
+
 EPS = 1e-14
 AXES = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0), (0.6, 0.0, -0.8), (-0.48, 0.6, 0.64)]
 ANGLES_AT_THE_EDGES = [

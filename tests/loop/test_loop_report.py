@@ -22,6 +22,8 @@ from vfguide.loop.state import (
     LoopState,
 )
 
+pytestmark = pytest.mark.slow
+
 
 def test_what_is_reported_is_taken_from_its_place():
     row, s = numbered(), flown()

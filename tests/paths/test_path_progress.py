@@ -23,6 +23,8 @@ from vfguide.paths.path_progress import (
     path_left,
 )
 
+pytestmark = pytest.mark.slow
+
 RADIUS = 70.0
 PLACE = st.floats(-800.0, 800.0)
 COURSE = st.floats(-math.pi, math.pi)

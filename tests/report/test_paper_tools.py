@@ -10,6 +10,8 @@ import pytest
 
 from vfguide.report.drawing import to_png
 
+pytestmark = pytest.mark.slow
+
 TOOLS = Path(__file__).parents[2] / "tools"
 DRAWINGS = ("draw_coordinates", "draw_plane", "draw_curves", "draw_surface", "draw_robots")
 

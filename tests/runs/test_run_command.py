@@ -140,6 +140,16 @@ def test_bad_words_on_the_command_line(arguments, message, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [("check", "first-flight"), ("check", "no-such"), ("run", "first-flight", "--set", "wind")],
+)
+def test_in_a_process_of_its_own_it_ends_and_says_the_same(arguments, tmp_path):
+    here, alone = (run(*arguments, cwd=tmp_path) for run in (vfguide, vfguide_alone))
+    assert (here.returncode, here.stdout) == (alone.returncode, alone.stdout)
+    assert here.stderr == alone.stderr
+
+
 def test_brackets_in_a_message_are_shown_as_typed(tmp_path):
     path = scenario_file(tmp_path)
     path.write_text(path.read_text().replace('name = "short"', 'name = "[red]x[/red]"'))
