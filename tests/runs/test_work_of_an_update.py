@@ -14,9 +14,9 @@ from vfguide.runs.lockstep import fly_scenario
 
 pytestmark = pytest.mark.slow
 
-MOST_CALLS = 400
-"""Largest number of calls for each update of `first-flight`, with a margin of a twentieth; it was
-506 before calls were saved, and 385 before what the autopilot tells was checked."""
+MOST_CALLS = 415
+"""Largest number of calls for each update of `first-flight`, chosen a little above what it is;
+it was 506 before calls were saved, and 385 before what the autopilot tells was checked."""
 
 
 @pytest.fixture(scope="module")

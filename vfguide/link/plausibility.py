@@ -119,4 +119,4 @@ _CHECKS: dict[type[Message], Callable[[Any], bool]] = {
 
 def within(most: float, a: float, b: float, c: float) -> bool:
     """Whether none is larger, to either side; false for not-a-number."""
-    return abs(a) <= most and abs(b) <= most and abs(c) <= most
+    return -most <= a <= most and -most <= b <= most and -most <= c <= most

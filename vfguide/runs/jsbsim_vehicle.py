@@ -109,18 +109,18 @@ class JsbsimVehicle:
 
     def note(self) -> None:
         """Note the truth of this instant."""
-        now, truth = self.sim.now, self.sim.truth
+        now, truth, flight = self.sim.now, self.sim.truth, self.companion.flight
         self._write_truth(now, self._truth_encoder.encode(truth_message(now, truth)))
         p_n, v_n = place_in_plane(
             self._origin, truth.latitude, truth.longitude, truth.altitude, truth.v_n
         )
         sample = Sample(truth.time, p_n, v_n)
-        if self.companion.flight.is_testing:
+        if flight.is_testing:
             self._goals_from = math.inf
         else:
             self._goals_from = min(self._goals_from, truth.time)
             self.legs.feed(sample)
-            for said in self.companion.flight.announced[len(self.legs.announced) :]:
+            for said in flight.announced[len(self.legs.announced) :]:
                 self.legs.announce(said)
         self._noted.extend(numbers_of(self._instant(truth, sample)))
 
