@@ -174,8 +174,8 @@ class Parser:
         """
         buffer = self._rest + data
         frames: list[Frame] = []
-        position = 0
-        while position < len(buffer):
+        position, end = 0, len(buffer)
+        while position < end:
             if buffer[position] not in _MAGICS:
                 start = next_magic(buffer, position)
                 self._skip(position, start)
