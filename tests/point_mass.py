@@ -60,7 +60,9 @@ def fly(
         airspace = None
         if plan.hazards is not None:
             airspace = Airspace(plan.hazards, plan.fence, body.time, ASSUMED_GUST)
-        omega_b, row, command = step_told(state, row, plan.legs, airspace, plan.law, plan.vehicle_row)
+        omega_b, row, command = step_told(
+            state, row, plan.legs, airspace, plan.law, plan.vehicle_row
+        )
         flown.append(Moment(state, row, command))
         for _ in range(SUBSTEPS):
             body = advance(body, omega_b, wind_n, plan.aircraft, UPDATE / SUBSTEPS)

@@ -7,6 +7,7 @@ it is sent, and gives the messages that arrive in its place.
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -66,9 +67,10 @@ class Late:
         arrived = [] if isinstance(message, self._kinds) else [message]
         if not arrived:
             self._waiting.append((t + self._rng.uniform(*self._delays), message))
-        due = sorted((w for w in self._waiting if w[0] <= t), key=lambda w: w[0])
-        self._waiting = [w for w in self._waiting if w[0] > t]
-        return [*(each for _, each in due), *arrived]
+        self._waiting.sort(key=itemgetter(0))
+        delayed = [each for at, each in self._waiting if at <= t]
+        self._waiting = [(at, each) for at, each in self._waiting if at > t]
+        return [*delayed, *arrived]
 
 
 def yaw(angle: float) -> Callable[[Message, float], Sequence[Message]]:

@@ -31,7 +31,7 @@ def predict_body(
     The other result is the number of the position from which on it circles; N where it never does.
     """
     rate = scenario.guidance.rate_hz
-    path = np.empty((math.ceil(scenario.duration_s * rate) + 1, 3))
+    path: Vectors = np.empty((math.ceil(scenario.duration_s * rate) + 1, 3))
     path[:1] = vehicle.position_m
     circles_from = fly_body(
         np.array(from_euler(*(angle * DEG for angle in vehicle.euler_deg))),
