@@ -110,10 +110,11 @@ def test_after_the_last_line_nothing_is_ended(flown, command, number):
         ):
             assert line, process.stderr.read()
         process.send_signal(number)
-        rest, complaints = process.communicate(timeout=30)
+        rest, told = process.communicate(timeout=30)
+    complaints = [line for line in told.splitlines() if "compiling" not in line]
     assert (process.returncode, rest, complaints) in (
-        (0, "", ""),
-        (130, "", "vfguide: interrupted\n"),
+        (0, "", []),
+        (130, "", ["vfguide: interrupted"]),
     )
 
 

@@ -174,7 +174,8 @@ def test_the_record_of_a_fault_has_the_frames_up_to_the_one_that_brought_it_abou
     monkeypatch.setattr(companion, "receive", break_down)
     with pytest.raises(ZeroDivisionError):
         heard.session.receive(START, b"".join(data for _, data in ours[5:8]))
-    assert [raw for _, raw in heard.record[before:]] == [data for _, data in ours[5:7]]
+    came = [data for _, data in ours[5:]]
+    assert [raw for _, raw in heard.record[before:] if raw in came] == came[:2]
 
 
 def test_two_frames_in_one_datagram_are_answered_one_after_the_other():

@@ -48,9 +48,9 @@ def test_it_turns_to_where_there_is_room_and_is_left_out_where_there_is_none(eas
     talk = Testing(fenced(east))
     talk.engage()
     if side:
-        turned = talk.route.plan.goals[3].p_n[1] + 300.0
+        turned = talk.flight.plan.goals[3].p_n[1] + 300.0
         assert math.copysign(1.0, turned) == side
     else:
-        assert not talk.route.is_testing
+        assert not talk.flight.is_testing
         assert any(note.startswith("no room for a test flight") for note in talk.told)
         assert "flying to goal 1 of 1" in talk.told

@@ -9,8 +9,8 @@ from vfguide.annunciations.phase_notes import RESTARTED
 from vfguide.autopilots.engagement import FINAL_PHASES, Phase
 from vfguide.companion.data_requests import DataRequests
 from vfguide.companion.guided_flight import GuidedFlight, Step
-from vfguide.companion.offboard_control import OffboardControl
 from vfguide.companion.plan import Plan
+from vfguide.companion.setpoint_control import SetpointControl
 from vfguide.geometry.units import SECOND
 from vfguide.link.boot_time import BootClock
 from vfguide.link.enums import MavAutopilot, MavState, MavType
@@ -75,7 +75,7 @@ class Companion:
         """
         self.sysid = sysid
         self._news: list[str] = []
-        self._control = OffboardControl(sysid, plan, self._news, engage=engage, step=step)
+        self._control = SetpointControl(sysid, plan, self._news, engage=engage, step=step)
         self._known = Knowledge()
         self._requests = DataRequests(sysid)
         self._round_trip = RoundTrip()

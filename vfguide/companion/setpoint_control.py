@@ -1,4 +1,4 @@
-"""Offboard control of one vehicle: whether setpoints go out, the setpoints, and why there are none.
+"""What goes out to one vehicle: whether setpoints do, which, and why there are none.
 
 They go out while the phase allows it and nothing keeps the companion from guiding: neither the
 delay of the link, nor the place of the vehicle, nor what the autopilot tells of its state.
@@ -26,8 +26,8 @@ NO_ATTITUDE = "no new attitude (ATTITUDE_QUATERNION)"
 """Reason for silence where nothing is missing but the attitude that a step begins with."""
 
 
-class OffboardControl:
-    """Offboard control of one vehicle."""
+class SetpointControl:
+    """The setpoints that go out to one vehicle, and what keeps them back."""
 
     def __init__(
         self, sysid: int, plan: Plan, notes: list[str], *, engage: bool, step: Step
