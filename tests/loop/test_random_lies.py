@@ -22,10 +22,10 @@ def test_every_setpoint_is_made_of_numbers(seen):
     assert all(each.is_finite for each in seen)
 
 
-def test_the_load_factor_is_outside_in_few_and_not_by_much(seen):
-    """0.5 % of 100,000; that it is none is not reached, see docs/limitations.md."""
-    assert sum(map(is_outside, seen)) <= 0.012 * len(seen)
-    assert min(each.least_load for each in seen) > -2.0
+def test_the_load_factor_is_outside_in_hardly_any_and_not_by_much(seen):
+    """That it is in none is not reached, see docs/limitations.md."""
+    assert sum(map(is_outside, seen)) <= 0.001 * len(seen)
+    assert min(each.least_load for each in seen) > -0.6
 
 
 def test_the_sequences_are_lies(seen):
