@@ -92,15 +92,27 @@ LAST_LINES = {"check": ".*: fine", "replay": "identical", "field": "]"}
 """The last line of what each prints."""
 
 
+def short_arguments(command):
+    return arguments_of(command, 1) if command != "check" else ("check", "first-flight")
+
+
+@pytest.fixture(scope="module")
+def at_work(flown):
+    """A folder in which each has run once, so that it has nothing to compile and tell."""
+    (flown.parent / "points.csv").write_text(POINTS)
+    for command in LAST_LINES:
+        once = [*VFGUIDE, *short_arguments(command)]
+        subprocess.run(once, cwd=flown.parent, check=True, capture_output=True)
+    return flown.parent
+
+
 @pytest.mark.parametrize("number", STOP_SIGNALS)
 @pytest.mark.parametrize("command", LAST_LINES)
-def test_after_the_last_line_nothing_is_ended(flown, command, number):
+def test_after_the_last_line_nothing_is_ended(at_work, command, number):
     """The work is done and shown: its exit status is not that of a signal that came after it."""
-    (flown.parent / "points.csv").write_text(POINTS)
-    arguments = arguments_of(command, 1) if command != "check" else ("check", "first-flight")
     with subprocess.Popen(
-        [*HEARING_HANGUPS, *VFGUIDE, *arguments],
-        cwd=flown.parent,
+        [*HEARING_HANGUPS, *VFGUIDE, *short_arguments(command)],
+        cwd=at_work,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -110,11 +122,10 @@ def test_after_the_last_line_nothing_is_ended(flown, command, number):
         ):
             assert line, process.stderr.read()
         process.send_signal(number)
-        rest, told = process.communicate(timeout=30)
-    complaints = [line for line in told.splitlines() if "compiling" not in line]
+        rest, complaints = process.communicate(timeout=30)
     assert (process.returncode, rest, complaints) in (
-        (0, "", []),
-        (130, "", ["vfguide: interrupted"]),
+        (0, "", ""),
+        (130, "", "vfguide: interrupted\n"),
     )
 
 

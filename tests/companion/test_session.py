@@ -160,9 +160,12 @@ def test_what_is_due_without_anything_received_is_recorded_too():
 
 
 def test_the_record_of_a_fault_has_the_frames_up_to_the_one_that_brought_it_about(monkeypatch):
-    ours, heard = frames_of(Encoder(1, 1), 0.1), Recorded()
+    ours, heard, unbroken = frames_of(Encoder(1, 1), 0.1), Recorded(), Recorded()
     flown(heard.session, ours[:5])
+    flown(unbroken.session, ours[:5])
     before, companion = len(heard.record), heard.session.companion
+    _, harmless = ours[5]
+    unbroken.session.receive(START, harmless)
     receive, left = companion.receive, [1]
 
     def break_down(now, message):
@@ -174,8 +177,8 @@ def test_the_record_of_a_fault_has_the_frames_up_to_the_one_that_brought_it_abou
     monkeypatch.setattr(companion, "receive", break_down)
     with pytest.raises(ZeroDivisionError):
         heard.session.receive(START, b"".join(data for _, data in ours[5:8]))
-    came = [data for _, data in ours[5:]]
-    assert [raw for _, raw in heard.record[before:] if raw in came] == came[:2]
+    _, broke_it = ours[6]
+    assert heard.record[before:] == [*unbroken.record[before:], (START, broke_it)]
 
 
 def test_two_frames_in_one_datagram_are_answered_one_after_the_other():
