@@ -15,11 +15,15 @@ from vfguide.control.envelope_protection import (
     LOAD_RESERVE,
     LOAD_TIME,
     MAX_LOAD_EXCESS,
+    SIDESLIP_MAX,
+    SIDESLIP_SEEN,
+    SIDESLIP_TIME,
     load_of,
     within_envelope,
 )
+from vfguide.estimation.flow_angles import FlowAngles, follow_flow
 from vfguide.geometry.so3 import IDENTITY, from_euler
-from vfguide.geometry.units import G0
+from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3
 
 LEAST, MOST = AEROSONDE.load_min + LOAD_RESERVE, GUST_LOAD_RATIO * AEROSONDE.load_max
@@ -28,8 +32,11 @@ SPEEDS = st.floats(18.0, 38.0)
 BANKS = st.floats(-0.8, 0.8)
 
 
-def within(omega: Vec3, R_nb: Mat3, load: float, speed: float) -> Vec3:
-    return within_envelope(omega, R_nb, load, speed, BANK, AEROSONDE)
+STRAIGHT = FlowAngles(0.0, 0.0)
+
+
+def within(omega: Vec3, R_nb: Mat3, load: float, speed: float, flow: FlowAngles = STRAIGHT) -> Vec3:
+    return within_envelope(omega, R_nb, load, flow, speed, BANK, AEROSONDE)
 
 
 @given(st.floats(-1.0, 3.0), SPEEDS, BANKS, st.floats(-0.2, 0.2))
@@ -45,15 +52,15 @@ def test_the_attitude_for_a_lift_meets_the_air_with_that_load(load, speed, bank,
 def test_level_flight_is_free_whatever_the_limits(least, most, speed):
     limits = AEROSONDE._replace(load_min=least, load_max=most)
     level = (0.1, 0.0, 0.3)
-    assert within_envelope(level, IDENTITY, 1.0, speed, BANK, limits) == level
+    assert within_envelope(level, IDENTITY, 1.0, STRAIGHT, speed, BANK, limits) == level
 
 
 @given(st.floats(LEAST, MOST), SPEEDS, BANKS)
 def test_the_pitch_rate_of_a_load_inside_the_limits_is_free(load, speed, bank):
     R_nb = from_euler(bank, 0.05, 0.3)
     steady = (load - R_nb[2][2]) * G0 / speed
-    wanted = (0.1, steady, 0.3)
-    assert within(wanted, R_nb, load, speed) == pytest.approx(wanted, abs=1e-9)
+    p, q, _ = within((0.1, steady, 0.0), R_nb, load, speed)
+    assert (p, q) == pytest.approx((0.1, steady), abs=1e-9)
 
 
 @given(st.floats(0.01, MAX_LOAD_EXCESS), SPEEDS, BANKS)
@@ -88,3 +95,44 @@ def test_the_bank_does_not_run_through_its_limit(bank, rate):
     assert abs(bank + BANK_TIME * rolled) <= limit + 1e-9
     if abs(bank + BANK_TIME * rate) < limit - 1e-9:
         assert rolled == rate, "inside every rate is free"
+
+
+@given(BANKS, st.floats(-30.0 * DEG, 30.0 * DEG), st.floats(-3.0, 3.0), SPEEDS)
+def test_the_sideslip_does_not_run_through_its_limit(bank, beta, r, speed):
+    R_nb, dt, alpha = from_euler(bank, 0.05, 0.3), 0.01, 0.05
+    flow = FlowAngles(alpha, beta)
+    omega = within((0.0, 0.0, r), R_nb, 1.0, speed, flow)
+    after = follow_flow(flow, R_nb, omega, speed, AEROSONDE, dt).beta
+    if abs(beta) > SIDESLIP_MAX:
+        assert abs(after) < abs(beta), "it is taken back"
+    assert (
+        abs(beta + (after - beta) / dt * SIDESLIP_TIME) < max(SIDESLIP_MAX, abs(beta)) + 0.5 * DEG
+    )
+
+
+@given(st.floats(-BANK, BANK), SPEEDS)
+def test_the_yaw_rate_of_a_coordinated_turn_is_free(bank, speed):
+    turn = G0 * math.tan(bank) / speed
+    omega = (0.0, turn * math.sin(bank), turn * math.cos(bank))
+    load = 1.0 / math.cos(bank)
+    flow = FlowAngles(AEROSONDE.alpha_zero + AEROSONDE.alpha_load * load / speed**2, 0.0)
+    assert within(omega, from_euler(bank, 0.0, 0.0), load, speed, flow)[2] == omega[2]
+
+
+@given(st.floats(LEAST, MOST), st.floats(-1.0, 4.0), st.sampled_from((-1.0, 1.0)), SPEEDS)
+def test_while_it_slips_the_load_by_the_rates_is_limited_too(told, load, side, speed):
+    """With more than SIDESLIP_SEEN both loads count; with less only the one that is told."""
+    alpha = AEROSONDE.alpha_zero + AEROSONDE.alpha_load * load / speed**2
+    R_nb = from_euler(0.3, 0.05, 0.3)
+    by_told, by_rates = (
+        within((0.0, -9.0, 0.0), R_nb, told, speed),
+        within((0.0, -9.0, 0.0), R_nb, load, speed),
+    )
+    slipping = within(
+        (0.0, -9.0, 0.0), R_nb, told, speed, FlowAngles(alpha, side * 1.5 * SIDESLIP_SEEN)
+    )
+    calm = within(
+        (0.0, -9.0, 0.0), R_nb, told, speed, FlowAngles(alpha, side * 0.5 * SIDESLIP_SEEN)
+    )
+    assert slipping[1] == pytest.approx(max(by_told[1], by_rates[1]))
+    assert calm[1] == by_told[1]

@@ -91,8 +91,13 @@ def sideslip_about_vertical(air_n: Vec3, nose_n: Vec3) -> float:
 @compiled
 def slip(side_force: float, airspeed: float, aircraft: Performance) -> float:
     """Sideslip [rad], positive with the air from the right, of a specific side force [m/s^2]."""
-    stiffness = SIDE_FORCE_RATIO * G0 * airspeed * airspeed / aircraft.alpha_load
-    return max(-SLIP_MAX, min(SLIP_MAX, -side_force / stiffness))
+    return max(-SLIP_MAX, min(SLIP_MAX, -side_force / side_force_slope(airspeed, aircraft)))
+
+
+@compiled
+def side_force_slope(airspeed: float, aircraft: Performance) -> float:
+    """Specific force across the fuselage per sideslip [m/s^2/rad] at a true airspeed [m/s]."""
+    return SIDE_FORCE_RATIO * G0 * airspeed * airspeed / aircraft.alpha_load
 
 
 @compiled

@@ -88,3 +88,18 @@ def turn_length(airspeed: float) -> float:
     63.7 m for the Aerosonde at 25 m/s, with which the multiples of it were measured.
     """
     return airspeed * airspeed / G0
+
+
+@compiled
+def alpha_of_load(load: float, speed: float, aircraft: Performance) -> float:
+    """Angle of attack [rad] of a load factor n at a true airspeed V [m/s].
+
+    alpha = alpha_zero + alpha_load n / V^2.
+    """
+    return aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed)
+
+
+@compiled
+def load_of_alpha(alpha: float, speed: float, aircraft: Performance) -> float:
+    """Load factor, a number, of an angle of attack [rad] at a true airspeed [m/s]."""
+    return (alpha - aircraft.alpha_zero) * speed * speed / aircraft.alpha_load

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.flight_model import flight_direction, sideslip_about_vertical
-from vfguide.aircraft.performance import Gains
+from vfguide.aircraft.performance import Gains, alpha_of_load
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.control.airspeed_control import integrate_error, thrust_for
@@ -73,7 +73,7 @@ def update(
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     climbing = command.gamma - path_of(air, speed)
     alpha_bias = learn_alpha(s.alpha_bias, climbing, gains, dt)
-    alpha = aircraft.alpha_zero + aircraft.alpha_load * command.load / speed**2 + alpha_bias
+    alpha = alpha_of_load(command.load, speed, aircraft) + alpha_bias
     elevation = command.gamma + gains.k_elevation * climbing
     R_na = attitude_for_lift(azimuth_of(air), elevation, command.bank, alpha)
     omega_a = (0.0, 0.0, 0.0)
@@ -83,7 +83,7 @@ def update(
     beyond = sideslip - max(-MOST_SIDESLIP_ASKED, min(MOST_SIDESLIP_ASKED, sideslip))
     omega = rate_law(state.R_nb, matmul(rot_z(-beyond), R_na), omega_a, gains.k_w)
     load = load_of(state.R_nb, matvec(rot_z(-sideslip), air), speed, aircraft)
-    omega = within_envelope(omega, state.R_nb, load, speed, gains.bank_max, aircraft)
+    omega = within_envelope(omega, state.R_nb, load, nav.flow, speed, gains.bank_max, aircraft)
 
     error = gains.airspeed - state.airspeed
     thrust = thrust_for(aircraft, error, command.climb, command.load, s.thrust_integral)

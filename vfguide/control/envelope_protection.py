@@ -1,14 +1,20 @@
-"""Envelope protection: body rates that keep bank and load factor inside limits, also in gusts.
+"""Envelope protection: body rates that keep bank, load and sideslip in limits, also in gusts.
 
 The reference attitude does not take gusts into account: pitching down where rising air ends takes
 the wing through zero lift. A gust that is faster than the pitch rate still exceeds the limits.
+
+A yaw, ground velocity or wind that is told wrong yaws the aircraft out of its path. The sideslip by
+attitude and rates shows it (`vfguide.estimation.flow_angles`); it is limited, and where it is large
+the load factor is limited by both estimates, since rolling turns sideslip into angle of attack.
 """
 
 import math
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
-from vfguide.aircraft.performance import Performance
-from vfguide.geometry.units import G0
+from vfguide.aircraft.flight_model import side_force_slope
+from vfguide.aircraft.performance import Performance, load_of_alpha
+from vfguide.estimation.flow_angles import FlowAngles
+from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3
 from vfguide.kernels.compiled import compiled
 
@@ -31,6 +37,15 @@ BANK_OVERSHOOT = 0.035
 """Limit of the bank beyond the largest that is commanded [rad], two degrees; tuned: with one degree
 less, loiters and escapes were flown worse."""
 
+SIDESLIP_MAX = 8.0 * DEG
+"""Largest sideslip by attitude and rates that yaw rates lead to [rad]; chosen with
+`tools/measure_lies.py` above what honest flight in calm air needs."""
+SIDESLIP_SEEN = 4.0 * DEG
+"""Sideslip by attitude and rates above which the load factor by them counts as well [rad]; chosen,
+since gusts, which they do not show, count for more below."""
+SIDESLIP_TIME = 0.3
+"""Least time in which the yaw rate may take the sideslip to its limit [s]; that of the bank."""
+
 
 @compiled
 def load_of(R: Mat3, air: Vec3, speed: float, aircraft: Performance) -> float:
@@ -42,15 +57,20 @@ def load_of(R: Mat3, air: Vec3, speed: float, aircraft: Performance) -> float:
         speed: true airspeed [m/s].
         aircraft: its lift.
     """
-    alpha = angle_of_attack(R, air) - aircraft.alpha_zero
-    return alpha * speed * speed / aircraft.alpha_load
+    return load_of_alpha(angle_of_attack(R, air), speed, aircraft)
 
 
 @compiled
 def within_envelope(
-    omega: Vec3, R: Mat3, load: float, speed: float, bank_max: float, aircraft: Performance
+    omega: Vec3,
+    R: Mat3,
+    load: float,
+    flow: FlowAngles,
+    speed: float,
+    bank_max: float,
+    aircraft: Performance,
 ) -> Vec3:
-    """Body rates [rad/s] that lead to no bank and no load factor outside the limits.
+    """Body rates [rad/s] that lead to no bank, load factor or sideslip outside the limits.
 
     At a steady load factor n the nose follows the path, q = g (n - cos pitch cos bank) / V; a
     load factor that is outside is taken back in LOAD_TIME by a change of the angle of attack. In a
@@ -59,7 +79,8 @@ def within_envelope(
     Args:
         omega: wanted.
         R: attitude, body to NED.
-        load: load factor now.
+        load: load factor now, by the velocity through the air.
+        flow: angle of attack and sideslip now, by attitude and rates.
         speed: true airspeed [m/s].
         bank_max: largest bank that is asked for [rad].
         aircraft: its limits.
@@ -68,9 +89,41 @@ def within_envelope(
     steady, back = G0 / speed, aircraft.alpha_load / (speed * speed * LOAD_TIME)
     least = aircraft.load_min + min(LOAD_RESERVE, 0.5 * (1.0 - aircraft.load_min))
     most = GUST_LOAD_RATIO * aircraft.load_max
-    load = max(least - MAX_LOAD_EXCESS, min(most + MAX_LOAD_EXCESS, load))
-    down = min(least - upright, 0.0) * steady + (least - load) * back
-    up = (most - upright) * steady + (most - load) * back
+    load = answered(load, least, most)
+    low, high = load, load
+    if abs(flow.beta) > SIDESLIP_SEEN:
+        by_flow = answered(load_of_alpha(flow.alpha, speed, aircraft), least, most)
+        low, high = min(load, by_flow), max(load, by_flow)
+    down = min(least - upright, 0.0) * steady + (least - low) * back
+    up = (most - upright) * steady + (most - high) * back
     limit = bank_max + BANK_OVERSHOOT
     left, right = (-limit - bank) / BANK_TIME, (limit - bank) / BANK_TIME
-    return max(left, min(right, omega[0])), max(down, min(up, omega[1])), omega[2]
+    p = max(left, min(right, omega[0]))
+    return p, max(down, min(up, omega[1])), within_sideslip(omega[2], p, R, flow, speed, aircraft)
+
+
+@compiled
+def answered(load: float, least: float, most: float) -> float:
+    """A load factor, at most MAX_LOAD_EXCESS outside its least and largest one."""
+    return max(least - MAX_LOAD_EXCESS, min(most + MAX_LOAD_EXCESS, load))
+
+
+@compiled
+def within_sideslip(
+    r: float, p: float, R: Mat3, flow: FlowAngles, speed: float, aircraft: Performance
+) -> float:
+    """Yaw rate [rad/s] that leads to no sideslip outside SIDESLIP_MAX.
+
+    Args:
+        r: wanted [rad/s].
+        p: roll rate [rad/s].
+        R: attitude, body to NED.
+        flow: angle of attack and sideslip now, by attitude and rates.
+        speed: true airspeed [m/s].
+        aircraft: its lift.
+    """
+    force = G0 * R[2][1] - side_force_slope(speed, aircraft) * flow.beta
+    steady = p * flow.alpha + force / speed
+    least = steady - (SIDESLIP_MAX - flow.beta) / SIDESLIP_TIME
+    most = steady + (SIDESLIP_MAX + flow.beta) / SIDESLIP_TIME
+    return max(least, min(most, r))

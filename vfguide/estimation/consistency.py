@@ -12,7 +12,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.flight_model import flight_direction
-from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.performance import Performance, alpha_of_load
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_check import (
     LASTING_ERROR,
@@ -192,7 +192,7 @@ def check_air(
         dt: time step [s].
     """
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
-    alpha = aircraft.alpha_zero + aircraft.alpha_load / (speed * speed)
+    alpha = alpha_of_load(1.0, speed, aircraft)
     nose_n = flight_direction(state.R_nb, alpha, 0.0)
     seen = triangle(sub(state.v_n, state.wind_n), nose_n, state.airspeed)
     attitude = with_slip(attitude, seen.sideslip, dt)

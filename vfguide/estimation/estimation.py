@@ -12,6 +12,7 @@ from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.air_data import sense_air
 from vfguide.estimation.air_state import AIRSPEED, AirState, fresh_air, sigma
 from vfguide.estimation.consistency import Consistency, as_flown, follow, fresh_consistency
+from vfguide.estimation.flow_angles import FlowAngles, follow_flow, fresh_flow
 from vfguide.estimation.position_resets import (
     PositionResets,
     follow_resets,
@@ -68,6 +69,8 @@ class EstimationState(NamedTuple):
     """What is doubted of what is told."""
     lead: float
     """Time by which the state was predicted at the step before [s]."""
+    flow: FlowAngles
+    """Angle of attack and sideslip by roll, pitch and body rates."""
 
 
 class NavState(NamedTuple):
@@ -93,14 +96,16 @@ class NavState(NamedTuple):
     """Estimate of the true airspeed [m/s]."""
     airspeed_sigma: float
     """Standard deviation of that estimate [m/s]."""
+    flow: FlowAngles
+    """Angle of attack and sideslip by roll, pitch and body rates."""
 
 
 @compiled
 def fresh_estimation() -> EstimationState:
     """The state of estimation before the first step."""
     zero = (0.0, 0.0, 0.0)
-    air, consistency = fresh_air(), fresh_consistency()
-    return EstimationState(-1.0, False, zero, zero, no_resets(), air, consistency, 0.0)
+    air, consistency, flow = fresh_air(), fresh_consistency(), fresh_flow()
+    return EstimationState(-1.0, False, zero, zero, no_resets(), air, consistency, 0.0, flow)
 
 
 @compiled
@@ -108,7 +113,9 @@ def known_state(state: FlightState, before: float) -> NavState:
     """A state that is known exactly; `before`: time of the step before [s], negative for none."""
     zero, elapsed = (0.0, 0.0, 0.0), state.time - before
     airspeed = state.airspeed
-    return NavState(state, elapsed, before < 0.0, False, zero, zero, True, True, airspeed, 0.0)
+    return NavState(
+        state, elapsed, before < 0.0, False, zero, zero, True, True, airspeed, 0.0, fresh_flow()
+    )
 
 
 @compiled
@@ -123,11 +130,13 @@ def update(
         s: state of estimation at the step before.
         vehicle: its aircraft, and the true airspeed to fly.
     """
-    told, air, checked = inputs.predicted, s.air, s.consistency
+    told, elapsed = inputs.predicted, inputs.predicted.time - s.time
+    air, checked, flow = s.air, s.consistency, s.flow
     if not inputs.is_exact:
         checked = follow(inputs.measured, inputs.omega_b, thrust, checked, air, vehicle.aircraft)
         told, air = sense(inputs, checked, thrust, air, vehicle)
-    elapsed = told.time - s.time
+        R_nb, omega_b, aircraft = inputs.measured.R_nb, inputs.omega_b, vehicle.aircraft
+        flow = follow_flow(flow, R_nb, omega_b, told.airspeed, aircraft, elapsed)
     dt, farther = (elapsed, inputs.lead - s.lead) if s.is_continuous else (0.0, 0.0)
     resets = follow_resets(s.resets, (s.p_n, s.v_n), told, dt, farther)
     state = smoothed(told, resets)
@@ -142,9 +151,10 @@ def update(
         inputs.is_exact or air.sensor.trusted,
         air.estimate.x[AIRSPEED],
         sigma(air.estimate.P[AIRSPEED, AIRSPEED]),
+        flow,
     )
     flown = state.p_n, state.v_n
-    return nav, EstimationState(state.time, True, *flown, resets, air, checked, inputs.lead)
+    return nav, EstimationState(state.time, True, *flown, resets, air, checked, inputs.lead, flow)
 
 
 @compiled

@@ -10,8 +10,8 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
-from vfguide.aircraft.flight_model import SIDE_FORCE_RATIO, modelled_flight, specific_force
-from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.flight_model import modelled_flight, side_force_slope, specific_force
+from vfguide.aircraft.performance import Performance, alpha_of_load
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.velocity_check import velocity_jumps
 from vfguide.geometry.units import DEG, G0
@@ -85,7 +85,7 @@ def follow_lift(
     force_n, R = specific_force(s.v_n, v_n, dt), state.R_nb
     speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
     load = -dot(force_n, (R[0][2], R[1][2], R[2][2])) / G0
-    by_lift = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed)
+    by_lift = alpha_of_load(load, speed, aircraft)
     flight = modelled_flight(R, speed, thrust, 0.0, aircraft)
     beyond = dot(force_n, flight.d_n) + G0 * flight.d_n[2] - flight.acceleration
     age = s.age + dt
@@ -97,7 +97,7 @@ def follow_lift(
     path_error = s.path_error + blend * (beyond / G0 - s.path_error)
     agree = alpha_error * path_error > 0.0
     pitch_error = min(abs(alpha_error), abs(path_error)) if agree else 0.0
-    gust = SIDE_FORCE_RATIO * G0 * speed * LATERAL_GUST / aircraft.alpha_load
+    gust = side_force_slope(speed, aircraft) * LATERAL_GUST / speed
     alone = PITCH_ERROR_LIMIT + math.asin(min(1.0, VERTICAL_GUST / speed))
     ratio = max(
         abs(side) / max(SIDE_FORCE_LIMIT, gust),

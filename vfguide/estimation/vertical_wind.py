@@ -13,7 +13,7 @@ import math
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.flight_model import specific_force
-from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.performance import Performance, alpha_of_load
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, VerticalWind
 from vfguide.geometry.units import G0
@@ -61,7 +61,7 @@ def rise_by_lift(
     force_n = specific_force(before.v_n, measured.v_n, dt)
     speed = max(air.estimate.x[AIRSPEED], 0.5 * aircraft.airspeed_min)
     load = -dot(force_n, z_n) / G0
-    gust = aircraft.alpha_zero + aircraft.alpha_load * load / (speed * speed) - halfway
+    gust = alpha_of_load(load, speed, aircraft) - halfway
     if not math.isfinite(gust):
         return before.rise
     rise = speed * z_n[2] * max(-GUST_ANGLE_MAX, min(GUST_ANGLE_MAX, gust))

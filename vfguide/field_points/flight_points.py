@@ -7,6 +7,7 @@ from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
+from vfguide.aircraft.performance import alpha_of_load
 from vfguide.companion.plan import Plan
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import known_state
@@ -77,7 +78,7 @@ def attitude_of(plan: Plan, azimuth: float, gamma: float, lift: Lift) -> Mat3:
     aircraft, gains, is_point = plan.vehicle
     if is_point:
         return from_euler(lift.bank, gamma, azimuth)
-    alpha = aircraft.alpha_zero + aircraft.alpha_load * lift.load / gains.airspeed**2
+    alpha = alpha_of_load(lift.load, gains.airspeed, aircraft)
     return attitude_for_lift(azimuth, gamma, lift.bank, alpha)
 
 
