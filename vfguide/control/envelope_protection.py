@@ -4,8 +4,8 @@ The reference attitude does not take gusts into account: pitching down where ris
 the wing through zero lift. A gust that is faster than the pitch rate still exceeds the limits.
 
 A yaw, ground velocity or wind that is told wrong yaws the aircraft out of its path. The sideslip by
-attitude and rates shows it (`vfguide.estimation.flow_angles`); it is limited, and where it is large
-the load factor is limited by both estimates, since rolling turns sideslip into angle of attack.
+attitude and rates shows it (`vfguide.estimation.flow_angles`): it is limited, and the load factor
+is limited by both estimates of it, since rolling turns sideslip into angle of attack.
 """
 
 import math
@@ -40,9 +40,6 @@ less, loiters and escapes were flown worse."""
 SIDESLIP_MAX = 8.0 * DEG
 """Largest sideslip by attitude and rates that yaw rates lead to [rad]; chosen with
 `tools/measure_lies.py` above what honest flight in calm air needs."""
-SIDESLIP_SEEN = 4.0 * DEG
-"""Sideslip by attitude and rates above which the load factor by them counts as well [rad]; chosen,
-since gusts, which they do not show, count for more below."""
 SIDESLIP_TIME = 0.3
 """Least time in which the yaw rate may take the sideslip to its limit [s]; that of the bank."""
 
@@ -74,7 +71,8 @@ def within_envelope(
 
     At a steady load factor n the nose follows the path, q = g (n - cos pitch cos bank) / V; a
     load factor that is outside is taken back in LOAD_TIME by a change of the angle of attack. In a
-    steep bank the least load factor asks for no pull.
+    steep bank the least load factor asks for no pull. Where one load factor is too small and the
+    other too large, the rate is halfway between what they ask for.
 
     Args:
         omega: wanted.
@@ -90,12 +88,12 @@ def within_envelope(
     least = aircraft.load_min + min(LOAD_RESERVE, 0.5 * (1.0 - aircraft.load_min))
     most = GUST_LOAD_RATIO * aircraft.load_max
     load = answered(load, least, most)
-    low, high = load, load
-    if abs(flow.beta) > SIDESLIP_SEEN:
-        by_flow = answered(load_of_alpha(flow.alpha, speed, aircraft), least, most)
-        low, high = min(load, by_flow), max(load, by_flow)
+    by_flow = answered(load_of_alpha(flow.alpha, speed, aircraft), least, most)
+    low, high = min(load, by_flow), max(load, by_flow)
     down = min(least - upright, 0.0) * steady + (least - low) * back
     up = (most - upright) * steady + (most - high) * back
+    between = 0.5 * (down + up)
+    down, up = min(down, between), max(up, between)
     limit = bank_max + BANK_OVERSHOOT
     left, right = (-limit - bank) / BANK_TIME, (limit - bank) / BANK_TIME
     p = max(left, min(right, omega[0]))
