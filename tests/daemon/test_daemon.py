@@ -17,7 +17,8 @@ from vfguide.estimation.local_frame import distance_from
 from vfguide.link.codec import Encoder, Parser, decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
 from vfguide.link.messages import CommandLong, Heartbeat
-from vfguide.link.tlog import TlogError, TlogReader, TlogWriter
+from vfguide.link.tlog import TlogError, TlogReader
+from vfguide.link.tlog_writer import TlogWriter
 
 START = 1_767_225_600_000_000
 ENCODER = Encoder(1, 1)

@@ -15,7 +15,8 @@ from pymavlink.dialects.v20 import all as dialect
 
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import Attitude, Heartbeat
-from vfguide.link.tlog import LAST_TIME, TlogError, TlogReader, TlogWriter, UsableTimes
+from vfguide.link.tlog import LAST_TIME, TlogError, TlogReader, UsableTimes
+from vfguide.link.tlog_writer import TlogWriter
 
 RECORDED = sorted((Path(__file__).parents[3] / "shared" / "logs").glob("*.tlog"))
 

@@ -10,7 +10,7 @@ from flight_difference import flight_difference, frames_in, value_difference
 
 from vfguide.link.codec import Encoder
 from vfguide.link.messages import Attitude, Heartbeat
-from vfguide.link.tlog import tlog_record
+from vfguide.link.tlog_writer import tlog_record
 
 START = 1_577_836_800_000_000
 RESULT = {

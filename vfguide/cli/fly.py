@@ -13,7 +13,7 @@ from vfguide.terminal.exit_status import BAD, GOOD
 if TYPE_CHECKING:
     from vfguide.aircraft.identification import Identified
     from vfguide.daemon.transport import Transport
-    from vfguide.link.tlog import TlogWriter
+    from vfguide.link.tlog_writer import TlogWriter
     from vfguide.scenario.loaded import LoadedScenario
 
 

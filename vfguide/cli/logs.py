@@ -4,7 +4,8 @@ from pathlib import Path
 
 from vfguide.files.errors import InputError
 from vfguide.files.looked_for import is_there
-from vfguide.link.tlog import TlogError, TlogWriter
+from vfguide.link.tlog import TlogError
+from vfguide.link.tlog_writer import TlogWriter
 
 
 def new_log(path: Path) -> TlogWriter:

@@ -38,7 +38,8 @@ def replay(
     """
     from contextlib import ExitStack
 
-    from vfguide.link.tlog import TlogWriter, UsableTimes
+    from vfguide.link.tlog import UsableTimes
+    from vfguide.link.tlog_writer import TlogWriter
     from vfguide.preflight.load import load_scenario
     from vfguide.replay.compare import Replay
     from vfguide.runs.run import prepared

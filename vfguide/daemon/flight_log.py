@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from vfguide.link.tlog import TlogError, TlogWriter
+from vfguide.link.tlog import TlogError
+from vfguide.link.tlog_writer import TlogWriter
 
 FLUSH_INTERVAL = 1_000_000
 """Longest time that frames stay in memory before they are written [us]; chosen as what a power cut

@@ -5,7 +5,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from vfguide.companion.session import Record
-from vfguide.link.tlog import TlogWriter, tlog_records
+from vfguide.link.tlog_writer import TlogWriter, tlog_records
 from vfguide.scenario.resolved import Vehicle
 
 Write = Callable[[int, bytes], None]

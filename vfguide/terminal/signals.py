@@ -40,9 +40,13 @@ class Requests:
     """Counts the requests to end; a loop enters it while it looks for them."""
 
     def __init__(self) -> None:
-        self.ending = INTERRUPTION
+        self._begin(INTERRUPTION, nobody_ends)
+
+    def _begin(self, ending: Ending, end: Callable[[Ending], None]) -> None:
+        """No request has come, and the work is not done: what came before counts no more."""
+        self.ending = ending
         """How the command ends where no loop looks."""
-        self._end: Callable[[Ending], None] = nobody_ends
+        self._end = end
         self._count = 0
         self._seen = 0
         self._looking = 0
@@ -83,8 +87,7 @@ class Requests:
             ending: how the command ends where no loop looks.
             end: ends the process.
         """
-        self.__init__()
-        self.ending, self._end = ending, end
+        self._begin(ending, end)
         reading, writing = os.pipe()
         os.set_blocking(writing, False)
         before: dict[signal.Signals, Any] = {
