@@ -48,7 +48,7 @@ class Answers(NamedTuple):
 def answer_of(plant: Plant) -> tuple[Vec3, float]:
     """Body rates [rad/s] and thrust [N] of this instant."""
     now = Inner(*plant.inner())
-    return (now.p, now.q, now.r), plant.thrust()
+    return (now.p, now.q, now.r), plant.readings.thrust()
 
 
 @dataclass(frozen=True)

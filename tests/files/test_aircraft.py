@@ -50,7 +50,7 @@ def flown(name: str, omega_b, seconds: float, thrust: float = 0.0) -> tuple[Plan
         wanted = (*omega_b, its.cruise_thrust + thrust)
         controls, memory = inner_loop(its.tables, plant.inner(), wanted, memory, STEP)
         plant.advance(controls)
-        rows.append((*plant.inner()[:3], plant.thrust()))
+        rows.append((*plant.inner()[:3], plant.readings.thrust()))
     return plant, np.array(rows)
 
 

@@ -7,10 +7,17 @@ from aeroplanes import AEROSONDE
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.geometry.so3 import exp, from_euler, to_euler
+from vfguide.geometry.so3 import exp, from_euler, to_euler, to_quaternion
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import matmul, scale
-from vfguide.sim.autopilot.attitude_control import ATTITUDE_GAIN, rates_for_attitude, within_limits
+from vfguide.link.enums import AttitudeTypeMask
+from vfguide.link.messages import SetAttitudeTarget
+from vfguide.sim.autopilot.attitude_control import (
+    ATTITUDE_GAIN,
+    demand_of,
+    rates_for_attitude,
+    within_limits,
+)
 
 BANKS = st.floats(-70.0 * DEG, 70.0 * DEG)
 PITCHES = st.floats(-40.0 * DEG, 40.0 * DEG)
@@ -70,3 +77,34 @@ def test_a_pull_and_a_push_stop_short_of_the_load_factors(airspeed, bank):
         omega_b = rates_for_attitude(bank, pitch, euler, airspeed)
         _, q, _ = within_limits(omega_b, euler, airspeed, AEROSONDE)
         assert math.cos(bank) + q * airspeed / G0 == pytest.approx(1.0 + 0.7 * (limit - 1.0))
+
+
+RATES_IGNORED = (
+    AttitudeTypeMask.BODY_ROLL_RATE_IGNORE,
+    AttitudeTypeMask.BODY_PITCH_RATE_IGNORE,
+    AttitudeTypeMask.BODY_YAW_RATE_IGNORE,
+    AttitudeTypeMask.THROTTLE_IGNORE,
+)
+
+
+def setpoint(mask):
+    banked = to_quaternion(from_euler(30.0 * DEG, 3.0 * DEG, 2.0))
+    return SetAttitudeTarget(0, 1, 1, mask, banked, 0.1, 0.2, 0.3, 0.6)
+
+
+@pytest.mark.parametrize("ignored", range(16))
+def test_of_a_setpoint_of_rates_what_is_ignored_is_zero(ignored):
+    flags = [flag for k, flag in enumerate(RATES_IGNORED) if ignored >> k & 1]
+    said = setpoint(sum(flags, int(AttitudeTypeMask.ATTITUDE_IGNORE)))
+    expected = [
+        0.0 if flag in flags else value
+        for flag, value in zip(RATES_IGNORED, (0.1, 0.2, 0.3, 0.6), strict=True)
+    ]
+    assert demand_of(said, (0.1, 0.0, 1.0), 25.0) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(("mask", "thrust"), [(0, 0.6), (AttitudeTypeMask.THROTTLE_IGNORE, 0.0)])
+def test_of_a_setpoint_of_attitude_roll_and_pitch_are_flown_and_no_yaw(mask, thrust):
+    now = (0.1, 0.0, 1.0)
+    rates = rates_for_attitude(30.0 * DEG, 3.0 * DEG, now, 25.0)
+    assert demand_of(setpoint(mask), now, 25.0) == pytest.approx((*rates, thrust))

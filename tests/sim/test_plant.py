@@ -77,7 +77,7 @@ def test_a_flight_starts_where_it_was_asked_to():
 @pytest.mark.parametrize("wind_n", [(0.0, 0.0, 0.0), (-7.0, 3.0, 0.0), (5.0, 6.0, -1.0)])
 def test_a_flight_starts_in_equilibrium_with_the_air(yaw_deg, wind_n):
     plant = airborne(yaw=yaw_deg * DEG, weather=Weather(wind_n))
-    assert np.ravel(plant.accelerations()) == pytest.approx(np.zeros(6), abs=0.005)
+    assert np.ravel(plant.readings.accelerations()) == pytest.approx(np.zeros(6), abs=0.005)
     assert plant.truth().airspeed == pytest.approx(25.0, abs=1e-9)
     for _ in range(100):
         plant.advance(steady().controls)
@@ -216,7 +216,7 @@ def test_a_flight_starts_in_equilibrium_with_the_gusts():
     plant = airborne(yaw=2.0, weather=gusty(5, Turbulence.SEVERE))
     assert np.abs(plant.truth().wind_n - np.array([3.0, 4.0, 0.0])).max() > 0.5
     assert plant.truth().airspeed == pytest.approx(25.0, abs=1e-9)
-    assert np.ravel(plant.accelerations()) == pytest.approx(np.zeros(6), abs=0.005)
+    assert np.ravel(plant.readings.accelerations()) == pytest.approx(np.zeros(6), abs=0.005)
 
 
 def test_calm_air_has_no_gusts():
@@ -357,4 +357,4 @@ def test_a_broken_model_does_not_end_the_process(tmp_path):
 def test_engine_files_beside_the_model_are_found():
     condition = FlightCondition(55.0, alpha=0.01, controls=Controls(throttle=0.7))
     plant = Plant(CESSNA, Start(0.8, 0.1, 1000.0, 0.0, condition))
-    assert plant.thrust() > 500.0
+    assert plant.readings.thrust() > 500.0

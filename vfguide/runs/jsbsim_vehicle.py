@@ -14,6 +14,7 @@ from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
 from vfguide.kernels.rows import columns, flattener, width
 from vfguide.link.codec import Encoder
+from vfguide.link.delay_line import DelayLine
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.results.announced_legs import AnnouncedLegs
 from vfguide.results.goal_passages import Sample
@@ -27,7 +28,6 @@ from vfguide.scenario.plans import plan_of
 from vfguide.scenario.resolve import place_of
 from vfguide.scenario.resolved import Vehicle
 from vfguide.sim.autopilot.mavlink_channel import ONBOARD
-from vfguide.sim.delay_line import DelayLine
 from vfguide.sim.truth import Truth
 
 Write = Callable[[int, bytes], None]
@@ -149,9 +149,9 @@ class JsbsimVehicle:
         """Position that the autopilot reports less the true one, scenario frame [m]."""
         if self._exact:
             return (0.0, 0.0, 0.0)
-        told = self.sim.autopilot.estimate
-        place = (told.latitude, told.longitude, told.altitude)
-        there, _ = place_in_plane(self._origin, *place, told.v_n)
+        estimate = self.sim.autopilot.estimate
+        place = (estimate.latitude, estimate.longitude, estimate.altitude)
+        there, _ = place_in_plane(self._origin, *place, estimate.v_n)
         return sub(there, p_n)
 
     def record(self) -> FlightRecord:

@@ -3,7 +3,8 @@
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3
 from vfguide.sim.condition import FlightCondition, Model, Start
-from vfguide.sim.plant import Accelerations, Plant
+from vfguide.sim.plant import Plant
+from vfguide.sim.readings import Accelerations
 
 _CLEAR_OF_GROUND = 1000.0
 """Height of the bench above the ground [m], where the ground has no effect."""
@@ -34,22 +35,22 @@ class Bench:
     @property
     def mass(self) -> float:
         """Mass [kg]."""
-        return self._plant.mass()
+        return self._plant.readings.mass()
 
     @property
     def inertia(self) -> Mat3:
         """Inertia tensor, body FRD [kg m^2]."""
-        return self._plant.inertia()
+        return self._plant.readings.inertia()
 
     def accelerations(self, condition: FlightCondition) -> Accelerations:
         """The accelerations at a flight condition."""
         self._plant.place(self._start(condition))
-        return self._plant.accelerations()
+        return self._plant.readings.accelerations()
 
     def thrust(self, condition: FlightCondition) -> float:
         """Steady thrust along body x [N]."""
         self._plant.place(self._start(condition))
-        return self._plant.thrust()
+        return self._plant.readings.thrust()
 
     def _start(self, condition: FlightCondition) -> Start:
         return Start(_LATITUDE, 0.0, self._altitude, 0.0, condition)

@@ -1,16 +1,15 @@
 """The simulated aeroplane: one JSBSim instance, seen in SI units."""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import FT, G0, LBF, SLUG_FT2, SLUG_FT3
-from vfguide.geometry.vector import Mat3, Vec3, add, matvec, sub, transpose
-from vfguide.kernels.written_functions import maker
+from vfguide.geometry.units import FT
+from vfguide.geometry.vector import Vec3, add, matvec, sub, transpose
 from vfguide.sim.condition import Model, Start, Weather
-from vfguide.sim.fdm import JsbsimError, PropertyNode, load, model_error, never_free
+from vfguide.sim.fdm import JsbsimError, load, model_error, never_free
+from vfguide.sim.readings import Readings, node
 from vfguide.sim.signals import ControlTuple, InnerTuple
 from vfguide.sim.truth import Truth
 from vfguide.sim.turbulence import GustyAir, Turbulence
@@ -27,17 +26,6 @@ _RICH = 1.15
 number; chosen, so that it is full rich up to 1150 m, as a pilot leaves it."""
 _SEA_LEVEL_PRESSURE = 2116.22
 """Air pressure at sea level in the standard atmosphere [lbf/ft^2] (ISO 2533)."""
-_truth = maker(Truth)
-Getter = Callable[[], float]
-
-
-class Accelerations(NamedTuple):
-    """How the motion of an aeroplane changes, body FRD."""
-
-    v_dot_b: Vec3
-    """Derivatives of u, v, w [m/s^2]."""
-    omega_dot_b: Vec3
-    """Derivatives of p, q, r [rad/s^2]."""
 
 
 class Plant:
@@ -67,14 +55,15 @@ class Plant:
         self._fdm = load(model, dt)
         self._fdm["ic/terrain-elevation-ft"] = ground_altitude / FT
         self._bind_controls()
-        self._bind_inner()
-        self._bind_truth()
-        self._bind_bench()
+        self.readings = Readings(self._fdm, model)
+        """What is read of it."""
+        self.inner: Callable[[], InnerTuple] = self.readings.inner
+        """`Inner` without its names, for the inner loop at every time step."""
         self._weather = weather
         self._gusts = gusty_air(weather)
         self._air_changes = weather.varies or self._gusts is not None
         self.place(start, self._first_wind(start.altitude - ground_altitude))
-        if not np.isfinite(self.accelerations()).all():
+        if not np.isfinite(self.readings.accelerations()).all():
             raise model_error(model, "accelerations are not finite at the start")
 
     @property
@@ -90,7 +79,7 @@ class Plant:
         """
         self._command(controls)
         if self._air_changes:
-            self._set_wind(self._next_wind(FT * self._height()))
+            self._set_wind(self._next_wind(self.readings.height()))
         try:
             self._run()
         except JsbsimError as error:
@@ -104,36 +93,9 @@ class Plant:
             self._run()
         self.steps += steps
 
-    def inner(self) -> InnerTuple:
-        """`Inner` without its names, for the inner loop at every time step."""
-        p, q, r, alpha, beta, airspeed, density = self._inner
-        return p(), q(), r(), alpha(), beta(), FT * airspeed(), SLUG_FT3 * density()
-
     def truth(self) -> Truth:
         """The whole state."""
-        load_x, load_y, load_up = self._load_factors()
-        latitude, longitude, altitude, roll, pitch, yaw, height = self._place
-        p, q, r, alpha, beta, airspeed, density = self.inner()
-        return _truth(
-            (
-                self.steps * self._dt,
-                latitude(),
-                longitude(),
-                FT * altitude(),
-                self._v_n(),
-                roll(),
-                pitch(),
-                yaw(),
-                (p, q, r),
-                airspeed,
-                alpha,
-                beta,
-                self._wind_n(),
-                (G0 * load_x, G0 * load_y, -G0 * load_up),
-                density,
-                FT * height(),
-            )
-        )
+        return self.readings.truth(self.time)
 
     def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
         """Put the aeroplane into `start`, servos and motor in steady state, time standing still.
@@ -147,24 +109,6 @@ class Plant:
         # run_ic forgets the controls and takes its own wind.
         self._set_wind(wind_n)
         self._settle(start.condition.controls)
-
-    def accelerations(self) -> Accelerations:
-        """The accelerations at this instant."""
-        return Accelerations(self._v_dot_b(), self._omega_dot_b())
-
-    def thrust(self) -> float:
-        """Force along body x other than the aerodynamic force [N]."""
-        return LBF * (self._force_x() - self._aero_force_x())
-
-    def inertia(self) -> Mat3:
-        """Inertia tensor about the centre of gravity, body FRD [kg m^2]."""
-        ixx, iyy, izz, ixy, ixz, iyz = (SLUG_FT2 * moment() for moment in self._moments)
-        # JSBSim's properties are elements of the tensor, two of them with the sign changed.
-        return ((ixx, -ixy, ixz), (-ixy, iyy, -iyz), (ixz, -iyz, izz))
-
-    def mass(self) -> float:
-        """Mass [kg]."""
-        return LBF / G0 * self._weight()
 
     def _place_at(self, start: Start) -> None:
         fdm = self._fdm
@@ -201,7 +145,7 @@ class Plant:
         wind_n = self._weather.wind_at(self.time, height)
         if self._gusts is None:
             return wind_n
-        return add(wind_n, self._gusts.fly(sub(self._v_n(), wind_n), height, self._dt))
+        return add(wind_n, self._gusts.fly(sub(self.readings.v_n(), wind_n), height, self._dt))
 
     def _settle(self, controls: ControlTuple) -> None:
         """Bring servos, motor and engines to what `controls` command, the clock standing."""
@@ -241,60 +185,9 @@ class Plant:
         self._engines = self._fdm.get_propulsion().get_num_engines()
         surfaces = [f"fcs/{name}-cmd-norm" for name in ("aileron", "elevator", "rudder")]
         throttles = [f"fcs/throttle-cmd-norm[{i}]" for i in range(max(1, self._engines))]
-        self._set_controls = [self._node(name).set_double_value for name in surfaces + throttles]
-
-    def _bind_inner(self) -> None:
-        self._inner = (
-            self._getter("velocities/p-rad_sec"),
-            self._getter("velocities/q-rad_sec"),
-            self._getter("velocities/r-rad_sec"),
-            self._getter("aero/alpha-rad"),
-            self._getter("aero/beta-rad"),
-            self._getter("velocities/vt-fps"),
-            self._getter("atmosphere/rho-slugs_ft3"),
-        )
-
-    def _bind_truth(self) -> None:
-        self._height = self._getter("position/h-agl-ft")
-        self._place = (
-            self._getter("position/lat-geod-rad"),
-            self._getter("position/long-gc-rad"),
-            self._getter("position/geod-alt-ft"),
-            self._getter("attitude/phi-rad"),
-            self._getter("attitude/theta-rad"),
-            self._getter("attitude/psi-rad"),
-            self._height,
-        )
-        directions = ("north", "east", "down")
-        self._v_n = self._vector_getter([f"velocities/v-{d}-fps" for d in directions], FT)
-        self._wind_n = self._vector_getter(
-            [f"atmosphere/total-wind-{d}-fps" for d in directions], FT
-        )
-        self._load_factors = self._vector_getter([f"accelerations/N{axis}" for axis in "xyz"], 1.0)
-
-    def _bind_bench(self) -> None:
-        self._v_dot_b = self._vector_getter([f"accelerations/{x}dot-ft_sec2" for x in "uvw"], FT)
-        self._omega_dot_b = self._vector_getter(
-            [f"accelerations/{x}dot-rad_sec2" for x in "pqr"], 1.0
-        )
-        self._force_x = self._getter("forces/fbx-total-lbs")
-        self._aero_force_x = self._getter("forces/fbx-aero-lbs")
-        self._weight = self._getter("inertia/weight-lbs")
-        pairs = ("xx", "yy", "zz", "xy", "xz", "yz")
-        self._moments = [self._getter(f"inertia/i{pair}-slugs_ft2") for pair in pairs]
-
-    def _getter(self, name: str) -> Getter:
-        return self._node(name).get_double_value
-
-    def _node(self, name: str) -> PropertyNode:
-        node = self._fdm.get_property_manager().get_node(name)
-        if node is None:
-            raise model_error(self._model, f"has no property {name}")
-        return node
-
-    def _vector_getter(self, names: list[str], unit: float) -> Callable[[], Vec3]:
-        x, y, z = map(self._getter, names)
-        return lambda: (unit * x(), unit * y(), unit * z())
+        self._set_controls = [
+            node(self._fdm, self._model, name).set_double_value for name in surfaces + throttles
+        ]
 
 
 def gusty_air(weather: Weather) -> GustyAir | None:

@@ -12,7 +12,7 @@ from vfguide.geometry.vector import Matrix, Vector
 from vfguide.kernels.rows import row_of, table_of
 from vfguide.sim.bench import Bench
 from vfguide.sim.condition import FlightCondition
-from vfguide.sim.plant import Accelerations
+from vfguide.sim.readings import Accelerations
 from vfguide.sim.signals import Controls
 
 

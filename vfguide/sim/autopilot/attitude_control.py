@@ -9,10 +9,24 @@ import math
 
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Vec3
 from vfguide.kernels.compiled import compiled
+from vfguide.link.enums import AttitudeTypeMask
+from vfguide.link.messages import SetAttitudeTarget
 
+ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)
+"""Type mask flag of an ignored attitude as a plain integer: a flag of an enumeration costs a
+microsecond."""
+THROTTLE_IGNORE = int(AttitudeTypeMask.THROTTLE_IGNORE)
+"""Type mask flag of an ignored thrust as a plain integer."""
+ROLL_RATE_IGNORE = int(AttitudeTypeMask.BODY_ROLL_RATE_IGNORE)
+"""Type mask flag of an ignored roll rate as a plain integer."""
+PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
+"""Type mask flag of an ignored pitch rate as a plain integer."""
+YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
+"""Type mask flag of an ignored yaw rate as a plain integer."""
 ATTITUDE_GAIN = 2.5
 """Rate at which errors of roll and pitch decay [1/s]: 1 / FW_R_TC and 1 / FW_P_TC, PX4's defaults
 of 0.4 s."""
@@ -24,6 +38,33 @@ TURN_AIRSPEED_MIN = 3.0
 LOAD_SHARE = 0.7
 """Share of the difference of the aircraft's load factors from 1 that a pull or a push may take;
 chosen, since a change of the angle of attack overshoots."""
+
+
+Demand = tuple[float, float, float, float]
+"""Body rates p, q, r, FRD [rad/s], and thrust, 0 to 1."""
+
+
+def demand_of(setpoint: SetAttitudeTarget, euler: Vec3, airspeed: float) -> Demand:
+    """Body rates and thrust of a setpoint; what it ignores is not made up for.
+
+    Of an attitude roll and pitch are flown, with the yaw rate of a coordinated turn.
+
+    Args:
+        setpoint: of attitude, or of body rates.
+        euler: roll, pitch and yaw now [rad].
+        airspeed: true airspeed [m/s].
+    """
+    mask = setpoint.type_mask
+    thrust = 0.0 if mask & THROTTLE_IGNORE else setpoint.thrust
+    if not mask & ATTITUDE_IGNORE:
+        roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
+        return (*rates_for_attitude(roll, pitch, euler, airspeed), thrust)
+    return (
+        0.0 if mask & ROLL_RATE_IGNORE else setpoint.body_roll_rate,
+        0.0 if mask & PITCH_RATE_IGNORE else setpoint.body_pitch_rate,
+        0.0 if mask & YAW_RATE_IGNORE else setpoint.body_yaw_rate,
+        thrust,
+    )
 
 
 @compiled

@@ -7,11 +7,10 @@ import math
 
 from vfguide.aircraft.performance import Performance
 from vfguide.earth.atmosphere import isa_density, true_airspeed
-from vfguide.geometry.so3 import from_quaternion, to_euler
 from vfguide.geometry.units import MS, SECOND
 from vfguide.geometry.vector import Vec3
 from vfguide.kernels.written_functions import maker
-from vfguide.link.enums import AttitudeTypeMask, MavSeverity
+from vfguide.link.enums import MavSeverity
 from vfguide.link.messages import (
     AdsbVehicle,
     CurrentMode,
@@ -20,7 +19,7 @@ from vfguide.link.messages import (
     Statustext,
     WindCov,
 )
-from vfguide.sim.autopilot.attitude_control import rates_for_attitude
+from vfguide.sim.autopilot.attitude_control import ATTITUDE_IGNORE, demand_of
 from vfguide.sim.autopilot.estimate import Estimate, Estimator
 from vfguide.sim.autopilot.flight_mode import (
     FAILSAFE_MODES,
@@ -41,19 +40,6 @@ from vfguide.sim.inner_loop.airframe_model import Airframe
 from vfguide.sim.inner_loop.inner_loop import inner_loop
 from vfguide.sim.signals import Controls, ControlTuple, Inner, InnerTuple, without_names
 from vfguide.sim.truth import Truth
-
-ATTITUDE_IGNORE = int(AttitudeTypeMask.ATTITUDE_IGNORE)
-"""Type mask flag of an ignored attitude as a plain integer: a flag of an enumeration costs a
-microsecond."""
-THROTTLE_IGNORE = int(AttitudeTypeMask.THROTTLE_IGNORE)
-"""Type mask flag of an ignored thrust as a plain integer."""
-ROLL_RATE_IGNORE = int(AttitudeTypeMask.BODY_ROLL_RATE_IGNORE)
-"""Type mask flag of an ignored roll rate as a plain integer."""
-PITCH_RATE_IGNORE = int(AttitudeTypeMask.BODY_PITCH_RATE_IGNORE)
-"""Type mask flag of an ignored pitch rate as a plain integer."""
-YAW_RATE_IGNORE = int(AttitudeTypeMask.BODY_YAW_RATE_IGNORE)
-"""Type mask flag of an ignored yaw rate as a plain integer."""
-
 
 _report = maker(Report)
 
@@ -227,25 +213,10 @@ class Autopilot:
             hold = self.parameters["NAV_RCL_ACT"] == HOLD_ACTION
             self.happen(Event.STREAM_LOST_HOLD if hold else Event.STREAM_LOST_RETURN)
 
-    def _follow(self, sp: SetAttitudeTarget) -> None:
+    def _follow(self, setpoint: SetAttitudeTarget) -> None:
         """Body rates and thrust of the setpoint; what it ignores is not made up for."""
-        mask = sp.type_mask
-        if mask & ATTITUDE_IGNORE:
-            omega_b = (
-                0.0 if mask & ROLL_RATE_IGNORE else sp.body_roll_rate,
-                0.0 if mask & PITCH_RATE_IGNORE else sp.body_pitch_rate,
-                0.0 if mask & YAW_RATE_IGNORE else sp.body_yaw_rate,
-            )
-        else:
-            omega_b = self._rates_for_attitude(sp)
-        self._wanted = (*omega_b, 0.0 if mask & THROTTLE_IGNORE else sp.thrust)
+        self._wanted = demand_of(setpoint, self.estimate.euler, self.estimate.true_airspeed)
         self._is_flyable = all(map(math.isfinite, self._wanted))
-
-    def _rates_for_attitude(self, setpoint: SetAttitudeTarget) -> Vec3:
-        """Roll and pitch of the quaternion, the yaw of a coordinated turn."""
-        roll, pitch, _ = to_euler(from_quaternion(setpoint.q))
-        estimate = self.estimate
-        return rates_for_attitude(roll, pitch, estimate.euler, estimate.true_airspeed)
 
 
 def silent_streams(instruments: Instruments) -> frozenset[int]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.sim.delay_line import DelayLine
+from vfguide.link.delay_line import DelayLine
 
 
 @pytest.mark.parametrize("delay", [0, 1, 20_000, 2_000_000])
