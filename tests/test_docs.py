@@ -15,7 +15,14 @@ from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from vfguide.autopilots.engagement import Phase
-from vfguide.files import aircraft_file, fence, obstacle_entry, scenario_file, traffic_entry
+from vfguide.files import (
+    aircraft_file,
+    fence,
+    obstacle_entry,
+    scenario_file,
+    simulation_entry,
+    traffic_entry,
+)
 from vfguide.files.toml_types import Table
 from vfguide.link.messages import RECORDS
 from vfguide.results import interventions, result
@@ -38,13 +45,13 @@ NUMBER = r"-?\d+(?:\.\d+)?"
 PLACES = [
     (SCENARIO, "Top level", scenario_file.ScenarioHead),
     (SCENARIO, "[origin]", scenario_file.Origin),
-    (SCENARIO, "[wind]", scenario_file.Wind),
-    (SCENARIO, "[weather]", scenario_file.Weather),
-    (SCENARIO, "[[wind.change]]", scenario_file.WindChange),
-    (SCENARIO, "[sensors]", scenario_file.Sensors),
-    (SCENARIO, "[link]", scenario_file.Link),
-    (SCENARIO, "[autopilot]", scenario_file.Autopilot),
-    (SCENARIO, "[[autopilot.reset]]", scenario_file.Reset),
+    (SCENARIO, "[wind]", simulation_entry.Wind),
+    (SCENARIO, "[weather]", simulation_entry.Weather),
+    (SCENARIO, "[[wind.change]]", simulation_entry.WindChange),
+    (SCENARIO, "[sensors]", simulation_entry.Sensors),
+    (SCENARIO, "[link]", simulation_entry.Link),
+    (SCENARIO, "[autopilot]", simulation_entry.Autopilot),
+    (SCENARIO, "[[autopilot.reset]]", simulation_entry.Reset),
     (SCENARIO, "[guidance]", scenario_file.Guidance),
     (SCENARIO, "[avoidance]", scenario_file.Avoidance),
     (SCENARIO, "[fence]", fence.Fence),
@@ -110,7 +117,7 @@ def test_every_key_is_documented_and_no_other(page, heading, model):
 
 def test_every_table_of_the_files_is_documented():
     documented = {model for _, _, model in PLACES}
-    modules = (scenario_file, obstacle_entry, traffic_entry, fence, aircraft_file)
+    modules = (scenario_file, simulation_entry, obstacle_entry, traffic_entry, fence, aircraft_file)
     tables = {
         kind
         for module in modules

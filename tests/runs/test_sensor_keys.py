@@ -2,7 +2,7 @@
 
 import pytest
 
-from vfguide.files.scenario_file import Sensors
+from vfguide.files.simulation_entry import Sensors
 from vfguide.geometry.units import DEG
 from vfguide.runs.instruments import errors_from
 

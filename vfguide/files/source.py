@@ -2,6 +2,7 @@
 
 import json
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -64,6 +65,17 @@ class Source:
         """The error of the value at `location`, which breaks `rule`."""
         shown = "" if value is _NO_VALUE else f" = {as_toml(value)}"
         return InputError(f"{self._origin(location)}: {dotted(location)}{shown}: {rule}")
+
+    def check_distinct(self, table: str, key: str, values: Sequence[object]) -> None:
+        """No two tables of one kind, `table`, have one value of `key`; `values` are in their order.
+
+        Raises:
+            InputError: two have.
+        """
+        for index, value in enumerate(values):
+            if value in values[:index]:
+                rule = f"already the {key} of {table}[{values.index(value)}], each needs its own"
+                raise self.error((table, index, key), rule, value)
 
     def _origin(self, location: Location) -> str:
         """The file, and the override that set something at, above or below `location`."""

@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from vfguide.files.aircraft_file import Aircraft
-from vfguide.files.scenario_file import LEAST_BANK_DEG, Autopilot, Link, ScenarioFile, Weather
+from vfguide.files.scenario_file import LEAST_BANK_DEG, ScenarioFile
+from vfguide.files.simulation_entry import Autopilot, Link, Weather
 from vfguide.files.source import Location, Source
 from vfguide.files.toml_types import in_words
 from vfguide.scenario.resolved import Scenario
@@ -51,19 +52,6 @@ PAPER_LAW_WARNING = (
 def told_of_law(scenario: Scenario) -> tuple[str, ...]:
     """The warnings about the law of a scenario."""
     return (PAPER_LAW_WARNING,) if scenario.law == "paper" and scenario.plant == "jsbsim" else ()
-
-
-def check_ids(scenario: Scenario, source: Source) -> None:
-    """No two vehicles of one id.
-
-    Raises:
-        InputError: there are.
-    """
-    ids = [vehicle.id for vehicle in scenario.vehicles]
-    for index, each in enumerate(ids):
-        if each in ids[:index]:
-            rule = f"already the id of vehicle[{ids.index(each)}], each needs its own"
-            raise source.error(("vehicle", index, "id"), rule, each)
 
 
 def check_aircraft(

@@ -32,7 +32,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     checks.check_law(entry, source)
     loaded = resolved_from(entry, source)
     scenario = loaded.scenario
-    checks.check_ids(scenario, source)
+    source.check_distinct("vehicle", "id", [vehicle.id for vehicle in scenario.vehicles])
     if scenario.law == "flight" or scenario.plant == "jsbsim":
         checks.check_aircraft(scenario, entry, loaded.aircraft, source)
     if scenario.plant == "jsbsim":

@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation, Transform
 
-from vfguide.files.scenario_file import Wind
+from vfguide.files.simulation_entry import Wind
 from vfguide.geometry.units import DEG
 from vfguide.report.drawing import MUTED_COLOUR
 from vfguide.results.record import Array

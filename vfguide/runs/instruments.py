@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.files.scenario_file import Autopilot, Sensors
+from vfguide.files.simulation_entry import Autopilot, Sensors
 from vfguide.geometry.units import in_si
 from vfguide.sim.autopilot.instruments import AirspeedFault, Errors, Instruments, Reset
 from vfguide.sim.autopilot.motor import Motor

@@ -46,10 +46,7 @@ def check_obstacles(scenario: Scenario, source: Source) -> None:
         InputError: there are.
     """
     names = [obstacle.name for obstacle in scenario.obstacles]
-    for index, name in enumerate(names):
-        if name in names[:index]:
-            rule = f"already the name of obstacle[{names.index(name)}], each needs its own"
-            raise source.error(("obstacle", index, "name"), rule, name)
+    source.check_distinct("obstacle", "name", names)
     moving = np.array([any(obstacle.velocity_mps) for obstacle in scenario.obstacles], bool)
     rows = rows_of(scenario.obstacles)
     for index, vehicle in enumerate(scenario.vehicles):

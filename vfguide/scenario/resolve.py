@@ -18,7 +18,7 @@ from vfguide.files.scenario_file import (
 )
 from vfguide.files.source import Location, Source
 from vfguide.files.traffic_entry import TrafficEntry
-from vfguide.geometry.units import DEG
+from vfguide.geometry.units import DEG, KM
 from vfguide.geometry.vector import Vec3
 from vfguide.scenario.air import NO_AIR, Air, air_between
 from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
@@ -149,7 +149,7 @@ def _position(entry: GoalEntry, origin: Origin, source: Source, at: Location) ->
         raise source.error(at, rule)
     p_n = geodetic_to_ned(plane_of(origin), latitude * DEG, longitude * DEG, altitude)
     if max(map(abs, p_n)) > MAX_GOAL_DISTANCE:
-        rule = f"{math.hypot(*p_n) / 1e3:.0f} km from the origin, allowed up to 100 km on each axis"
+        rule = f"{math.hypot(*p_n) / KM:.0f} km from the origin, allowed up to 100 km on each axis"
         raise source.error((*at, "latitude_deg"), rule, latitude)
     return p_n
 

@@ -37,12 +37,9 @@ def check_traffic(scenario: Scenario, source: Source) -> None:
     """
     if scenario.traffic and scenario.plant != "jsbsim":
         raise source.error(("traffic",), 'plant = "kinematic" hears none, allowed none')
+    source.check_distinct("traffic", "name", [each.name for each in scenario.traffic])
+    source.check_distinct("traffic", "icao", [each.icao for each in scenario.traffic])
     for index, each in enumerate(scenario.traffic):
-        for key in ("name", "icao"):
-            before = [getattr(other, key) for other in scenario.traffic[:index]]
-            if getattr(each, key) in before:
-                rule = f"already the {key} of traffic[{before.index(getattr(each, key))}]"
-                raise source.error(("traffic", index, key), rule, getattr(each, key))
         for number in range(1, len(each.change)):
             before = each.change[number - 1]
             end = before.time_s + before.within_s
