@@ -1,5 +1,9 @@
 """The companion: messages of one autopilot in, messages to it out.
 
+A new attitude takes one way to a setpoint: `Companion.receive`, which knows then what the autopilot
+tells, `SetpointControl.guide`, which keeps setpoints back where one must not go out,
+`GuidedFlight.guide`, which makes the step of the control loop, and back.
+
 No socket, clock or thread: every call carries the time. What it sends as setpoints follows
 from what it received, and from when it sent something, so that a recording gives the same again.
 """
@@ -9,11 +13,11 @@ from vfguide.annunciations.phase_notes import RESTARTED
 from vfguide.autopilots.engagement import FINAL_PHASES, Phase
 from vfguide.companion.data_requests import DataRequests
 from vfguide.companion.guided_flight import GuidedFlight, Step
+from vfguide.companion.own_heartbeat import OwnHeartbeat
 from vfguide.companion.plan import Plan
 from vfguide.companion.setpoint_control import SetpointControl
 from vfguide.geometry.units import SECOND
 from vfguide.link.boot_time import BootClock
-from vfguide.link.enums import MavAutopilot, MavState, MavType
 from vfguide.link.messages import (
     AdsbVehicle,
     AttitudeQuaternion,
@@ -53,12 +57,6 @@ HANDLED = frozenset(
 """Ids of the messages that `Companion.receive` handles."""
 TIMED = (AttitudeQuaternion, SystemTime)
 """The kinds of messages that change the autopilot's clock or date."""
-STATUS = {
-    Phase.FLYING: MavState.ACTIVE,
-    Phase.RETURNING: MavState.ACTIVE,
-    Phase.INTERRUPTED: MavState.CRITICAL,
-}
-"""State in our heartbeat by the phase, STANDBY in all others."""
 
 
 class Companion:
@@ -82,7 +80,7 @@ class Companion:
         self._time_notes = TimeAnnunciator()
         self._contact = Contact()
         self._speakers = Speakers()
-        self._beat: int | None = None
+        self._heartbeat = OwnHeartbeat()
 
     @property
     def flight(self) -> GuidedFlight:
@@ -130,6 +128,44 @@ class Companion:
                 return out
         return out + self._housekeeping(now)
 
+    def _observe(self, now: int, message: Message) -> None:
+        """Know what a message tells, and tell of a clock or a date that goes wrong."""
+        before = self._known
+        self._known = after = observe(before, message, now)
+        if after is before:
+            return
+        self._contact.hear(now)
+        if (clock := after.clock) is not None and clock is not before.clock:
+            self._hear_clock(now, before.clock, clock)
+        if isinstance(message, TIMED):
+            self._news += self._time_notes.notes(before, after)
+
+    def _guide(self, now: int) -> list[Message]:
+        """The setpoint for the state at a new attitude."""
+        self._control.watch(now, self._round_trip, self._speakers)
+        waited = self._contact.waited(now)
+        out = self._control.guide(now, self._known, self._round_trip, waited=waited)
+        if out and self.flight.take_jump():  # the origin may have moved: it is told if asked for
+            self._requests.ask_origin()
+        return out
+
+    def _housekeeping(self, now: int) -> list[Message]:
+        """Heartbeat, requests and mode changes that are due."""
+        phase = self.phase
+        out: list[Message] = [*self._heartbeat.due(now, phase)]
+        if phase is Phase.SEARCHING or phase in FINAL_PHASES:
+            return out
+        self._control.watch(now, self._round_trip, self._speakers)
+        if self._needs_origin:
+            self._requests.ask_origin_again(now)
+        self._control.tell_why_silent(now, self._known, self._round_trip)
+        out += self._round_trip.due(now)
+        if request := self._requests.due(now):
+            out.append(request)
+        if request := self._control.mode.request(now):
+            out.append(request)
+        return out
+
     def poll(self, now: int) -> list[Message]:
         """What is due at `now` [us since 1970] without anything received."""
         self._wake(now)
@@ -158,9 +194,9 @@ class Companion:
 
     def news(self) -> list[str]:
         """The new notes to the operator, each once."""
-        told = self._news.copy()
+        notes = self._news.copy()
         self._news.clear()
-        return told
+        return notes
 
     @property
     def _needs_origin(self) -> bool:
@@ -213,18 +249,6 @@ class Companion:
             self._round_trip.forget_questions()
             self._control.stand_still(now, gap)
 
-    def _observe(self, now: int, message: Message) -> None:
-        """Know what a message tells, and tell of a clock or a date that goes wrong."""
-        before = self._known
-        self._known = after = observe(before, message, now)
-        if after is before:
-            return
-        self._contact.hear(now)
-        if (clock := after.clock) is not None and clock is not before.clock:
-            self._hear_clock(now, before.clock, clock)
-        if isinstance(message, TIMED):
-            self._news += self._time_notes.notes(before, after)
-
     def _hear_clock(self, now: int, before: BootClock | None, after: BootClock) -> None:
         """A new time of the autopilot tells the age of its states, and a leap of its counter."""
         self._round_trip.hear_state(now, after.time_ms)
@@ -258,36 +282,3 @@ class Companion:
             self._round_trip = RoundTrip()
             self._control.begin(now)
             self._requests.begin(now, autopilot, self.flight.plan.rate)
-
-    def _housekeeping(self, now: int) -> list[Message]:
-        """Heartbeat, requests and mode changes that are due."""
-        out: list[Message] = []
-        if self._beat is None or now - self._beat >= SECOND:
-            self._beat = now
-            out.append(self._own_heartbeat())
-        if (phase := self.phase) is Phase.SEARCHING or phase in FINAL_PHASES:
-            return out
-        self._control.watch(now, self._round_trip, self._speakers)
-        if self._needs_origin:
-            self._requests.ask_origin_again(now)
-        self._control.tell_why_silent(now, self._known, self._round_trip)
-        out += self._round_trip.due(now)
-        if request := self._requests.due(now):
-            out.append(request)
-        if request := self._control.mode.request(now):
-            out.append(request)
-        return out
-
-    def _guide(self, now: int) -> list[Message]:
-        """The setpoint for the state at a new attitude."""
-        self._control.watch(now, self._round_trip, self._speakers)
-        waited = self._contact.waited(now)
-        out = self._control.guide(now, self._known, self._round_trip, waited=waited)
-        if out and self.flight.take_jump():  # the origin may have moved: it is told if asked for
-            self._requests.ask_origin()
-        return out
-
-    def _own_heartbeat(self) -> Heartbeat:
-        """Who we are; CRITICAL while the link to the autopilot is lost."""
-        status = STATUS.get(self.phase, MavState.STANDBY)
-        return Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)

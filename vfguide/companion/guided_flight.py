@@ -7,29 +7,22 @@ from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
 from vfguide.airspace.hazards import Hazards
-from vfguide.annunciations.airspeed_notes import AirspeedAnnunciator
-from vfguide.annunciations.doubt_notes import doubt_notes, unfit
-from vfguide.annunciations.flight_notes import progress_notes, reset_notes, wind_notes
 from vfguide.annunciations.goal_announcement import GoalAnnouncement, announcement
 from vfguide.annunciations.goal_notes import leg_note, passage_note
-from vfguide.annunciations.hazard_notes import HazardAnnunciator
 from vfguide.annunciations.identification_notes import (
     BROKEN_OFF,
     NO_ROOM,
     TESTING,
     identified_notes,
 )
+from vfguide.annunciations.step_notes import StepAnnunciator
 from vfguide.assurance.decision import Reason
 from vfguide.companion.identification_flight import IdentificationFlight
 from vfguide.companion.obstacle_clock import ObstacleClock
 from vfguide.companion.plan import Plan
+from vfguide.companion.traffic_watch import TrafficWatch
 from vfguide.estimation.air_state import AirReport
-from vfguide.estimation.local_frame import (
-    Measurement,
-    Quaternion,
-    place_state,
-    without_names,
-)
+from vfguide.estimation.local_frame import Measurement, Quaternion, place_state, without_names
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import crossing
@@ -39,9 +32,7 @@ from vfguide.loop.attempts import no_attempts
 from vfguide.loop.loop_report import (
     Noted,
     air_report,
-    changes,
     decision_of_row,
-    doubts_of_row,
     goal_of_row,
     noted_numbers,
     number_of_resets,
@@ -59,13 +50,8 @@ from vfguide.loop.state import (
     take_over,
     watching,
 )
-from vfguide.surveillance.picture import Picture
-from vfguide.surveillance.report import Ownship
-from vfguide.surveillance.surveillance import Surveillance
 from vfguide.telemetry.knowledge import Knowledge, measurement
 
-RESET_NOTE_INTERVAL = 5000
-"""Least time between two notes of position resets [ms]; chosen."""
 HELD_PERIODS = 1.0
 """Number of guidance periods for which the state is predicted beyond the delay: half of one because
 a setpoint is held for it, half because the reference's rate is that of the period before."""
@@ -97,14 +83,10 @@ class GuidedFlight:
         """What the operator should read; the caller takes it away."""
         self.announced: list[GoalAnnouncement] = []
         """The goals that were passed, as it saw them, in the order of time."""
-        self.unfit: str | None = None
-        """Why what the autopilot tells cannot be flown on; None where it can."""
-        self._annunciator = HazardAnnunciator(plan.hazard_names)
-        self._airspeed_notes = AirspeedAnnunciator()
-        self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))
+        self._announcer = StepAnnunciator(plan.briefing)
+        self._traffic = TrafficWatch(plan)
         self._obstacle_clock = ObstacleClock(plan)
         self._stepped: int | None = None
-        self._told_reset: int | None = None
         self._follows = False
         self._jumped = False
 
@@ -112,6 +94,11 @@ class GuidedFlight:
     def is_testing(self) -> bool:
         """Whether a test flight goes before the first goal now."""
         return self._identification is not None
+
+    @property
+    def unfit(self) -> str | None:
+        """Why what the autopilot tells cannot be flown on; None where it can."""
+        return self._announcer.unfit
 
     @property
     def air(self) -> AirReport:
@@ -123,78 +110,9 @@ class GuidedFlight:
         """What records keep of the last step."""
         return Noted(*noted_numbers(self._state))
 
-    def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
-        """The setpoint for the newest attitude; None: not due, or something is not known.
-
-        It acts `delay` [s] after that attitude, and is held until the next one does. Its body
-        rates are FRD [rad/s].
-
-        Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
-        the present goal begins anew.
-        """
-        now_ms = known.time_ms
-        if known.attitude is None or not self._due(now_ms):
-            return None
-        self.notes += self._obstacle_clock.notes(known)
-        if self._obstacle_clock.objection(known) is not None:
-            return None
-        state = measurement(known, delay + HELD_PERIODS / self.plan.rate)
-        if state is None:
-            return None
-        if follows:
-            self._obstacle_clock.settle(known)
-        t = self._obstacle_clock.time(known)
-        if self._surveillance.is_listening:
-            self._look_for_traffic(state, now_ms)
-        hazards = self.plan.hazards
-        if hazards is not None:
-            hazards = self._surveillance.among(hazards, now_ms, t)
-        if follows and not self._follows:
-            self._begin_leg(state, hazards, t)
-        self._follows = follows
-        plan, before = self.plan, self._state
-        omega_b, thrust, q_nb, after, miss = self._step(
-            without_names(state),
-            plan.origin,
-            before,
-            plan.legs,
-            None
-            if hazards is None
-            else unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST)),
-            crossing(plan.law),
-            plan.vehicle_row
-            if self._identification is None
-            else self._identification.vehicle_row(goal_of_row(before)),
-        )
-        has_news = self._heed(before, after)
-        self._state = after if follows else watching(before, after)
-        if follows:
-            if has_news:
-                self._tell_news(before, after, not math.isnan(state.calibrated))
-            if plan.hazards is not None:
-                self.notes += self._annunciator.notes(after, t)
-        setpoint = RateSetpoint(omega_b, thrust, q_nb)
-        if follows and self._identification is not None:
-            self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
-            self._test(self._identification)
-        elif follows:
-            self._tell_progress(before, after, miss, has_news)
-        return setpoint
-
-    def _look_for_traffic(self, state: Measurement, now_ms: int) -> None:
-        """Look at the other aircraft from the ownship at the time `now_ms` [ms], if it is time."""
-        self._surveillance.follow(ownship_of(state, now_ms, self.plan))
-        if self._surveillance.is_due(now_ms):
-            ownship = place_state(state, self.plan.origin)
-            self.notes += self._surveillance.look(Ownship(now_ms, ownship.p_n, ownship.v_n))
-
     def hear_traffic(self, said: AdsbVehicle, known: Knowledge) -> None:
-        """Take a report of another aircraft; without an attitude its time is unknown."""
-        if known.attitude is None:
-            return
-        state, now_ms = measurement(known), known.time_ms
-        ownship = None if state is None else ownship_of(state, now_ms, self.plan)
-        self.notes += self._surveillance.hear(said, now_ms, ownship, known.datum)
+        """Take a report of another aircraft."""
+        self.notes += self._traffic.hear(said, known)
 
     def objection(self, known: Knowledge) -> str | None:
         """Why the autopilot must not begin to follow, None: it may."""
@@ -209,49 +127,89 @@ class GuidedFlight:
         """Record that the autopilot does not follow, or that it is unknown whether it does."""
         self._follows = False
 
-    def _tell_news(self, before: Row, after: Row, hears_airspeed: bool) -> None:
-        """Tell of what a step has changed in air, position and wind."""
-        believes = trusts_sensor_of_row(after)
-        self.notes += self._airspeed_notes.notes(believes, hears_airspeed)
-        self._tell_resets(before, after)
-        self.notes += wind_notes(before, after, len(self.plan.goals), self.plan.gains.airspeed)
-        self._jumped |= number_of_resets(after) != number_of_resets(before)
+    def guide(self, known: Knowledge, follows: bool, delay: float) -> RateSetpoint | None:
+        """The setpoint for the newest attitude; None: not due, or something is not known.
 
-    def _tell_progress(self, before: Row, after: Row, miss: float, has_news: bool) -> None:
+        It acts `delay` [s] after that attitude, and is held until the next one does. Its body
+        rates are FRD [rad/s].
+
+        Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
+        the present goal begins anew.
+        """
+        state, now_ms = self._due_state(known, delay), known.time_ms
+        if state is None:
+            return None
+        if follows:
+            self._obstacle_clock.settle(known)
+        t = self._obstacle_clock.time(known)
+        hazards = self._hazards(state, now_ms, t)
+        if follows and not self._follows:
+            self._begin(state, hazards, t)
+        self._follows = follows
+        before, (setpoint, after, miss) = self._state, self._fly(state, hazards, t)
+        self._state = after if follows else watching(before, after)
+        self.notes += self._announcer.doubts(before, after)
+        if follows:
+            hears_airspeed = not math.isnan(state.calibrated)
+            self.notes += self._announcer.events(before, after, now_ms, t, hears_airspeed)
+            if self._announcer.has_news:
+                self._jumped |= number_of_resets(after) != number_of_resets(before)
+        if follows and self._identification is not None:
+            self._identification.take(state, setpoint, delay, trusts_sensor_of_row(after))
+            self._test(self._identification)
+        elif follows:
+            self._progress(before, after, miss)
+        return setpoint
+
+    def _due_state(self, known: Knowledge, delay: float) -> Measurement | None:
+        """The state at the newest attitude, if the next step is due and can be made."""
+        now_ms, before_ms = known.time_ms, self._stepped
+        if known.attitude is None:
+            return None
+        if before_ms is not None and (now_ms - before_ms) * MS < DUE_SHARE / self.plan.rate:
+            return None
+        self._stepped = now_ms
+        self.notes += self._obstacle_clock.notes(known)
+        if self._obstacle_clock.objection(known) is not None:
+            return None
+        return measurement(known, delay + HELD_PERIODS / self.plan.rate)
+
+    def _hazards(self, state: Measurement, now_ms: int, t: float) -> Hazards | None:
+        """The hazards of the plan and the traffic at the time `now_ms` [ms], `t` [s]."""
+        self.notes += self._traffic.look(state, now_ms)
+        hazards = self.plan.hazards
+        return None if hazards is None else self._traffic.among(hazards, now_ms, t)
+
+    def _fly(
+        self, state: Measurement, hazards: Hazards | None, t: float
+    ) -> tuple[RateSetpoint, Row, float]:
+        """One step of the control loop: the setpoint, what the step leaves, and a goal's miss."""
+        plan, test = self.plan, self._identification
+        airspace = None
+        if hazards is not None:
+            airspace = unnested_airspace(Airspace(hazards, plan.fence, t, ASSUMED_GUST))
+        omega_b, thrust, q_nb, after, miss = self._step(
+            without_names(state),
+            plan.origin,
+            self._state,
+            plan.legs,
+            airspace,
+            crossing(plan.law),
+            plan.vehicle_row if test is None else test.vehicle_row(goal_of_row(self._state)),
+        )
+        return RateSetpoint(omega_b, thrust, q_nb), after, miss
+
+    def _progress(self, before: Row, after: Row, miss: float) -> None:
         """Tell of a step on the way to a goal, and of one that was passed by `miss` [m]."""
-        if has_news:
-            self.notes += progress_notes(before, after)
+        self.notes += self._announcer.progress(before, after)
         if math.isfinite(miss):
             self.announced.append(announcement(before, after, miss))
             self.notes.append(passage_note(self.announced[-1], len(self.plan.goals)))
 
-    def _heed(self, before: Row, after: Row) -> bool:
-        """Tell of doubts, if there are any; whether there is other news of a step."""
-        in_doubt, has_news = changes(before, after)
-        self.unfit = None
-        if in_doubt:
-            self._tell_doubts(before, after)
-        return has_news
-
-    def _tell_resets(self, before: Row, after: Row) -> None:
-        """Tell of a position reset, and of no other one for a while: they come many in a row."""
-        notes, now_ms = reset_notes(before, after), self._stepped
-        if not notes or now_ms is None:
-            return
-        if self._told_reset is None or now_ms - self._told_reset >= RESET_NOTE_INTERVAL:
-            self._told_reset = now_ms
-            self.notes += notes
-
-    def _tell_doubts(self, before: Row, after: Row) -> None:
-        """Tell of what a step has begun or ceased to doubt, and whether it can be flown on."""
-        doubts = doubts_of_row(after)
-        self.notes += doubt_notes(doubts_of_row(before), doubts)
-        self.unfit = unfit(doubts)
-
-    def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
+    def _begin(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
         """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
         before = state_of_row(self._state)
-        self._annunciator = HazardAnnunciator(self.plan.hazard_names)
+        self._announcer.begin(self.plan.briefing)
         if self._identification is None:
             self._state = row_of_state(take_over(before))
             self.notes.append(leg_note(before.mission.goal, len(self.plan.goals)))
@@ -263,6 +221,7 @@ class GuidedFlight:
         if name := self._identification.begin(state, hazards, t):
             self.notes.append(TESTING.format(what=name))
             self.plan = self._identification.plan
+            self._announcer.begin(self.plan.briefing)
         else:
             self._end_test(self._identification, NO_ROOM)
 
@@ -283,24 +242,8 @@ class GuidedFlight:
     def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
         """Fly to the goals, with what the test flight has shown if it has."""
         before, after = self.plan.aircraft, identification.plan_after(self.identified)
-        self._identification, self.plan, self._annunciator = (
-            None,
-            after,
-            HazardAnnunciator(after.hazard_names),
-        )
+        self._identification, self.plan = None, after
+        self._announcer.begin(after.briefing)
         s = forget_learned(state_of_row(self._state), before, after.aircraft)
         self._state = row_of_state(begin_leg(s, 0, no_attempts()))
         self.notes += (*notes, leg_note(0, len(after.goals)))
-
-    def _due(self, now_ms: int) -> bool:
-        """Whether the next step is due at the autopilot's time [ms]."""
-        if self._stepped is not None and (now_ms - self._stepped) * MS < DUE_SHARE / self.plan.rate:
-            return False
-        self._stepped = now_ms
-        return True
-
-
-def ownship_of(state: Measurement, now_ms: int, plan: Plan) -> Ownship:
-    """The ownship at the time `now_ms` of the attitude [ms], in the frame of the plan."""
-    ownship = place_state(state._replace(lead=0.0), plan.origin)
-    return Ownship(now_ms, ownship.p_n, ownship.v_n)

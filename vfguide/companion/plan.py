@@ -9,6 +9,7 @@ from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.hazards import Hazards
 from vfguide.airspace.keep_out import NO_FENCE, KeepOutZones
+from vfguide.annunciations.step_notes import Briefing
 from vfguide.field.obstacle import PlacedObstacle
 from vfguide.geometry.vector import Vec3
 from vfguide.guidance.laws import FLIGHT, Law
@@ -82,6 +83,12 @@ class Plan:
     def is_assured(self) -> bool:
         """Whether the run-time assurance guards the law."""
         return self.hazards is not None and self.law.is_assured
+
+    @property
+    def briefing(self) -> Briefing:
+        """What the notes of its steps mention of it."""
+        names = None if self.hazards is None else self.hazard_names
+        return Briefing(len(self.goals), self.gains.airspeed, names)
 
     def __post_init__(self) -> None:
         legs = leg_rows(self.goals, self.loiter_side, self.loiter_radius)
