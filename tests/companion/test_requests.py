@@ -168,10 +168,6 @@ def test_every_result_has_a_name():
     assert result_name(200) == "result 200"
 
 
-def commands(messages, number):
-    return [m for m in messages if isinstance(m, CommandLong) and m.command == number]
-
-
 def answered(talk, seconds):
     """Every command of so many seconds, each accepted at once."""
     found = []

@@ -7,7 +7,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfguide.earth import geodesy
-from vfguide.earth.geodesy_arrays import geodetic_to_neds
 from vfguide.geometry.vector import matvec, norm, sub
 
 NANOMETRE = 1e-9
@@ -97,20 +96,3 @@ def test_level_rotation_at_the_origin_is_none():
     np.testing.assert_allclose(
         geodesy.R_level(ZURICH, ZURICH.lat, ZURICH.lon), np.eye(3), atol=1e-15
     )
-
-
-def test_arrays_equal_the_scalar_function():
-    rng = np.random.default_rng(7)
-    points = rng.uniform((0.8, 0.1, 0.0), (0.85, 0.2, 2000.0), (4, 5, 3))
-    origin = np.array([ZURICH.lat, ZURICH.lon, ZURICH.alt])
-    p_n = geodetic_to_neds(origin, points)
-    assert p_n.shape == (4, 5, 3)
-    for index in np.ndindex(4, 5):
-        expected = geodesy.geodetic_to_ned(ZURICH, *map(float, points[index]))
-        assert distance(p_n[index], expected) < ROUNDING
-    assert distance(geodetic_to_neds(origin, points[1, 2]), p_n[1, 2]) == 0.0
-
-
-def test_arrays_refuse_points_without_an_altitude():
-    with pytest.raises(ValueError, match="three components"):
-        geodetic_to_neds(np.zeros(2), np.zeros((4, 2)))

@@ -16,18 +16,11 @@ HERE = (0.0, 0.0, 0.0)
 coordinates = st.floats(-1e3, 1e3)
 points = st.tuples(coordinates, coordinates, coordinates)
 rotations = points.map(lambda w: exp(scale(1e-2, w)))
-directions = points.filter(lambda a: norm(a) > 1.0)
 goals = st.builds(gf.goal_frame, points, st.floats(-math.pi, math.pi), st.floats(-1.57, 1.57))
 FIELDS = [
     (gf.navigation_field_n, navigation.navigation_field, 2),
     (gf.normal_field_n, navigation.normal_field, 3),
-    (gf.binormal_field_n, navigation.binormal_field, 5),
 ]
-RATES = {
-    2: (gf.navigation_field_n, gf.navigation_field_rate_n),
-    3: (gf.normal_field_n, gf.normal_field_rate_n),
-}
-"""Field and rate, by degree."""
 
 
 def column(R, k):
@@ -42,18 +35,6 @@ def test_direction_of_a_heading_and_a_climb(h, c):
     oracle = Rotation.from_euler("ZY", [h, c]).as_matrix()
     np.testing.assert_allclose(R_ng, oracle, atol=1e-15)
     assert R_ng[2][1] == 0.0  # the goal's wings are level
-
-
-@given(directions)
-def test_goal_frame_from_a_direction_points_along_it(e_d):
-    R_ng = gf.goal_frame_from_direction(HERE, e_d).R_ng
-    assert column(R_ng, 0) == pytest.approx(scale(1.0 / norm(e_d), e_d), abs=1e-14)
-
-
-@pytest.mark.parametrize(("e_d", "climb"), [((0.0, 0.0, -2.0), 90.0), ((0.0, 0.0, 2.0), -90.0)])
-def test_a_vertical_direction_has_heading_zero(e_d, climb):
-    expected = gf.goal_frame(HERE, 0.0, math.radians(climb))
-    assert gf.goal_frame_from_direction(HERE, e_d) == expected
 
 
 @given(goals, points)
@@ -97,14 +78,3 @@ def test_fields_turn_with_the_world(field_n, degree, goal, p_n, motion):
     moved = field_n(there, add(shift, matvec(turn, p_n)))
     size = 1.0 + norm(p_n) + norm(goal.p_n) + norm(shift)
     assert norm(sub(moved, matvec(turn, field_n(goal, p_n)))) <= 1e-13 * size**degree
-
-
-@given(goals, points, points)
-@pytest.mark.parametrize("degree", RATES)
-def test_rates_are_central_differences(degree, goal, p_n, v_n):
-    field_n, rate_n = RATES[degree]
-    h = 1e-4
-    after, before = (field_n(goal, add(p_n, scale(k, v_n))) for k in (h, -h))
-    difference = scale(0.5 / h, sub(after, before))
-    size = (1.0 + norm(p_n) + norm(goal.p_n) + norm(v_n)) ** degree
-    assert norm(sub(rate_n(goal, p_n, v_n), difference)) <= 1e-6 * size

@@ -74,7 +74,6 @@ OBSTACLES = (
     ("hill", "cone", [40, -50, -10], "radius_m = 20\nheight_m = 40", STILL),
     ("balloon", "sphere", [60, 10, -40], "radius_m = 5", [2, -3, -1]),
 )
-PLAN = np.array([[0.0, 1.0], [1.0, 0.0], [0.0, 0.0]])
 DRAWINGS = (
     draw_plan,
     draw_side,

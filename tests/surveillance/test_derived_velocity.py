@@ -17,7 +17,6 @@ NEITHER = ALL & ~int(
     AdsbFlags.VALID_HEADING | AdsbFlags.VALID_VELOCITY | AdsbFlags.VERTICAL_VELOCITY_VALID
 )
 DATUM = HeightDatum(0.0, 0.0)
-ICAO = 0xABC123
 speeds = st.floats(-80.0, 80.0)
 
 

@@ -4,16 +4,9 @@ The print writes the components with earth-frame differences x - x_d, ...; they 
 goal frame: F~(p) = R_d F(R_d^T (p - p_d)), and likewise for G and H.
 """
 
-import math
 from typing import NamedTuple
 
-from vfguide.field.navigation import (
-    binormal_field,
-    navigation_field,
-    navigation_field_rate,
-    normal_field,
-    normal_field_rate,
-)
+from vfguide.field.navigation import navigation_field, normal_field
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import Mat3, Vec3, matvec, sub, transpose
 from vfguide.kernels.compiled import compiled
@@ -42,17 +35,6 @@ def goal_frame(p_n: Vec3, heading: float, climb: float) -> GoalFrame:
 
 
 @compiled
-def goal_frame_from_direction(p_n: Vec3, e_d: Vec3) -> GoalFrame:
-    """The goal at `p_n` with the direction `e_d`, of any length but zero.
-
-    Straight up or down the heading is 0.
-    """
-    north, east, down = e_d
-    climb = math.atan2(-down, math.hypot(north, east))
-    return goal_frame(p_n, math.atan2(east, north), climb)
-
-
-@compiled
 def position_in_goal(goal: GoalFrame, p_n: Vec3) -> Vec3:
     """p_g = R_d^T (p - p_d), the position in the goal frame [m]."""
     return velocity_in_goal(goal, sub(p_n, goal.p_n))
@@ -74,23 +56,3 @@ def navigation_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
 def normal_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
     """G~ in NED: Lemma 1 under Corollary 1."""
     return matvec(goal.R_ng, normal_field(position_in_goal(goal, p_n)))
-
-
-@compiled
-def binormal_field_n(goal: GoalFrame, p_n: Vec3) -> Vec3:
-    """H~ = G~ x F~ in NED."""
-    return matvec(goal.R_ng, binormal_field(position_in_goal(goal, p_n)))
-
-
-@compiled
-def navigation_field_rate_n(goal: GoalFrame, p_n: Vec3, v_n: Vec3) -> Vec3:
-    """dF~/dt in NED at a point that moves with `v_n`."""
-    p_g, v_g = position_in_goal(goal, p_n), velocity_in_goal(goal, v_n)
-    return matvec(goal.R_ng, navigation_field_rate(p_g, v_g))
-
-
-@compiled
-def normal_field_rate_n(goal: GoalFrame, p_n: Vec3, v_n: Vec3) -> Vec3:
-    """dG~/dt in NED at a point that moves with `v_n`."""
-    p_g, v_g = position_in_goal(goal, p_n), velocity_in_goal(goal, v_n)
-    return matvec(goal.R_ng, normal_field_rate(p_g, v_g))

@@ -59,13 +59,3 @@ def binormal_field(p_g: Vec3) -> Vec3:
     _, y, z = p_g
     k = dot(p_g, p_g) ** 2
     return (0.0, -z * k, y * k)
-
-
-@compiled
-def binormal_field_rate(p_g: Vec3, v_g: Vec3) -> Vec3:
-    """dH/dt, the chain rule on `binormal_field`."""
-    _, y, z = p_g
-    _, dy, dz = v_g
-    d2 = dot(p_g, p_g)
-    k, dk = d2 * d2, 4.0 * d2 * dot(p_g, v_g)
-    return (0.0, -dz * k - z * dk, dy * k + y * dk)

@@ -14,12 +14,8 @@ DEG_E7 = 1e-7 * DEG
 
 KM = 1e3
 """One kilometre [m]."""
-CM = 1e-2
-"""One centimetre [m]."""
 MM = 1e-3
 """One millimetre [m]."""
-IN = 0.0254
-"""One inch [m] (international yard and pound agreement, 1959)."""
 FT = 0.3048
 """One foot [m] (international yard and pound agreement, 1959)."""
 NM = 1852.0
@@ -42,8 +38,6 @@ KT = NM / HOUR
 """One knot [m/s]."""
 CM_S = 1e-2
 """One centimetre per second, the unit of velocities in MAVLink [m/s]."""
-FPM = FT / MINUTE
-"""One foot per minute [m/s]."""
 
 G0 = 9.80665
 """Standard gravity [m/s^2] (3rd General Conference on Weights and Measures, 1901)."""
@@ -60,10 +54,6 @@ SLUG_FT2 = SLUG * FT**2
 """One slug square foot, of moments of inertia [kg m^2]."""
 SLUG_FT3 = SLUG / FT**3
 """One slug per cubic foot, of densities [kg/m^3]."""
-LBF_FT = LBF * FT
-"""One pound foot, of moments [N m]."""
-PSF = LBF / FT**2
-"""One pound per square foot, of pressures [Pa]."""
 HPA = 100.0
 """One hectopascal [Pa]."""
 

@@ -14,7 +14,7 @@ from vfguide.control.control import ControlState, fresh_control
 from vfguide.estimation.air_state import without_model_error
 from vfguide.estimation.estimation import EstimationState, fresh_estimation
 from vfguide.guidance.guidance_state import GuidanceState, fresh_guidance
-from vfguide.kernels.rows import Row, flattener, python_reader, reader, width, writer
+from vfguide.kernels.rows import Row, flattener, python_reader, reader, writer
 from vfguide.loop.attempts import Attempts, at_next, no_attempts
 from vfguide.loop.mission import MissionState, fresh_mission
 from vfguide.loop.progress import Progress, fresh_progress
@@ -39,8 +39,6 @@ class LoopState(NamedTuple):
 read_state, write_state = reader(LoopState), writer(LoopState)
 state_of_row = python_reader(LoopState)
 """The same as `read_state` in Python; its arrays are views of the row."""
-STATE_WIDTH = width(LoopState)
-"""Number of floats in the row of a `LoopState`; one more for each obstacle follows."""
 _numbers = flattener(LoopState)
 
 
