@@ -104,14 +104,14 @@ def _obstacles(scenario: Scenario, record: FlightRecord) -> tuple[ObstacleResult
 
 
 def _goal(best: Pass | None, believed: GoalAnnouncement | None) -> GoalResult:
-    told = None if believed is None else _rounded(believed.miss)
+    believed_miss = None if believed is None else _rounded(believed.miss)
     if best is None:
-        return GoalResult(False, None, None, told, None, None)
+        return GoalResult(False, None, None, believed_miss, None, None)
     return GoalResult(
         best.reaches,
         _rounded(best.time),
         _rounded(best.miss),
-        told,
+        believed_miss,
         _rounded(best.course_error / DEG),
         _rounded(best.climb_error / DEG),
     )

@@ -72,11 +72,11 @@ def miss_of_velocity(report: Report, past: Sequence[Report]) -> float:
     """
     time = elapsed(past[0].time_ms, report.time_ms)
     moved = level(sub(report.intruder.p_n, past[0].intruder.p_n))
-    told = level(told_motion(report, past))
-    along, square = dot(moved, told), dot(told, told)
+    by_velocity = level(told_motion(report, past))
+    along, square = dot(moved, by_velocity), dot(by_velocity, by_velocity)
     least, most = max(0.0, 1.0 - REPORT_DELAY / time), 1.0 + REPORT_DELAY / time
     share = min(max(along / square, least), most) if square > 0.0 else 1.0
-    return norm(sub(moved, scale(share, told)))
+    return norm(sub(moved, scale(share, by_velocity)))
 
 
 def allowed_miss(report: Report, past: Sequence[Report]) -> float:

@@ -79,22 +79,22 @@ def height_of(said: AdsbVehicle, datum: HeightDatum, own: float) -> Height:
     """What the height of a report means; `own` stands for one that is not reported [m]."""
     if not said.flags & AdsbFlags.VALID_ALTITUDE:
         return Height(own, ANY_HEIGHT)
-    told = said.altitude * MM
+    altitude = said.altitude * MM
     if not is_by_pressure(said):
         if datum.undulation is None:
-            return Height(told, LARGEST_UNDULATION)
-        return Height(told - datum.undulation, datum.undulation_doubt)
-    least, greatest = offsets(datum, told)
-    return Height(told - 0.5 * (least + greatest), PRESSURE_ERROR + 0.5 * (greatest - least))
+            return Height(altitude, LARGEST_UNDULATION)
+        return Height(altitude - datum.undulation, datum.undulation_doubt)
+    least, greatest = offsets(datum, altitude)
+    return Height(altitude - 0.5 * (least + greatest), PRESSURE_ERROR + 0.5 * (greatest - least))
 
 
-def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
-    """Least and greatest that a height by pressure `told` may be above the one that is meant [m].
+def offsets(datum: HeightDatum, altitude: float) -> tuple[float, float]:
+    """Least and greatest error of an `altitude` by pressure, as a height above sea level [m].
 
     Zero is among them: it may have been converted already.
     """
     if datum.pressure_offset is None:
-        return weather(told)
+        return weather(altitude)
     least, greatest = (
         datum.pressure_offset - datum.pressure_doubt,
         datum.pressure_offset + datum.pressure_doubt,

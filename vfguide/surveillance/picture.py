@@ -1,5 +1,6 @@
 """The traffic picture: other aircraft by their reports, and which of the reports are used."""
 
+from vfguide.geometry.units import KM
 from vfguide.geometry.vector import Vec3, norm, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import AdsbVehicle
@@ -124,7 +125,7 @@ class Picture:
         self._own_elsewhere = self._own_elsewhere + 1 if away > OWN_REACH else 0
         if self._own_elsewhere != OWN_REACH_REPORTS:
             return []
-        return [OWN_ADDRESS_ELSEWHERE.format(icao=report.icao, distance=1e-3 * away)]
+        return [OWN_ADDRESS_ELSEWHERE.format(icao=report.icao, distance=away / KM)]
 
     def _own_notes(self, track: Track) -> list[str]:
         """Notes of whether a track is recognised as the ownship, where that is new."""

@@ -47,18 +47,18 @@ def date_after(before: Date | None, said: SystemTime, clock: BootClock | None) -
     if not FIRST_DATE <= said.time_unix_usec < LAST_DATE:
         return before
     time_ms = said.time_boot_ms if clock is None else clock.at(said.time_boot_ms)
-    told = Date(said.time_unix_usec, time_ms, said.time_boot_ms)
+    newest = Date(said.time_unix_usec, time_ms, said.time_boot_ms)
     if before is None:
-        return told
-    leap = told.unix - before.unix - (time_ms - before.time_ms) * US_PER_MS
-    if abs(leap) <= TOLERANCE or is_backlog(before, told):
-        return told
+        return newest
+    leap = newest.unix - before.unix - (time_ms - before.time_ms) * US_PER_MS
+    if abs(leap) <= TOLERANCE or is_backlog(before, newest):
+        return newest
     if before.leap == 0 or abs(leap - before.leap) > TOLERANCE:
         return before._replace(leap=leap, since=time_ms)
-    return told if time_ms - before.since >= LEAP_LASTS else before
+    return newest if time_ms - before.since >= LEAP_LASTS else before
 
 
-def is_backlog(before: Date, told: Date) -> bool:
+def is_backlog(before: Date, newest: Date) -> bool:
     """Whether date and counter moved on by the same time, as where messages between were lost."""
-    moved, counter = told.unix - before.unix, counted(before.boot_ms, told.boot_ms)
+    moved, counter = newest.unix - before.unix, counted(before.boot_ms, newest.boot_ms)
     return 0 < counter < LEAP_LASTS and abs(moved - counter * US_PER_MS) <= TOLERANCE

@@ -129,9 +129,9 @@ class Estimator:
             euler, omega_b = add(euler, error.euler), add(omega_b, rate_error)
         origin = self.origin
         latitude, longitude, altitude = self._place(truth)
-        told, own = self._airspeeds(truth, v_n, wind_n)
+        sensed, own = self._airspeeds(truth, v_n, wind_n)
         x, y, calibrated = on_instruments(
-            origin.latitude, origin.longitude, latitude, longitude, told, true_altitude
+            origin.latitude, origin.longitude, latitude, longitude, sensed, true_altitude
         )
         below = (x, y, origin.altitude - altitude)
         place = (latitude, longitude, altitude, below)
@@ -169,9 +169,9 @@ class Estimator:
         if self.has_airspeed(truth.time):
             self._airspeed = max(truth.airspeed + self.error.airspeed, 0.0)
             return self._airspeed, self._airspeed
-        told = {
+        by_fault = {
             AirspeedFault.MISSING: math.nan,
             AirspeedFault.FROZEN: self._airspeed,
             AirspeedFault.BLOCKED: 0.0,
         }
-        return told[self._instruments.airspeed_fault], norm(sub(v_n, wind_n))
+        return by_fault[self._instruments.airspeed_fault], norm(sub(v_n, wind_n))
