@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.gain_scheduling import STEP_DELAY
-from vfguide.aircraft.identification import ParameterEstimate, identify
+from vfguide.aircraft.identification import identify
 from vfguide.aircraft.least_squares import first_order
+from vfguide.aircraft.parameter_estimate import ParameterEstimate
 from vfguide.aircraft.samples import Sample, Samples, samples_of, sound
 from vfguide.geometry.units import DEG, G0
 

@@ -20,6 +20,14 @@ import numpy as np
 
 from vfguide.aircraft.gain_scheduling import STEP_DELAY, airspeed_gains
 from vfguide.aircraft.least_squares import Array, best_time, first_order, fitted, with_constant
+from vfguide.aircraft.parameter_estimate import (
+    LiftEstimates,
+    ParameterEstimate,
+    ThrustEstimates,
+    found,
+    unseen,
+    written,
+)
 from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.samples import Means, Samples, halfway, mean, means_of, sound, with_airspeed
 from vfguide.earth.atmosphere import DENSITY_0
@@ -65,50 +73,6 @@ MAX_PER_CLIMB = 20.0
 """Largest ratio of the weight to the full thrust that an aircraft file accepts."""
 
 
-class ParameterEstimate(NamedTuple):
-    """An estimate of one number of an aircraft file."""
-
-    table: str
-    """The table of the file that has it."""
-    key: str
-    """Its key in that table."""
-    value: float
-    """The estimate in the unit of the file; not a number where there is none."""
-    sigma: float
-    """Its standard error in the unit of the file; not a number where there is none."""
-    used: bool
-    """Whether it is used; else what was known before is kept."""
-
-    def __str__(self) -> str:
-        """Key, value and standard error, as in "trim 0.296 +- 0.001"."""
-        if not (math.isfinite(self.sigma) and self.sigma > 0.0):
-            return f"{self.key} {self.value:.4g}"
-        digits = max(0, -math.floor(math.log10(self.sigma)))
-        return f"{self.key} {self.value:.{digits}f} +- {self.sigma:.{digits}f}"
-
-
-class LiftEstimates(NamedTuple):
-    """Estimates of the lift."""
-
-    alpha_zero: ParameterEstimate
-    """Angle of attack of zero lift [deg]."""
-    alpha_load: ParameterEstimate
-    """Its slope over n / V^2 [deg m^2/s^2]."""
-
-
-class ThrustEstimates(NamedTuple):
-    """Estimates of the thrust."""
-
-    trim: ParameterEstimate
-    """Setpoint of level flight at cruise, 0 to 1."""
-    per_climb: ParameterEstimate
-    """Its slope over f."""
-    per_load: ParameterEstimate
-    """Its slope over n^2."""
-    response_time: ParameterEstimate
-    """Time to 63 % of a step of the thrust [s]."""
-
-
 class Identified(NamedTuple):
     """An aircraft as a flight shows it."""
 
@@ -129,10 +93,10 @@ def identify(samples: Samples, before: Performance, roll_time: float) -> Identif
         roll_time: roll response time that is known [s], which stays likewise.
     """
     flown = sound(samples)
-    told = with_airspeed(flown)
+    sensed = with_airspeed(flown)
     with np.errstate(all="ignore"):  # the results are not numbers then, and not used
         roll = find_roll(flown)
-        means = means_of(told) if len(told.time) >= MIN_SAMPLES else Means(*np.zeros((5, 0)))
+        means = means_of(sensed) if len(sensed.time) >= MIN_SAMPLES else Means(*np.zeros((5, 0)))
         lift = find_lift(means)
         aircraft = with_lift(before, lift)
         thrust = find_thrust(aircraft, flown, means, 0.0 if lift.alpha_zero.used else ALPHA_UNKNOWN)
@@ -205,12 +169,12 @@ def find_thrust(
     alpha = aircraft.alpha_zero + aircraft.alpha_load * means.load / means.airspeed**2
     force = means.along * np.cos(alpha) - means.load * np.sin(alpha)
     faster, induced = means.airspeed - aircraft.airspeed_cruise, means.load**2 - 1.0
-    told, known = with_airspeed(samples), np.isfinite(samples.airspeed)
+    sensed, known = with_airspeed(samples), np.isfinite(samples.airspeed)
     at_sea_level = samples.thrust * samples.density / DENSITY_0
 
     def regressors(lag: float) -> Array:
         thrust = first_order(samples.time, at_sea_level, samples.delay, lag)
-        return with_constant(mean(told, halfway(thrust[known])), faster, induced)
+        return with_constant(mean(sensed, halfway(thrust[known])), faster, induced)
 
     lag, sigma_lag, fit = best_time(regressors, force)
     drag, per_thrust, _, drag_of_load = fit.x.tolist()
@@ -253,18 +217,3 @@ def with_thrust(before: Performance, thrust: ThrustEstimates) -> Performance:
         thrust_per_airspeed=written(proportional),
         thrust_integral=written(integral),
     )
-
-
-def found(table: str, key: str, value: float, sigma: float, used: bool) -> ParameterEstimate:
-    """An estimate, rounded as an aircraft file writes it, so that both are the same."""
-    return ParameterEstimate(table, key, written(value), sigma, used)
-
-
-def unseen(table: str, key: str) -> ParameterEstimate:
-    """An estimate that the flight does not allow."""
-    return ParameterEstimate(table, key, math.nan, math.nan, False)
-
-
-def written(value: float) -> float:
-    """A number rounded to four significant digits."""
-    return float(f"{value:.4g}")

@@ -77,8 +77,8 @@ def samples_of(flown: Iterable[Sample]) -> Samples:
 
 def sound(samples: Samples) -> Samples:
     """The usable samples: finite except for the airspeed, in the order of time."""
-    told = samples._replace(airspeed=samples.time)
-    numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in told]
+    needed = samples._replace(airspeed=samples.time)
+    numbers = [np.isfinite(values).all(axis=tuple(range(1, values.ndim))) for values in needed]
     good: Mask = np.logical_and.reduce(numbers)
     time: Series = np.where(good, samples.time, -math.inf)
     latest: Series = np.maximum.accumulate(time)
