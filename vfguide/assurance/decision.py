@@ -19,15 +19,8 @@ from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.point_mass import Dynamics, PointMass, advance, dynamics
 from vfguide.airspace.hazards import Hazards
 from vfguide.assurance.backup_manoeuvre import Manoeuvre, bank_of, climb_of, remainder, time_scale
-from vfguide.assurance.escape_search import (
-    TRAJECTORY_POINTS,
-    Found,
-    World,
-    best_from,
-    find_escape,
-    follow,
-    time_to_conflict,
-)
+from vfguide.assurance.escape_search import Found, best_from, find_escape
+from vfguide.assurance.manoeuvre_clearance import TRAJECTORY_POINTS, World, follow, time_to_conflict
 from vfguide.assurance.trajectory_clearance import Clearance
 from vfguide.geometry.vector import Vec3
 from vfguide.kernels.compiled import compiled

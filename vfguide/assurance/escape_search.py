@@ -5,26 +5,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
-from vfguide.airspace.hazards import Hazards
+from vfguide.aircraft.point_mass import PointMass
 from vfguide.assurance.backup_manoeuvre import (
-    HORIZON,
     MANOEUVRE_KINDS,
-    TRAJECTORY_STEP,
     Manoeuvre,
     bank_of,
     climb_of,
-    fly_out,
     manoeuvre,
 )
-from vfguide.assurance.trajectory_clearance import Clearance, clearance_along
-from vfguide.geometry.vector import Series, Vec3, Vectors, norm
+from vfguide.assurance.manoeuvre_clearance import CONTACT, Command, World, clear, follow
+from vfguide.assurance.trajectory_clearance import Clearance
+from vfguide.geometry.vector import Series
 from vfguide.kernels.compiled import compiled
 
-TRAJECTORY_POINTS = round(HORIZON / TRAJECTORY_STEP) + 1
-"""Number of points of a predicted trajectory."""
-CONTACT = 1.0
-"""Clearance below which a hazard counts as hit [m]; chosen."""
 BACKUP_ADVANTAGE = 1.0
 """Merit that the stored escape has ahead of others [m]; chosen as hysteresis."""
 NO_CONTACT = 1e6
@@ -39,28 +32,6 @@ COUNTED_TURN_TIME = 10.0
 """Time beyond which a longer turn of an escape counts no more [s]; chosen, since the endless turn
 has no time."""
 
-Command = tuple[float, float]
-"""Bank, right wing down positive, and path angle over ground, up positive [rad]."""
-Limits = tuple[float, float]
-"""A clearance that is enough, and one that is too little [m]."""
-
-
-class World(NamedTuple):
-    """Everything that a search needs but the motion itself."""
-
-    hazards: Hazards
-    """The known hazards."""
-    wind_n: Vec3
-    """Wind, NED, blowing toward [m/s]."""
-    uncertainty_rate: float
-    """Growth of the uncertainty of the own position [m/s]."""
-    limits: Dynamics
-    """Limits and lags of the aircraft's motion."""
-    scale: float
-    """Factor of all times of manoeuvres, from `time_scale`, dimensionless."""
-    trajectory: Vectors
-    """Memory for one trajectory (TRAJECTORY_POINTS, 3), NED [m]."""
-
 
 class Found(NamedTuple):
     """A manoeuvre and the clearance along it."""
@@ -69,51 +40,6 @@ class Found(NamedTuple):
     """The manoeuvre."""
     seen: Clearance
     """Clearance along it."""
-
-
-@compiled
-def follow(
-    world: World,
-    point_mass: PointMass,
-    plan: Manoeuvre,
-    t: float,
-    least: tuple[float, float],
-    suspect: int,
-) -> Clearance:
-    """Clearance along a manoeuvre that begins at time `t` [s].
-
-    Args:
-        world: hazards, wind and limits.
-        point_mass: the aircraft at that time.
-        plan: the manoeuvre.
-        t: time on the clock of the obstacles [s].
-        least: clearance that is enough, and one that is too little [m].
-        suspect: number of the hazard to look at first.
-    """
-    dt = TRAJECTORY_STEP * world.scale
-    fly_out(point_mass, plan, world.wind_n, world.limits, dt, world.trajectory)
-    return clear(world, point_mass, t, 0, least, suspect)
-
-
-@compiled
-def clear(
-    world: World, point_mass: PointMass, t: float, first: int, least: Limits, suspect: int
-) -> Clearance:
-    """Clearance along the trajectory in `world.trajectory`; its `lost` counts from point `first`.
-
-    Args:
-        world: hazards, wind and trajectory.
-        point_mass: the aircraft; its airspeed and the wind bound the speed over ground.
-        t: time of point 0 on the clock of the obstacles [s].
-        first: index of the point from which on is looked.
-        least: clearance that is enough, and one that is too little [m].
-        suspect: number of the hazard to look at first.
-    """
-    dt, speed = TRAJECTORY_STEP * world.scale, point_mass.airspeed + norm(world.wind_n)
-    trajectory, t = world.trajectory[first:], t + first * dt
-    return clearance_along(
-        world.hazards, trajectory, t, dt, speed, world.uncertainty_rate, least[0], least[1], suspect
-    )
 
 
 @compiled
@@ -241,13 +167,3 @@ def judged(
         return seen, math.inf
     away = clear(world, point_mass, t, SETTLED_POINT, (margin, CONTACT), seen.hazard)
     return seen, NO_CONTACT + seen.least + away.least
-
-
-@compiled
-def time_to_conflict(world: World, point_mass: PointMass, t: float, command: Command) -> Clearance:
-    """Clearance if `command` [rad] were held from time `t` [s] on: time of contact, and hazard."""
-    dt = TRAJECTORY_STEP * world.scale
-    for k in range(TRAJECTORY_POINTS):
-        world.trajectory[k, 0], world.trajectory[k, 1], world.trajectory[k, 2] = point_mass.p_n
-        point_mass = advance(point_mass, command[0], command[1], world.wind_n, world.limits, dt)
-    return clear(world, point_mass, t, 0, (2.0 * CONTACT, CONTACT), 0)
