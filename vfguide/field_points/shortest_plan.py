@@ -29,8 +29,8 @@ from vfguide.paths.course_laws import Course
 from vfguide.paths.edge import Edge
 from vfguide.paths.leg import FIELD, OUTBOUND
 from vfguide.planning.objective import Objective, objective_at
-from vfguide.planning.replanning import entry_of
 from vfguide.planning.route import Route
+from vfguide.planning.route_ahead import entry_of
 from vfguide.planning.route_following import edge_at, is_on_route
 
 COURSES = 24

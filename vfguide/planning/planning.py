@@ -11,8 +11,9 @@ from vfguide.kernels.compiled import compiled
 from vfguide.planning.leg_planning import advance_leg
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import band_of
-from vfguide.planning.replanning import PlanningContext, Scene, altitude_plan_of, seek_route
+from vfguide.planning.replanning import seek_route
 from vfguide.planning.route import Route, fresh_route
+from vfguide.planning.route_ahead import PlanningContext, Scene, altitude_plan_of
 from vfguide.planning.route_following import with_shift
 from vfguide.planning.route_search import CLEARANCES
 
