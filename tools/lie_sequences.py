@@ -16,7 +16,7 @@ from vfguide.control.coasting import coast
 from vfguide.control.limits import limit_rates
 from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.estimation import Inputs
-from vfguide.geometry.so3 import exp, to_quaternion
+from vfguide.geometry.so3 import bank_angle, exp, to_quaternion
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, scale
 from vfguide.guidance.laws import Law
 from vfguide.kernels.compiled import compiled
@@ -211,7 +211,7 @@ def fly_sequence(
 @compiled
 def bank_of(R_nb: Mat3) -> float:
     """Angle of the right wing from the horizon about the nose [rad], not negative."""
-    return abs(math.atan2(R_nb[2][1], R_nb[2][2]))
+    return abs(bank_angle(R_nb))
 
 
 @compiled

@@ -24,9 +24,9 @@ from pathlib import Path
 import numpy as np
 from dubins import dubins_length
 
+from vfguide.aircraft.envelope import turn_radius
 from vfguide.files.aircraft_file import Aircraft, load_aircraft
 from vfguide.files.data import find_aircraft, find_scenario
-from vfguide.geometry.units import G0
 from vfguide.preflight.load import load_scenario
 from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
@@ -73,8 +73,8 @@ class Frame:
 def frame_of(name: str, scenario: str = FIRST) -> Frame:
     """The frame of an aircraft, found as the scenario finds it."""
     aircraft = load_aircraft(find_aircraft(name, find_scenario(scenario)))
-    radius = turn_radius(aircraft)
-    scale = radius / turn_radius(load_aircraft(find_aircraft("aerosonde")))
+    radius = cruise_radius(aircraft)
+    scale = radius / cruise_radius(load_aircraft(find_aircraft("aerosonde")))
     height = GOAL_HEIGHT * max(1.0, scale)
     cruise = aircraft.airspeed.cruise_mps
     changes = (f'vehicle.0.aircraft="{name}"', f"vehicle.0.airspeed_mps={cruise}")
@@ -84,11 +84,10 @@ def frame_of(name: str, scenario: str = FIRST) -> Frame:
     return Frame(changes, cruise, radius, scale, slowest(bench, cruise), goal)
 
 
-def turn_radius(aircraft: Aircraft) -> float:
+def cruise_radius(aircraft: Aircraft) -> float:
     """Radius of a level turn in still air at cruise and the largest bank [m]."""
-    return aircraft.airspeed.cruise_mps**2 / (
-        G0 * math.tan(math.radians(aircraft.limits.bank_max_deg))
-    )
+    bank = math.radians(aircraft.limits.bank_max_deg)
+    return turn_radius(aircraft.airspeed.cruise_mps, 0.0, bank, 1.0)
 
 
 def slowest(bench: Bench, cruise: float) -> float:
@@ -243,7 +242,7 @@ def over_reference(
         return math.nan, math.nan
     vehicle = loaded.scenario.vehicles[0]
     speed, performance = loaded.scenario.airspeed_of(vehicle), loaded.performance(vehicle)
-    radius = speed**2 / (G0 * math.tan(performance.bank_max))
+    radius = turn_radius(speed, 0.0, performance.bank_max, 1.0)
     start, goal = record.p_n[0], vehicle.goals[0]
     level = dubins_length(
         (start[0], start[1], math.radians(vehicle.euler_deg[2])),

@@ -1,4 +1,4 @@
-"""Where polylines come nearest to the origin."""
+"""Points of polylines, and where they come nearest to the origin."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from vfguide.geometry.polyline import nearest_to_origin
+from vfguide.geometry.polyline import nearest_to_origin, points_at
 
 COORDINATES = st.floats(-100.0, 100.0)
 
@@ -34,3 +34,10 @@ def test_no_point_of_the_polyline_is_nearer_and_the_nearest_is_on_it(path):
     assert (np.linalg.norm(points, axis=1) >= nearest.distance - 1e-9).all()
     there = [np.interp(nearest.along, whole, axis) for axis in path.T]
     assert np.linalg.norm(there) == pytest.approx(nearest.distance, abs=1e-9)
+
+
+def test_points_of_a_path_at_times():
+    points = np.array([[0.0, 0.0, 0.0], [10.0, 20.0, -5.0], [10.0, 0.0, 5.0]])
+    found = points_at(np.array([-1.0, 1.0, 2.0, 3.0, 9.0]), np.array([0.0, 2.0, 4.0]), points)
+    expected = [points[0], [5.0, 10.0, -2.5], points[1], [10.0, 10.0, 0.0], points[2]]
+    np.testing.assert_allclose(found, expected)

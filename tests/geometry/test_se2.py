@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import expm
@@ -14,6 +15,7 @@ from vfguide.geometry.se2 import (
     after_turn,
     centre_beside,
     composed,
+    distance_between,
     point_from,
     rotated,
     seen_from,
@@ -78,3 +80,11 @@ def test_a_turn_is_the_exponential_of_a_twist(begin, side, arc, radius):
     x, y = centre_beside(begin, side, radius)
     assert math.isclose(math.hypot(end.x - x, end.y - y), radius, rel_tol=1e-9)
     assert abs(wrap(end.course - begin.course - turn)) < 1e-9
+
+
+@given(POSES, POSES, POSES)
+def test_a_distance_does_not_depend_on_the_axes(frame, one, other):
+    apart = distance_between(one, other)
+    assert apart == distance_between(other, one)
+    moved = distance_between(seen_from(frame, one), seen_from(frame, other))
+    assert moved == pytest.approx(apart, abs=1e-9 * (1.0 + apart))

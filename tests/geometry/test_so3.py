@@ -150,3 +150,10 @@ def test_euler_angles_of_an_aeroplane():
     assert so3.from_euler(0.1, 0.0, 0.0) == right
     assert so3.from_euler(0.0, 0.1, 0.0) == nose
     assert so3.from_euler(0.0, 0.0, 0.1) == clockwise
+
+
+@given(full_turn, st.floats(-1.5, 1.5), full_turn)
+def test_the_bank_of_an_attitude_is_its_roll(roll, pitch, yaw):
+    R_nb = so3.from_euler(roll, pitch, yaw)
+    off = so3.bank_angle(R_nb) - roll
+    assert math.remainder(off, 2.0 * math.pi) == pytest.approx(0.0, abs=1e-9)

@@ -36,6 +36,12 @@ def lift_for_turn(lateral: float, gamma: float, bank_max: float, load_max: float
 
 
 @compiled
+def turn_rate(bank: float, airspeed: float) -> float:
+    """Rate of the azimuth in a level turn, psi' = g tan(bank) / V [rad/s], V in [m/s]."""
+    return G0 * math.tan(bank) / airspeed
+
+
+@compiled
 def angle_of_attack(R_nb: Mat3, air: Vec3) -> float:
     """Angle at which a velocity through the air, NED, meets the body's x axis [rad]."""
     u, _, w = matvec(transpose(R_nb), air)

@@ -8,6 +8,7 @@ import math
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.units import G0
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 
 SLOWEST_TURN = 2.5
@@ -26,18 +27,27 @@ the identification flight; chosen, gusts take the rest."""
 
 @compiled
 def usable_bank(aircraft: Performance, gains: Gains, airspeed: float) -> float:
-    """Largest bank that is allowed and whose load factor the wing carries at `airspeed` [rad].
+    """Largest bank that is allowed and whose load factor the wing carries at `airspeed` [rad]."""
+    load = min(aircraft.load_max, carried_load(aircraft, airspeed))
+    return min(gains.bank_max, bank_of_turn(load))
 
-    The wing carries n = (V / V_min)^2.
-    """
-    load = min(aircraft.load_max, max(LEAST_LOAD, (airspeed / aircraft.airspeed_min) ** 2))
-    return min(gains.bank_max, math.acos(1.0 / load))
+
+@compiled
+def bank_of_turn(load: float) -> float:
+    """Bank of a level turn [rad] with a load factor of at least 1: 1 / cos phi = n."""
+    return math.acos(1.0 / load)
+
+
+@compiled
+def carried_load(aircraft: Performance, airspeed: float) -> float:
+    """Load factor that the wing carries at a true airspeed [m/s]: n = (V / V_min)^2."""
+    return max(LEAST_LOAD, (airspeed / aircraft.airspeed_min) ** 2)
 
 
 @compiled
 def flyable_radius(state: FlightState, bank: float, gains: Gains) -> float:
     """Turn radius over ground at the commanded airspeed in this wind [m]."""
-    return radius_in(math.hypot(state.wind_n[0], state.wind_n[1]), bank, gains)
+    return radius_in(horizontal_norm(state.wind_n), bank, gains)
 
 
 @compiled

@@ -13,10 +13,12 @@ vertical wind enters, since gusts move pitch and path alike.
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.performance import Performance
+from vfguide.aircraft.performance import Performance, nonzero_airspeed
 from vfguide.geometry.angles import wrap
+from vfguide.geometry.blending import blended, low_pass_share
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3, dot, scale, sub, unit
+from vfguide.geometry.velocity import azimuth_of
 from vfguide.kernels.compiled import compiled
 
 STEEPEST_BANK = 60.0 * DEG
@@ -57,7 +59,7 @@ def modelled_flight(
         aircraft: its lift and drag.
     """
     cosine = max(math.cos(STEEPEST_BANK), R_nb[2][2] / math.hypot(R_nb[2][1], R_nb[2][2]))
-    load, speed = 1.0 / cosine, max(airspeed, 0.5 * aircraft.airspeed_min)
+    load, speed = 1.0 / cosine, nonzero_airspeed(airspeed, aircraft)
     alpha_of_load = aircraft.alpha_load * load / (speed * speed)
     alpha = aircraft.alpha_zero + alpha_of_load
     d_n = flight_direction(R_nb, alpha, slip(side_force, speed, aircraft))
@@ -85,7 +87,7 @@ def flight_direction(R_nb: Mat3, alpha: float, beta: float) -> Vec3:
 @compiled
 def sideslip_about_vertical(air_n: Vec3, nose_n: Vec3) -> float:
     """Azimuth of a velocity through the air less that of the nose, both NED [rad]."""
-    return wrap(math.atan2(air_n[1], air_n[0]) - math.atan2(nose_n[1], nose_n[0]))
+    return wrap(azimuth_of(air_n) - azimuth_of(nose_n))
 
 
 @compiled
@@ -110,4 +112,4 @@ def specific_force(before_n: Vec3, v_n: Vec3, dt: float) -> Vec3:
 def smoothed_side_force(side_force: float, force_n: Vec3, R_nb: Mat3, dt: float) -> float:
     """The smoothed side force [m/s^2] `dt` [s] later; its present value is (v' - g) . y_b."""
     across = dot(force_n, (R_nb[0][1], R_nb[1][1], R_nb[2][1]))
-    return side_force + dt / (SIDE_FORCE_TIME + dt) * (across - side_force)
+    return blended(side_force, across, low_pass_share(SIDE_FORCE_TIME, dt))

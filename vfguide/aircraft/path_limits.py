@@ -3,6 +3,7 @@
 import math
 
 from vfguide.aircraft.performance import Performance, turn_length
+from vfguide.geometry.blending import blended
 from vfguide.kernels.compiled import compiled
 
 LEVEL_RATIO = 1.165
@@ -106,12 +107,6 @@ def floor_share(above: float, unit: float) -> float:
     `above` is the height above the floor [m], `unit` the turn length [m].
     """
     return max(0.0, min(1.0, (NEAR_FLOOR - above / unit) / (NEAR_FLOOR - AT_FLOOR)))
-
-
-@compiled
-def blended(first: float, second: float, part: float) -> float:
-    """Linear interpolation: the first at part 0, the second at part 1."""
-    return first + part * (second - first)
 
 
 @compiled

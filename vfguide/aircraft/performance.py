@@ -91,6 +91,12 @@ def turn_length(airspeed: float) -> float:
 
 
 @compiled
+def nonzero_airspeed(airspeed: float, aircraft: Performance) -> float:
+    """True airspeed [m/s] to divide by: at least half of the slowest, whatever is measured."""
+    return max(airspeed, 0.5 * aircraft.airspeed_min)
+
+
+@compiled
 def alpha_of_load(load: float, speed: float, aircraft: Performance) -> float:
     """Angle of attack [rad] of a load factor n at a true airspeed V [m/s].
 

@@ -8,7 +8,7 @@ it is the sharp body in which the body lies: the box, the upright cylinder or th
 
 from vfguide.field.obstacle import Rows, into_axes, read_obstacle, shape_of
 from vfguide.geometry.shapes.shape import shape_bound
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, scale, sub
 from vfguide.kernels.compiled import compiled
 
 
@@ -20,8 +20,5 @@ def distance_bound(obstacles: Rows, i: int, p_n: Vec3, t: float) -> float:
     tight at the surface from outside; negative inside, and there at most a size too low.
     """
     body = read_obstacle(obstacles[i])
-    p_o, v_o = body.p_n, body.v_n
-    x = p_n[0] - p_o[0] - t * v_o[0]
-    y = p_n[1] - p_o[1] - t * v_o[1]
-    z = p_n[2] - p_o[2] - t * v_o[2]
-    return shape_bound(shape_of(body), into_axes(body, (x, y, z)))
+    beside = sub(sub(p_n, body.p_n), scale(t, body.v_n))
+    return shape_bound(shape_of(body), into_axes(body, beside))

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.field.obstacle import Rows, read_obstacle, shape_of
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.se2 import rotated
 from vfguide.geometry.shapes.base import Section, Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
@@ -20,7 +21,7 @@ from vfguide.kernels.rows import Table, reader, width, writer
 SIDES = 16
 """Number of sides of the polygon that circumscribes a section that is not a circle; chosen: more
 cost search time, fewer cover more ground."""
-SIDE_ANGLE = 2.0 * math.pi / SIDES
+SIDE_ANGLE = FULL_TURN / SIDES
 """Angle between the normals of two neighbouring sides [rad]."""
 HALVINGS = 10
 """Number of bisections of the angle at which a superquadric of unequal exponents touches a side;

@@ -21,7 +21,7 @@ from vfguide.airspace.keep_out import (
 )
 from vfguide.field.obstacle import Rows, read_obstacle
 from vfguide.geometry.shapes.cylinder import upright_distance
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Vec3, norm, scale, sub
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import reader, table_of, width
 
@@ -102,10 +102,8 @@ def hazard_distance(hazards: Hazards, i: int, p_n: Vec3, t: float) -> float:
 def traffic_distance(traffic: Rows, i: int, p_n: Vec3, t: float) -> float:
     """Distance of `p_n` (NED) [m] from the volume of intruder `i` at time `t` [s], in [m]."""
     intruder = read_intruder(traffic[i])
-    there_n, v_n, age = intruder.p_n, intruder.v_n, t - intruder.time
-    x = p_n[0] - there_n[0] - age * v_n[0]
-    y = p_n[1] - there_n[1] - age * v_n[1]
-    z = p_n[2] - there_n[2] - age * v_n[2]
+    age = t - intruder.time
+    x, y, z = sub(sub(p_n, intruder.p_n), scale(age, intruder.v_n))
     age = max(age, 0.0)
     radius = intruder.radius + age * intruder.uncertainty_rate
     return upright_distance(
@@ -166,9 +164,8 @@ def hazard_speed(hazards: Hazards, i: int) -> float:
 @compiled
 def intruder_speed(intruder: Intruder) -> float:
     """Largest closing speed of the volume of an intruder towards a fixed point [m/s]."""
-    north, east, down = intruder.v_n
     uncertainty_rate = math.hypot(intruder.uncertainty_rate, intruder.uncertainty_rate_up)
-    return math.sqrt(north**2 + east**2 + down**2) + uncertainty_rate
+    return norm(intruder.v_n) + uncertainty_rate
 
 
 @compiled
@@ -182,5 +179,4 @@ def hazard_uncertainty_rate(hazards: Hazards, i: int) -> float:
 @compiled
 def obstacle_speed(obstacles: Rows, i: int) -> float:
     """Speed of the obstacle of row `i` [m/s]."""
-    north, east, down = read_obstacle(obstacles[i]).v_n
-    return math.sqrt(north**2 + east**2 + down**2)
+    return norm(read_obstacle(obstacles[i]).v_n)

@@ -24,6 +24,7 @@ from vfguide.assurance.decision import (
     no_backup,
 )
 from vfguide.estimation.estimation import NavState
+from vfguide.geometry.so3 import bank_angle
 from vfguide.geometry.vector import norm, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
 from vfguide.kernels.compiled import compiled
@@ -143,9 +144,8 @@ def raised(gamma: float, sine: float) -> float:
 @compiled
 def point_mass_of(state: FlightState) -> PointMass:
     """The point mass from which trajectories are predicted; its path angle is that over ground."""
-    air, R = sub(state.v_n, state.wind_n), state.R_nb
+    air, bank = sub(state.v_n, state.wind_n), bank_angle(state.R_nb)
     speed = max(state.airspeed, 1.0)
-    bank = math.atan2(R[2][1], R[2][2])
     return PointMass(state.p_n, azimuth_of(air), bank, path_of(state.v_n, speed), speed)
 
 

@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.point_mass import Dynamics, PointMass, advance
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.kernels.compiled import compiled
@@ -45,7 +46,7 @@ def time_scale(limits: Dynamics, airspeed: float) -> float:
 
     The turn takes 2 pi V / (g tan bank_max).
     """
-    return 2.0 * math.pi * airspeed / (G0 * math.tan(limits.bank_max)) / TURN_TIME
+    return FULL_TURN * airspeed / (G0 * math.tan(limits.bank_max)) / TURN_TIME
 
 
 @compiled

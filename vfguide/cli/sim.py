@@ -129,8 +129,10 @@ def describe(station: "Station") -> str:
 
 def lateness(pace: "RealTimePacing") -> str:
     """How well the machine kept up, in words: the largest delay, and the time given up."""
+    from vfguide.geometry.units import MS
+
     lost = f", {pace.lost:.1f} s given up" if pace.lost else ""
-    return f"at most {pace.worst * 1e3:.0f} ms late{lost}"
+    return f"at most {pace.worst / MS:.0f} ms late{lost}"
 
 
 def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[SimVehicle], None]":

@@ -15,6 +15,7 @@ from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance
 from vfguide.geometry.se2 import rotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.geometry.velocity import azimuth_of
 from vfguide.loop.legs import Goal
 
 TEST_CLIMB = 4.0 * DEG
@@ -73,7 +74,7 @@ def circuit(state: FlightState, vehicle: Vehicle, side: float) -> tuple[Manoeuvr
     slow = min(speed, max((1.0 - AIRSPEED_CHANGE) * speed, SLOW_LEG_RATIO * aircraft.airspeed_min))
     still = state._replace(wind_n=tuple(0.0 if math.isnan(w) else w for w in state.wind_n))
     radius = flyable_radius(still, usable_bank(aircraft, gains, speed), gains)
-    course = math.atan2(state.v_n[1], state.v_n[0])
+    course = azimuth_of(state.v_n)
     up = min(TEST_CLIMB, TEST_CLIMB_SHARE * aircraft.climb_max)
     down = min(up, TEST_CLIMB_SHARE * aircraft.descent_max)
     long, turn, end = STRAIGHT_TIME * speed, side * math.pi, TURN_END * radius

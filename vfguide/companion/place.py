@@ -16,7 +16,7 @@ from vfguide.estimation.local_frame import (
     measured_position,
     without_names,
 )
-from vfguide.geometry.units import DEG_E7, MM, MS
+from vfguide.geometry.units import DEG_E7, KM, MM, MS
 from vfguide.geometry.vector import add, norm, scale, sub
 from vfguide.link.boot_time import elapsed
 from vfguide.link.messages import GlobalPositionInt, GpsGlobalOrigin, LocalPositionNed, VfrHud
@@ -168,7 +168,7 @@ def wrong_place(plan: Plan, known: Knowledge, m: Measurement, *, follows: bool) 
     factor = IN_FLIGHT if follows else 1.0
     distance, reach = min(norm(sub(goal.p_n, p_n)) for goal in plan.goals), reach_of(plan)
     if not distance <= factor * reach:
-        return TOO_FAR.format(distance=1e-3 * distance, reach=1e-3 * reach)
+        return TOO_FAR.format(distance=distance / KM, reach=reach / KM)
     height, climb = min(abs(goal.p_n[2] - p_n[2]) for goal in plan.goals), climb_of(plan)
     if not height <= factor * climb:
         return TOO_HIGH.format(distance=height, reach=climb)

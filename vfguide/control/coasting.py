@@ -4,10 +4,8 @@ A body rate that is held rolls the aircraft on. So where attitudes stay away, on
 out, which flies the coordinated turn of the bank that is reached by then.
 """
 
-import math
-
-from vfguide.geometry.so3 import Quaternion, exp, from_quaternion, to_quaternion
-from vfguide.geometry.units import G0
+from vfguide.aircraft.coordinated_turn import turn_rate
+from vfguide.geometry.so3 import Quaternion, bank_angle, exp, from_quaternion, to_quaternion
 from vfguide.geometry.vector import Vec3, add, matmul, scale
 from vfguide.kernels.compiled import compiled
 
@@ -33,8 +31,7 @@ def coast(
         bank_max: largest bank [rad].
     """
     R_nb = matmul(from_quaternion(q_nb), exp(scale(age, omega_b)))
-    down_b = R_nb[2]
-    bank = math.atan2(down_b[1], down_b[2])
+    bank, down_b = bank_angle(R_nb), R_nb[2]
     kept = max(-bank_max, min(bank_max, bank))
-    turn = scale(G0 * math.tan(kept) / airspeed, down_b)
+    turn = scale(turn_rate(kept, airspeed), down_b)
     return add(turn, ((kept - bank) / LEVELLING_TIME, 0.0, 0.0)), to_quaternion(R_nb)

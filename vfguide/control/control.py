@@ -13,14 +13,15 @@ from typing import NamedTuple
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.flight_model import flight_direction, sideslip_about_vertical
-from vfguide.aircraft.performance import Gains, alpha_of_load
+from vfguide.aircraft.performance import Gains, alpha_of_load, nonzero_airspeed
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.control.airspeed_control import integrate_error, thrust_for
 from vfguide.control.envelope_protection import load_of, within_envelope
 from vfguide.estimation.estimation import SHORTEST_STEP, NavState, step_time
 from vfguide.field.rate_law import rate_law
-from vfguide.geometry.so3 import from_euler, log, rot_z, to_quaternion
+from vfguide.geometry.blending import low_pass_share
+from vfguide.geometry.so3 import IDENTITY, from_euler, log, rot_z, to_quaternion
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, norm, scale, sub, transpose
 from vfguide.geometry.velocity import azimuth_of, path_of
@@ -52,8 +53,7 @@ class ControlState(NamedTuple):
 @compiled
 def fresh_control() -> ControlState:
     """The state of control before the first step."""
-    level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    return ControlState(level, (0.0, 0.0, 0.0), 0.0, 0.0)
+    return ControlState(IDENTITY, (0.0, 0.0, 0.0), 0.0, 0.0)
 
 
 @compiled
@@ -70,7 +70,7 @@ def update(
         return point_nose(nav, command, s, vehicle)
     state, (aircraft, gains, _) = nav.state, vehicle
     air, dt = sub(state.v_n, state.wind_n), step_time(nav)
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(state.airspeed, aircraft)
     climbing = command.gamma - path_of(air, speed)
     alpha_bias = learn_alpha(s.alpha_bias, climbing, gains, dt)
     alpha = alpha_of_load(command.load, speed, aircraft) + alpha_bias
@@ -127,5 +127,4 @@ def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> 
     size = norm(turned)
     if size > MAX_REFERENCE_RATE:
         turned = scale(MAX_REFERENCE_RATE / size, turned)
-    blend = dt / (smoothing + dt)
-    return add(s.omega_a, scale(blend, sub(turned, s.omega_a)))
+    return add(s.omega_a, scale(low_pass_share(smoothing, dt), sub(turned, s.omega_a)))

@@ -8,12 +8,11 @@ attitude and rates shows it (`vfguide.estimation.flow_angles`): it is limited, a
 is limited by both estimates of it, since rolling turns sideslip into angle of attack.
 """
 
-import math
-
 from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.flight_model import side_force_slope
 from vfguide.aircraft.performance import Performance, load_of_alpha
 from vfguide.estimation.flow_angles import FlowAngles
+from vfguide.geometry.so3 import bank_angle
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Mat3, Vec3
 from vfguide.kernels.compiled import compiled
@@ -83,7 +82,7 @@ def within_envelope(
         bank_max: largest bank that is asked for [rad].
         aircraft: its limits.
     """
-    upright, bank = R[2][2], math.atan2(R[2][1], R[2][2])
+    upright, bank = R[2][2], bank_angle(R)
     steady, back = G0 / speed, aircraft.alpha_load / (speed * speed * LOAD_TIME)
     least = aircraft.load_min + min(LOAD_RESERVE, 0.5 * (1.0 - aircraft.load_min))
     most = GUST_LOAD_RATIO * aircraft.load_max

@@ -9,8 +9,10 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.flight_model import sideslip_about_vertical
+from vfguide.geometry.blending import blended, low_pass_share
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import ZERO, Vec3, add, scale, sub
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
 
@@ -101,24 +103,24 @@ def sideslip_limit(airspeed: float) -> float:
 @compiled
 def triangle(air_n: Vec3, nose_n: Vec3, airspeed: float) -> Triangle:
     """The wind triangle of an air velocity [m/s] and a nose (unit vector), NED, and an airspeed."""
-    level = math.hypot(nose_n[0], nose_n[1])
+    level = horizontal_norm(nose_n)
     slip = sideslip_about_vertical(air_n, nose_n)
-    return Triangle(slip, math.hypot(air_n[0], air_n[1]) - level * airspeed)
+    return Triangle(slip, horizontal_norm(air_n) - level * airspeed)
 
 
 @compiled
 def smoothed_triangle(s: AirCheck, seen: Triangle, wind_n: Vec3, dt: float) -> AirCheck:
     """The check with one more triangle, `dt` [s] later, and the told wind, NED [m/s]."""
     ahead, right = math.cos(seen.sideslip), math.sin(seen.sideslip)
-    fast = 1.0 if s.is_first else dt / (FAST_TIME + dt)
-    followed = 1.0 if s.is_first else dt / (TOLD_WIND_TIME + dt)
+    fast = 1.0 if s.is_first else low_pass_share(FAST_TIME, dt)
+    followed = 1.0 if s.is_first else low_pass_share(TOLD_WIND_TIME, dt)
     return AirCheck(
         False,
         add(s.wind_n, scale(followed, sub(wind_n, s.wind_n))),
-        s.ahead + fast * (ahead - s.ahead),
-        s.right + fast * (right - s.right),
-        s.excess + fast * (seen.excess - s.excess),
-        s.lasting + dt / (SLOW_TIME + dt) * (seen.excess - s.lasting),
+        blended(s.ahead, ahead, fast),
+        blended(s.right, right, fast),
+        blended(s.excess, seen.excess, fast),
+        blended(s.lasting, seen.excess, low_pass_share(SLOW_TIME, dt)),
         s.wind_doubt,
         s.wind_agrees,
         s.airspeed_doubt,
@@ -135,7 +137,7 @@ def is_wrong(s: AirCheck) -> bool:
 @compiled
 def has_jumped(s: AirCheck, wind_n: Vec3) -> bool:
     """Whether the told wind, NED [m/s], has changed more quickly than the air does."""
-    change = math.hypot(wind_n[0] - s.wind_n[0], wind_n[1] - s.wind_n[1])
+    change = horizontal_norm(sub(wind_n, s.wind_n))
     return change > WIND_JUMP and not s.is_first
 
 
@@ -163,7 +165,7 @@ def follow_wind_doubt(s: AirCheck, wind_n: Vec3, own_n: Vec3, dt: float) -> AirC
 
     It is believed again when the told wind agrees with the own estimate, both NED [m/s].
     """
-    off = math.hypot(wind_n[0] - own_n[0], wind_n[1] - own_n[1])
+    off = horizontal_norm(sub(wind_n, own_n))
     agrees = s.wind_agrees + dt if off < WIND_AGREES else 0.0
     doubt = 0.0 if agrees > WIND_AGREEMENT else s.wind_doubt + dt
     return with_wind_doubt(s, wind_n, doubt, agrees)

@@ -1,8 +1,6 @@
 """Caution where the airspeed is only estimated: faster flight with less bank."""
 
-import math
-
-from vfguide.aircraft.envelope import FASTEST_SHARE, LEAST_LOAD
+from vfguide.aircraft.envelope import FASTEST_SHARE, bank_of_turn, carried_load
 from vfguide.aircraft.performance import Gains
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
@@ -29,9 +27,9 @@ def cautious(nav: NavState, vehicle: Vehicle) -> Vehicle:
     aircraft, gains, _ = vehicle
     unsure = 2.0 * nav.airspeed_sigma
     least = max(nav.airspeed - unsure, aircraft.airspeed_min)
-    load = max(LEAST_LOAD, (least / aircraft.airspeed_min) ** 2)
+    load = carried_load(aircraft, least)
     fast = min(
         AIRSPEED_MARGIN * aircraft.airspeed_min + unsure, FASTEST_SHARE * aircraft.airspeed_max
     )
-    airspeed, bank_max = max(gains.airspeed, fast), min(gains.bank_max, math.acos(1.0 / load))
+    airspeed, bank_max = max(gains.airspeed, fast), min(gains.bank_max, bank_of_turn(load))
     return with_gains(vehicle, with_airspeed_and_bank(gains, airspeed, bank_max))

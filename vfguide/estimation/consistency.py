@@ -11,37 +11,18 @@ Gertler, Fault Detection and Diagnosis in Engineering Systems, 1998: parity equa
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.flight_model import flight_direction
-from vfguide.aircraft.performance import Performance, alpha_of_load
+from vfguide.aircraft.performance import Performance
 from vfguide.aircraft.state import FlightState
-from vfguide.estimation.air_check import (
-    LASTING_ERROR,
-    LEAST_DOUBT,
-    AirCheck,
-    Triangle,
-    doubting_airspeed,
-    doubting_wind,
-    first_check,
-    follow_airspeed_doubt,
-    follow_wind_doubt,
-    has_jumped,
-    is_wrong,
-    sideslip_limit,
-    sideslip_of,
-    smoothed_triangle,
-    triangle,
-    with_smoothed_slip,
-)
+from vfguide.estimation.air_check import LEAST_DOUBT, AirCheck, doubting_wind, first_check
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState
 from vfguide.estimation.attitude_check import (
     AttitudeCheck,
     corrected_attitude,
     first_attitude,
     follow_attitude,
-    turned_by,
     uncorrected,
-    with_slip,
 )
+from vfguide.estimation.fault_isolation import check_air
 from vfguide.estimation.lift_check import LIFT_FAULT_TIME, LiftCheck, first_lift, follow_lift
 from vfguide.estimation.velocity_check import (
     VelocityCheck,
@@ -49,7 +30,8 @@ from vfguide.estimation.velocity_check import (
     first_velocity,
     follow_velocity,
 )
-from vfguide.geometry.vector import ZERO, Vec3, sub
+from vfguide.geometry.so3 import IDENTITY
+from vfguide.geometry.vector import ZERO, Vec3
 from vfguide.kernels.compiled import compiled
 
 FIRST_CHECK = 0.2
@@ -84,8 +66,7 @@ class Consistency(NamedTuple):
 @compiled
 def fresh_consistency() -> Consistency:
     """The state before the first step."""
-    level = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    attitude, velocity = first_attitude(level, ZERO), first_velocity(ZERO, ZERO)
+    attitude, velocity = first_attitude(IDENTITY, ZERO), first_velocity(ZERO, ZERO)
     return Consistency(
         -1.0, attitude, velocity, first_lift(ZERO), first_check(), 0.0, 0.0, 0.0, False
     )
@@ -168,83 +149,6 @@ def believed(
     speed = air.estimate.x[AIRSPEED] if untold else m.airspeed
     v_n = corrected_velocity(velocity, m.v_n)
     return FlightState(m.time, m.p_n, v_n, corrected_attitude(attitude, m.R_nb), speed, wind_n)
-
-
-@compiled
-def check_air(
-    state: FlightState,
-    m: FlightState,
-    attitude: AttitudeCheck,
-    s: AirCheck,
-    air: AirState,
-    aircraft: Performance,
-    dt: float,
-) -> tuple[AttitudeCheck, AirCheck]:
-    """The checks of yaw, wind and airspeed by the wind triangle, `dt` [s] later.
-
-    Args:
-        state: the state that is believed.
-        m: the measured state.
-        attitude: check of the attitude.
-        s: check of the air at the step before.
-        air: estimate of the air at the step before.
-        aircraft: its angle of attack.
-        dt: time step [s].
-    """
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
-    alpha = alpha_of_load(1.0, speed, aircraft)
-    nose_n = flight_direction(state.R_nb, alpha, 0.0)
-    seen = triangle(sub(state.v_n, state.wind_n), nose_n, state.airspeed)
-    attitude = with_slip(attitude, seen.sideslip, dt)
-    if math.isnan(m.wind_n[0]):
-        return attitude, s
-    if s.wind_doubt > 0.0:
-        return attitude, follow_wind_doubt(s, m.wind_n, state.wind_n, dt)
-    if has_jumped(s, m.wind_n):
-        return attitude, doubting_wind(s, dt)
-    return judged(attitude, smoothed_triangle(s, seen, m.wind_n, dt), seen, state, m, air, dt)
-
-
-@compiled
-def judged(
-    attitude: AttitudeCheck,
-    s: AirCheck,
-    seen: Triangle,
-    state: FlightState,
-    m: FlightState,
-    air: AirState,
-    dt: float,
-) -> tuple[AttitudeCheck, AirCheck]:
-    """The checks after a wind triangle with a wind that is believed; arguments as of `check_air`.
-
-    A wrong length is no matter of the yaw. A wrong direction is one, as long as the length stays
-    right in turns.
-    """
-    if attitude.is_by_wind and abs(s.excess) > LASTING_ERROR:
-        return uncorrected(attitude), doubting_wind(s, dt)
-    if is_wrong(s):
-        return attitude, blamed(s, m.airspeed, state.airspeed, air, dt)
-    s = follow_airspeed_doubt(s, seen.excess + state.airspeed - m.airspeed, dt)
-    slip = sideslip_of(s)
-    if abs(slip) > sideslip_limit(state.airspeed):
-        return turned_by(attitude, slip), with_smoothed_slip(s, 1.0, 0.0)
-    return attitude, s
-
-
-@compiled
-def blamed(s: AirCheck, measured: float, airspeed: float, air: AirState, dt: float) -> AirCheck:
-    """The check after a wind triangle of the wrong length, at a step of `dt` [s].
-
-    Of the `measured` airspeed and the speed by the told wind the one that is farther from what
-    pitch and thrust ask for is wrong [m/s]; `airspeed` is the one that is believed.
-    """
-    model = air.sensor.model_airspeed
-    by_wind = airspeed + (s.lasting if abs(s.lasting) > abs(s.excess) else s.excess)
-    points_ahead = abs(sideslip_of(s)) < sideslip_limit(airspeed)
-    is_told = s.airspeed_doubt == 0.0 and not math.isnan(measured)
-    if points_ahead and is_told and abs(measured - model) > abs(by_wind - model):
-        return doubting_airspeed(s, dt)
-    return doubting_wind(s, dt)
 
 
 @compiled

@@ -21,7 +21,7 @@ from vfguide.estimation.position_resets import (
     smoothed,
 )
 from vfguide.estimation.vertical_wind import feel_rise
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import ZERO, Vec3
 from vfguide.kernels.compiled import compiled
 
 FIRST_STEP = 0.02
@@ -48,6 +48,12 @@ class Inputs(NamedTuple):
     """Time of the predicted state less that of the attitude [s], which follows the link's delay."""
     density: float = DENSITY_0
     """Density of the air [kg/m^3]."""
+
+
+@compiled
+def exact_inputs(state: FlightState) -> Inputs:
+    """The inputs of a vehicle whose state is known exactly; it flies in air of its own density."""
+    return Inputs(state, state, ZERO, True, 0.0, DENSITY_0)
 
 
 class EstimationState(NamedTuple):
@@ -130,16 +136,16 @@ def update(
         s: state of estimation at the step before.
         vehicle: its aircraft, and the true airspeed to fly.
     """
-    told, elapsed = inputs.predicted, inputs.predicted.time - s.time
+    unsmoothed, elapsed = inputs.predicted, inputs.predicted.time - s.time
     air, checked, flow = s.air, s.consistency, s.flow
     if not inputs.is_exact:
         checked = follow(inputs.measured, inputs.omega_b, thrust, checked, air, vehicle.aircraft)
-        told, air = sense(inputs, checked, thrust, air, vehicle)
+        unsmoothed, air = sense(inputs, checked, thrust, air, vehicle)
         R_nb, omega_b, aircraft = inputs.measured.R_nb, inputs.omega_b, vehicle.aircraft
-        flow = follow_flow(flow, R_nb, omega_b, told.airspeed, aircraft, elapsed)
+        flow = follow_flow(flow, R_nb, omega_b, unsmoothed.airspeed, aircraft, elapsed)
     dt, farther = (elapsed, inputs.lead - s.lead) if s.is_continuous else (0.0, 0.0)
-    resets = follow_resets(s.resets, (s.p_n, s.v_n), told, dt, farther)
-    state = smoothed(told, resets)
+    resets = follow_resets(s.resets, (s.p_n, s.v_n), unsmoothed, dt, farther)
+    state = smoothed(unsmoothed, resets)
     nav = NavState(
         state,
         elapsed,

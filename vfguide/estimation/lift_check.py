@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.flight_model import modelled_flight, side_force_slope, specific_force
-from vfguide.aircraft.performance import Performance, alpha_of_load
+from vfguide.aircraft.performance import Performance, alpha_of_load, nonzero_airspeed
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.velocity_check import velocity_jumps
 from vfguide.geometry.units import DEG, G0
@@ -83,7 +83,7 @@ def follow_lift(
     if velocity_jumps(s.v_n, v_n, dt):
         return with_velocity(s, v_n)
     force_n, R = specific_force(s.v_n, v_n, dt), state.R_nb
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(state.airspeed, aircraft)
     load = -dot(force_n, (R[0][2], R[1][2], R[2][2])) / G0
     by_lift = alpha_of_load(load, speed, aircraft)
     flight = modelled_flight(R, speed, thrust, 0.0, aircraft)

@@ -13,9 +13,10 @@ import math
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
 from vfguide.aircraft.flight_model import specific_force
-from vfguide.aircraft.performance import Performance, alpha_of_load
+from vfguide.aircraft.performance import Performance, alpha_of_load, nonzero_airspeed
 from vfguide.aircraft.state import FlightState
 from vfguide.estimation.air_state import AIRSPEED, EAST, NORTH, AirState, VerticalWind
+from vfguide.geometry.blending import blended, low_pass_share
 from vfguide.geometry.units import G0
 from vfguide.geometry.vector import dot, sub
 from vfguide.kernels.compiled import compiled
@@ -59,10 +60,10 @@ def rise_by_lift(
     z_n = (R[0][2], R[1][2], R[2][2])
     halfway = 0.5 * (alpha + before.alpha)
     force_n = specific_force(before.v_n, measured.v_n, dt)
-    speed = max(air.estimate.x[AIRSPEED], 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(air.estimate.x[AIRSPEED], aircraft)
     load = -dot(force_n, z_n) / G0
     gust = alpha_of_load(load, speed, aircraft) - halfway
     if not math.isfinite(gust):
         return before.rise
     rise = speed * z_n[2] * max(-GUST_ANGLE_MAX, min(GUST_ANGLE_MAX, gust))
-    return before.rise + dt / (RISE_TIME + dt) * (rise - before.rise)
+    return blended(before.rise, rise, low_pass_share(RISE_TIME, dt))

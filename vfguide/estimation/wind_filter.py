@@ -35,6 +35,7 @@ from vfguide.estimation.air_state import (
 from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3
+from vfguide.geometry.velocity import azimuth_of, horizontal_norm
 from vfguide.kernels.compiled import compiled
 
 PROCESS_NOISE = (0.3, 0.3, 0.4, (0.25 * DEG) ** 2, 1e-4, 1e-4)
@@ -183,8 +184,8 @@ def fuse_ground_velocity(estimate: WindEstimate, v_n: Vec3, d_n: Vec3, dt: float
         dt: time since the last ground velocity [s].
     """
     x = estimate.x
-    level = max(math.hypot(d_n[0], d_n[1]), LEAST_LEVEL)
-    azimuth = math.atan2(d_n[1], d_n[0]) + x[YAW]
+    level = max(horizontal_norm(d_n), LEAST_LEVEL)
+    azimuth = azimuth_of(d_n) + x[YAW]
     c, s = math.cos(azimuth), math.sin(azimuth)
     north, east = v_n[0] - x[NORTH], v_n[1] - x[EAST]
     speed = level * x[AIRSPEED]

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from vfguide.aircraft.air_density import in_air
-from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn
+from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn, turn_rate
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
 from vfguide.aircraft.performance import alpha_of_load
@@ -20,8 +20,8 @@ from vfguide.field_points.shortest_plan import (
     surroundings_at,
 )
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.units import G0
 from vfguide.geometry.vector import Mat3, Vec3, matvec, transpose
+from vfguide.geometry.velocity import azimuth_of
 from vfguide.guidance.flight_law import height_above_floor, wanted_slope
 from vfguide.guidance.guidance_state import fresh_guidance
 from vfguide.guidance.wind_triangle import heading_for_course
@@ -47,7 +47,7 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     density = isa_density(plan.origin[2] - point.p_n[2])
     plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
     around = surroundings_at(plan, point, wind_n)
-    start = best_start(around, math.atan2(point.v_n[1], point.v_n[0]))
+    start = best_start(around, azimuth_of(point.v_n))
     if start.route.following.clearance < 0.0:
         raise NoPlanError("no route to the goal is found among the hazards known there")
     return settled(around, start)
@@ -64,7 +64,7 @@ def settled(around: Surroundings, start: Start) -> FieldPoint:
     bank_max = usable_bank(aircraft, gains, airspeed)
     lift = lift_for_turn(level * heading.psi_rate, gamma, bank_max, aircraft.load_max)
     R_a = attitude_of(around.plan, heading.psi, gamma, lift)
-    turn = (0.0, 0.0, G0 * math.tan(lift.bank) / airspeed)
+    turn = (0.0, 0.0, turn_rate(lift.bank, airspeed))
     F = (
         math.cos(gamma) * math.cos(heading.psi),
         math.cos(gamma) * math.sin(heading.psi),

@@ -1,10 +1,10 @@
-"""Polylines: where a path of straight lines comes nearest to the origin."""
+"""Polylines: points of a path of straight lines, and where it comes nearest to the origin."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.vector import Vectors
+from vfguide.geometry.vector import Series, Vectors
 
 
 class Nearest(NamedTuple):
@@ -14,6 +14,14 @@ class Nearest(NamedTuple):
     """Its distance from the origin."""
     along: float
     """Where it is: the number of whole segments before it, and the share of its own."""
+
+
+def points_at(wanted: Series, times: Series, points: Vectors) -> Vectors:
+    """Points (m, 3) at times (m,) of a path through points (n, 3) at times (n,), straight between.
+
+    Before the first and after the last it stands still there.
+    """
+    return np.column_stack([np.interp(wanted, times, points[:, axis]) for axis in range(3)])
 
 
 def nearest_to_origin(path: Vectors) -> Nearest:

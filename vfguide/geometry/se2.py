@@ -74,6 +74,12 @@ def point_from(frame: Pose, x: float, y: float) -> Vec2:
 
 
 @compiled
+def distance_between(one: Pose, other: Pose) -> float:
+    """Distance of two positions [m]."""
+    return math.hypot(one.x - other.x, one.y - other.y)
+
+
+@compiled
 def straight_on(begin: Pose, distance: float) -> Pose:
     """The pose after a straight of a length [m], backwards if it is negative."""
     x = begin.x + distance * math.cos(begin.course)

@@ -16,6 +16,12 @@ IDENTITY: Mat3 = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @compiled
+def bank_angle(R_nb: Mat3) -> float:
+    """Bank [rad] of an attitude, body FRD to NED, right wing down positive: roll of Euler."""
+    return math.atan2(R_nb[2][1], R_nb[2][2])
+
+
+@compiled
 def exp(w: Vec3) -> Mat3:
     """Rotation about `w` by the angle |w| [rad], of any size."""
     angle = norm(w)

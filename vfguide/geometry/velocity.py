@@ -1,4 +1,4 @@
-"""Azimuth and path angle of a velocity."""
+"""Azimuth, path angle and horizontal part of a velocity."""
 
 import math
 
@@ -7,9 +7,15 @@ from vfguide.kernels.compiled import compiled
 
 
 @compiled
-def azimuth_of(air: Vec3) -> float:
-    """Azimuth of the velocity through the air, NED [rad]."""
-    return math.atan2(air[1], air[0])
+def azimuth_of(v_n: Vec3) -> float:
+    """Azimuth of a velocity, NED [rad]: over ground it is the course."""
+    return math.atan2(v_n[1], v_n[0])
+
+
+@compiled
+def horizontal_norm(a_n: Vec3) -> float:
+    """Length of the horizontal part of a velocity or any other vector, NED, in its unit."""
+    return math.hypot(a_n[0], a_n[1])
 
 
 @compiled

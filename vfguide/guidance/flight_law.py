@@ -4,12 +4,13 @@ import math
 
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
-from vfguide.aircraft.path_limits import allowed_path, blended, floor_share, path_angle, path_limits
-from vfguide.aircraft.performance import turn_length
+from vfguide.aircraft.path_limits import allowed_path, floor_share, path_angle, path_limits
+from vfguide.aircraft.performance import nonzero_airspeed, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState, step_time
+from vfguide.geometry.blending import blended
 from vfguide.geometry.vector import norm, sub
 from vfguide.geometry.velocity import azimuth_of, path_of
 from vfguide.guidance.altitude_profile import plan_slope
@@ -45,7 +46,7 @@ def update(
     """Bank, load factor and path angle that fly the route, and the next state of guidance."""
     state, (aircraft, gains, _) = goal.state, vehicle
     air = sub(state.v_n, state.wind_n)
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(state.airspeed, aircraft)
     above = height_above_floor(state, airspace)
     course = wanted_course(goal, route, vehicle)
     flown = path_of(air, speed)

@@ -10,7 +10,7 @@ from vfguide.aircraft.coordinated_turn import Lift, lift_for_turn
 from vfguide.aircraft.envelope import radius_in, usable_bank
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
-from vfguide.geometry.angles import wrap
+from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.guidance.wind_triangle import Heading
 from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Course, Planar, loiter_course
@@ -74,7 +74,7 @@ def plan_turn(
     """
     error = wrap(heading.psi - azimuth)
     if abs(error) > OPPOSITE_ERROR and error * turning < 0.0:
-        error += 2.0 * math.pi * turning
+        error += FULL_TURN * turning
     feedback = gains.k_lateral * speed * error
     feedback = max(-LATERAL_FEEDBACK, min(LATERAL_FEEDBACK, feedback))
     lateral = speed * math.cos(gamma) * heading.psi_rate + feedback

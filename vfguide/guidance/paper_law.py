@@ -12,6 +12,7 @@ import numpy as np
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
+from vfguide.aircraft.performance import nonzero_airspeed
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
@@ -58,7 +59,7 @@ def update(
     state, (aircraft, gains, _) = nav.state, vehicle
     course, turning, climb = field_direction(state, goal.target, airspace)
     air = sub(state.v_n, state.wind_n)
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(state.airspeed, aircraft)
     flown = path_of(air, speed)
     wind = (state.wind_n[0], state.wind_n[1])
     heading = heading_for_course(course, turning, wind, speed * math.cos(flown))
@@ -93,7 +94,7 @@ def field_direction(
     x, y, z = F.value
     flat = x * x + y * y
     if flat == 0.0:
-        return math.atan2(state.v_n[1], state.v_n[0]), 0.0, 0.0
+        return azimuth_of(state.v_n), 0.0, 0.0
     turning = (x * F.rate[1] - y * F.rate[0]) / flat
     climb = max(-MAX_FIELD_CLIMB, min(MAX_FIELD_CLIMB, math.atan2(-z, math.sqrt(flat))))
     return math.atan2(y, x), max(-MAX_FIELD_RATE, min(MAX_FIELD_RATE, turning)), climb

@@ -7,6 +7,7 @@ from vfguide.aircraft.vehicle import Vehicle
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.vector import Vec3, dot, norm, scale, sub
+from vfguide.geometry.velocity import azimuth_of, horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
 from vfguide.loop.attempts import ATTEMPT_MISS, Attempts, at_next, gives_up, no_attempts, once_more
@@ -124,7 +125,7 @@ def passage_of(goal: Goal, before: tuple[Vec3, Vec3], after: tuple[Vec3, Vec3]) 
     if not (dot(sub(p_before, goal.p_n), v_before) < 0.0 <= opening):
         return NO_PASSAGE
     late = opening / max(dot(v_n, v_n), 1e-6)
-    course_error = wrap(math.atan2(v_n[1], v_n[0]) - goal.course)
-    climb_error = math.atan2(-v_n[2], math.hypot(v_n[0], v_n[1])) - goal.climb
+    course_error = wrap(azimuth_of(v_n) - goal.course)
+    climb_error = math.atan2(-v_n[2], horizontal_norm(v_n)) - goal.climb
     miss = norm(sub(sub(p_n, goal.p_n), scale(late, v_n)))
     return Passage(miss, max(abs(course_error), abs(climb_error)))

@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import FULL_TURN
+from vfguide.geometry.vector import sub
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.paths.leg import OUTBOUND, Leg
 from vfguide.planning.objective import Objective
@@ -47,8 +49,8 @@ def update(nav: NavState, goal: Objective, leg: Leg, remaining: float, s: Progre
         return fresh_progress()
     if not goal.is_goal or not nav.is_continuous:
         return s
-    before, now = nav.p_n_before, nav.state.p_n
-    return after_step(s, remaining, leg, math.hypot(now[0] - before[0], now[1] - before[1]))
+    flown = horizontal_norm(sub(nav.state.p_n, nav.p_n_before))
+    return after_step(s, remaining, leg, flown)
 
 
 @compiled

@@ -5,9 +5,8 @@ import numpy as np
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import read_vehicle
 from vfguide.airspace.detection import AirspaceTuple, airspace_of
-from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.earth.geodesy import tangent_plane
-from vfguide.estimation.estimation import Inputs
+from vfguide.estimation.estimation import Inputs, exact_inputs
 from vfguide.estimation.local_frame import (
     Measurement,
     MeasurementTuple,
@@ -49,10 +48,12 @@ def step_measured(
         Body rates [rad/s], thrust, reference attitude, the next state, and the miss of a goal
         that was passed [m].
     """
-    told = Measurement(*measured)
+    measurement = Measurement(*measured)
     plane = tangent_plane(origin[0], origin[1], origin[2])
-    predicted, here = place_in(told, plane), measured_in(told, plane)
-    inputs = Inputs(predicted, here, told.omega_b, False, told.lead, told.density)
+    predicted, here = place_in(measurement, plane), measured_in(measurement, plane)
+    inputs = Inputs(
+        predicted, here, measurement.omega_b, False, measurement.lead, measurement.density
+    )
     state, aircraft = read_state(before), read_vehicle(vehicle)
     known, guides = airspace_of(airspace), law_of(law)
     setpoint, left, outcome = step(inputs, state, legs, known, guides, aircraft)
@@ -85,8 +86,7 @@ def step_body(
     speed = body.gains.airspeed
     v_n = matvec(R_nb, (speed, 0.0, 0.0))
     state = FlightState(time, (p[0], p[1], p[2]), v_n, R_nb, speed, ZERO)
-    inputs = Inputs(state, state, ZERO, True, 0.0, DENSITY_0)
-    setpoint, left, outcome = step(inputs, read_state(before), legs, None, law, body)
+    setpoint, left, outcome = step(exact_inputs(state), read_state(before), legs, None, law, body)
     after = np.empty(len(before))
     write_state(left, after)
     return setpoint.omega_b, after, outcome.passage.miss

@@ -53,6 +53,24 @@ def planar_of(state: FlightState) -> Planar:
     return Planar(state.p_n[0], state.p_n[1], state.v_n[0], state.v_n[1])
 
 
+@compiled
+def course_of(at: Planar) -> float:
+    """Course over ground, clockwise from the first axis [rad]."""
+    return math.atan2(at.vy, at.vx)
+
+
+@compiled
+def pose_at(at: Planar) -> Pose:
+    """The pose of the vehicle along its course over ground."""
+    return Pose(at.x, at.y, course_of(at))
+
+
+@compiled
+def speed_of(at: Planar) -> float:
+    """Speed over ground [m/s]."""
+    return math.hypot(at.vx, at.vy)
+
+
 class Course(NamedTuple):
     """A wanted direction of flight over ground."""
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.se2 import Pose, after_turn, straight_on
+from vfguide.geometry.se2 import Pose, after_turn, distance_between, straight_on
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import Row, Table, reader, width, writer
 from vfguide.paths.dubins import DubinsPath, length_of, opposite_turns, same_turns, three_turns
@@ -128,7 +128,7 @@ def is_joined(edge: Edge, end: Pose, radius: float) -> bool:
     It does not where a turn of nearly a full circle was taken as none.
     """
     there = edge_end(edge, radius)
-    off = math.hypot(there.x - end.x, there.y - end.y) / radius
+    off = distance_between(there, end) / radius
     return off <= JOIN_TOLERANCE and abs(wrap(there.course - end.course)) <= JOIN_TOLERANCE
 
 

@@ -7,7 +7,7 @@ import math
 
 from vfguide.geometry.angles import wrap
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar, arc_to_goal
+from vfguide.paths.course_laws import Planar, arc_to_goal, course_of, speed_of
 from vfguide.paths.leg import Leg
 from vfguide.paths.path_progress import TURN_IN
 
@@ -47,16 +47,16 @@ it."""
 def is_lined_up(leg: Leg, at: Planar) -> bool:
     """Whether the vehicle is on the final approach, as between goals in line."""
     is_on_line = 0.0 < at.x < leg.final_approach and abs(at.y) < LINE_DISTANCE * leg.radius
-    return is_on_line and abs(math.atan2(at.vy, at.vx)) < LINE_ANGLE
+    return is_on_line and abs(course_of(at)) < LINE_ANGLE
 
 
 @compiled
 def rolls_out(leg: Leg, at: Planar, left: float) -> bool:
     """Whether to roll out onto the final approach now, `left` [m] before the end of a path."""
-    lead = TURN_IN * math.hypot(at.vx, at.vy)
+    lead = TURN_IN * speed_of(at)
     off = ROLL_OUT_FACTOR * LINE_ANGLE + lead / leg.radius
     is_beside = abs(at.y) < ROLL_OUT_FACTOR * LINE_DISTANCE * leg.radius
-    return left < lead and is_beside and abs(math.atan2(at.vy, at.vx)) < off
+    return left < lead and is_beside and abs(course_of(at)) < off
 
 
 @compiled
@@ -68,7 +68,7 @@ def depth(leg: Leg, at: Planar) -> float:
 @compiled
 def off_field(at: Planar) -> float:
     """Angle between the course and the field [rad], not negative."""
-    return abs(wrap(math.atan2(at.vy, at.vx) - 2.0 * math.atan2(at.y, at.x)))
+    return abs(wrap(course_of(at) - 2.0 * math.atan2(at.y, at.x)))
 
 
 @compiled
@@ -83,7 +83,7 @@ def stays_in_field(leg: Leg, at: Planar) -> bool:
     """Whether the field still leads to the goal without a turn that is too tight."""
     near = at.x > 0.0 or math.hypot(at.x, at.y) < leg.radius
     inside = depth(leg, at) / leg.radius
-    if near and abs(math.atan2(at.vy, at.vx)) < GOAL_COURSE_ANGLE:
+    if near and abs(course_of(at)) < GOAL_COURSE_ANGLE:
         return inside <= CAPTURE_DEPTH or at.x > 0.0
     return inside <= CAPTURE_DEPTH and at.x < -abs(at.y) and off_field(at) < STRAY_ANGLE
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from vfguide.aircraft.performance import Gains
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import Planar, course_of
 from vfguide.paths.dubins import DubinsPath, is_hasty, length_of, shortest_path
 from vfguide.paths.field_capture import begins_in_field, is_lined_up
 from vfguide.paths.leg import (
@@ -183,4 +183,4 @@ def with_circles(path: DubinsPath, circles: float) -> DubinsPath:
 @compiled
 def path_from(at: Planar, radius: float) -> DubinsPath:
     """The shortest Dubins path from here to the origin, course 0, with turns of `radius` [m]."""
-    return shortest_path(at.x, at.y, math.atan2(at.vy, at.vx), radius)
+    return shortest_path(at.x, at.y, course_of(at), radius)

@@ -12,7 +12,7 @@ from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.se2 import ORIGIN, Pose, centre_beside, point_from
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
-from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course
+from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course, pose_at, speed_of
 from vfguide.paths.dubins import SHORT_LAST_TURN, DubinsPath
 from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, segment_at
 
@@ -46,7 +46,7 @@ def begin_path(at: Planar, path: DubinsPath, radius: float) -> PathProgress:
 
     `radius` is that of the turns [m].
     """
-    edge = Edge(Pose(at.x, at.y, math.atan2(at.vy, at.vx)), path)
+    edge = Edge(pose_at(at), path)
     return PathProgress(edge, ORIGIN, radius, FIRST_TURN, path.arc)
 
 
@@ -120,7 +120,7 @@ def segment_left(progress: PathProgress, at: Planar) -> float:
 @compiled
 def along(progress: PathProgress, at: Planar) -> PathProgress:
     """The path with the progress of the vehicle, into the next segment in time for the roll."""
-    path, lead = progress.edge.path, TURN_IN * math.hypot(at.vx, at.vy) / progress.radius
+    path, lead = progress.edge.path, TURN_IN * speed_of(at) / progress.radius
     last = path.last * min(1.0, path.end / SHORT_LAST_TURN)
     middle = last if path.middle == 0.0 and path.reach < lead else path.middle
     progress = at_segment(progress, progress.segment, segment_left(progress, at))

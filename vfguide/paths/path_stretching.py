@@ -8,7 +8,7 @@ import math
 
 from vfguide.geometry.se2 import Pose, after_turn, straight_on
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import Planar, course_of, pose_at
 from vfguide.paths.dubins import length_of, shortest_path
 
 OUTBOUND_TURNS = 4
@@ -38,7 +38,7 @@ def best_end(at: Planar, radius: float, distance_for_altitude: float) -> tuple[f
         radius: radius of the turns [m].
         distance_for_altitude: least length of the path to the origin [m].
     """
-    course = math.atan2(at.vy, at.vx)
+    course = course_of(at)
     for k in range(STRIDES):
         farther = STRIDE * radius * k
         path = shortest_path(at.x + farther, at.y, course, radius)
@@ -54,7 +54,7 @@ def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tu
 
     The arguments are those of `best_end`.
     """
-    begin = Pose(at.x, at.y, math.atan2(at.vy, at.vx))
+    begin = pose_at(at)
     best, shortest, least = begin.course, math.inf, math.inf
     for k in range(2 * OUTBOUND_TURNS + 1):
         turn = OUTBOUND_TURN * ((k + 1) // 2)

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.vector import sub
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.planning.objective import GuidanceTarget
 
@@ -48,7 +49,7 @@ def update_wind_hold(
     wind_hold: WindHold, state: FlightState, airspeed: float, dt: float
 ) -> WindHold:
     """The wind hold `dt` [s] later; `airspeed` is the one to fly [m/s]."""
-    now = math.hypot(state.wind_n[0], state.wind_n[1]) / airspeed
+    now = horizontal_norm(state.wind_n) / airspeed
     ratio = (
         now
         if wind_hold.ratio < 0.0

@@ -8,7 +8,8 @@ from vfguide.aircraft.performance import Gains, Performance, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.geometry.se2 import unrotated
-from vfguide.geometry.vector import Vec3, add, scale
+from vfguide.geometry.vector import Vec3, add, scale, sub
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.paths.course_laws import Planar, planar_from, planar_of
 from vfguide.paths.distance_for_altitude import distance_for_altitude
@@ -68,7 +69,7 @@ def distance_for_goal_altitude(
     steepest = math.tan(aircraft.climb_max if height < 0.0 else descent)
     tail, unit = wind_along(state.wind_n, target.course), turn_length(gains.airspeed)
     most = LEG_SLOPE_SHARE * steepest / (1.0 + max(0.0, tail) / max(gains.airspeed, 1e-3))
-    distance = math.hypot(state.p_n[0] - target.p_n[0], state.p_n[1] - target.p_n[1])
+    distance = horizontal_norm(sub(state.p_n, target.p_n))
     return distance_for_altitude(height, distance, target.slope, max(most, 1e-6), unit, slope)
 
 

@@ -17,6 +17,7 @@ from vfguide.airspace.keep_out import hazards_of
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.vector import Series, Vec3
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.planning.objective import GuidanceTarget
@@ -98,7 +99,7 @@ def change_length(
         gains: gains of the guidance.
     """
     steepest = math.tan(aircraft.climb_max if up > 0.0 else descent_at_airspeed(aircraft, 0.0))
-    faster = 1.0 + math.hypot(wind_n[0], wind_n[1]) / max(gains.airspeed, 1e-3)
+    faster = 1.0 + horizontal_norm(wind_n) / max(gains.airspeed, 1e-3)
     most, unit = max(part * steepest / faster, 1e-6), turn_length(gains.airspeed)
     return distance_for_altitude(-up, math.inf, 0.0, most, unit, 0.0)
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfguide.geometry.se2 import Pose, read_pose
+from vfguide.geometry.se2 import Pose, distance_between, read_pose
 from vfguide.geometry.vector import Indices, Mask, Series
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import Table, width
@@ -144,11 +144,9 @@ def add_edge(tangents: TangentPoses, edges: Edges, queue: Queue, begin: int, end
     here, there, goal = pose_in(tangents, begin), pose_in(tangents, end), pose_in(tangents, GOAL)
     cost_to_go = tangents.cost_to_go[end]
     if cost_to_go < 0.0:
-        cost_to_go = math.hypot(goal.x - there.x, goal.y - there.y)
+        cost_to_go = distance_between(goal, there)
     hoped = (
-        tangents.cost_to_come[begin]
-        + math.hypot(there.x - here.x, there.y - here.y)
-        + HEURISTIC_WEIGHT * cost_to_go
+        tangents.cost_to_come[begin] + distance_between(there, here) + HEURISTIC_WEIGHT * cost_to_go
     )
     heappush(queue, (float(hoped), e))
 

@@ -12,20 +12,14 @@ from numpy.typing import NDArray
 from vfguide.aircraft.state import FlightState
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.se2 import ORIGIN, Pose, seen_from
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import Shape, replacing
 from vfguide.paths.course_laws import Course, planar_of
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import EDGE_WIDTH, FIRST_TURN, LAST_TURN, Edge, RouteEdges, edge_in
 from vfguide.paths.leg import ON_PATH, Leg, in_phase, with_radius
-from vfguide.paths.path_progress import (
-    TURN_IN,
-    PathProgress,
-    along,
-    beside,
-    path_course,
-    path_left,
-)
+from vfguide.paths.path_progress import TURN_IN, PathProgress, along, beside, path_course, path_left
 from vfguide.planning.overflight import NO_LEVEL
 from vfguide.planning.roadmap import MAX_ROUTE_EDGES
 from vfguide.planning.route_search import FoundRoute
@@ -155,8 +149,7 @@ def lead_into(route: RouteFollowing, i: int, state: FlightState) -> float:
     path, next_path = edge_at(route, i).path, edge_at(route, i + 1).path
     now = path.last if route.segment == LAST_TURN and path.end > 0.0 else 0.0
     then = next_path.first if next_path.arc > 0.0 else 0.0
-    speed = math.hypot(state.v_n[0], state.v_n[1])
-    return TURN_IN * speed * abs(then - now)
+    return TURN_IN * horizontal_norm(state.v_n) * abs(then - now)
 
 
 @compiled

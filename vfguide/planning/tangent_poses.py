@@ -6,6 +6,7 @@ from vfguide.airspace.footprint import read_side
 from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, read_zone_row
 from vfguide.airspace.planar_clearance import clearance_at_rest
 from vfguide.field.obstacle import Rows
+from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.se2 import Pose, after_turn, straight_on, write_pose
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import Table
@@ -81,7 +82,7 @@ def round_convex(
     zone = read_zone_row(hazards.table[i])
     apart = zone.sign * (checked(wanted) + EXTRA_CLEARANCE)
     for k in range(BEARINGS):
-        bearing = 2.0 * math.pi * k / BEARINGS
+        bearing = FULL_TURN * k / BEARINGS
         nx, ny = math.cos(bearing), math.sin(bearing)
         sx, sy = support(zone, hazards.sides, nx, ny)
         x = zone.x + t * zone.vx + sx + apart * nx

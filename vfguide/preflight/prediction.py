@@ -13,11 +13,10 @@ from vfguide.aircraft.point_mass import PointMass, advance, dynamics
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle, read_vehicle, vehicle_numbers
 from vfguide.airspace.detection import Airspace, AirspaceTuple, airspace_of, unnested_airspace
-from vfguide.earth.atmosphere import DENSITY_0
-from vfguide.estimation.estimation import Inputs
+from vfguide.estimation.estimation import exact_inputs
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import ZERO, Vectors
+from vfguide.geometry.vector import Vectors
 from vfguide.guidance.laws import FLIGHT, Law, crossing, law_of
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import Row
@@ -106,8 +105,9 @@ def fly_plan(
         path[k, 0], path[k, 1], path[k, 2] = motion.p_n
         wind, time = (wind_n[k, 0], wind_n[k, 1], wind_n[k, 2]), k * PREDICTION_STEP
         state = state_of(motion, wind, time)
-        inputs = Inputs(state, state, ZERO, True, 0.0, DENSITY_0)  # `flies` is of its own air
-        _, left, outcome = step(inputs, read_state(row), legs, at_time(known, time), guides, flown)
+        _, left, outcome = step(
+            exact_inputs(state), read_state(row), legs, at_time(known, time), guides, flown
+        )
         write_state(left, row)
         if left.mission.goal == len(legs) - 1 and circles_from == len(path):
             circles_from = k

@@ -26,6 +26,7 @@ from vfguide.geometry.se2 import Pose, straight_on
 from vfguide.geometry.so3 import IDENTITY
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Vec3, Vector
+from vfguide.geometry.velocity import horizontal_norm
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import next_path
 from vfguide.planning.collision_check import Air, Task
@@ -188,7 +189,7 @@ def _passes_over(
     target = GuidanceTarget((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
     highest = -math.inf if fence.ceiling_m is None else margin - fence.ceiling_m
     seen_from = np.array([each.visible_from_m for each in _still(scenario).obstacles])
-    unseen = 2.0 * CHECK_INTERVAL * (gains.airspeed + math.hypot(wind_n[0], wind_n[1]))
+    unseen = 2.0 * CHECK_INTERVAL * (gains.airspeed + horizontal_norm(wind_n))
     shortest = length_of(next_path(task.start, task.goal, task.radius, -1.0)) * task.radius
     for level in levels_for(rows, begin[2], z, highest, margin).tolist():
         heights = altitude_plan_by(level, state, target, aircraft, gains)

@@ -7,6 +7,7 @@ import numpy as np
 
 from vfguide.files.scenario_file import Avoidance
 from vfguide.geometry.polygon import prism_distances
+from vfguide.geometry.polyline import points_at
 from vfguide.geometry.vector import Series, Vectors
 from vfguide.results.record import Array, FlightRecord
 from vfguide.scenario.resolved import Scenario
@@ -74,7 +75,7 @@ def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
         return time, p_n
     parts = math.ceil((time[1] - time[0]) / LONGEST_INTERVAL - 1e-9)
     fine = np.linspace(time[0], time[-1], parts * (len(time) - 1) + 1)
-    return fine, np.column_stack([np.interp(fine, time, p_n[:, axis]) for axis in range(3)])
+    return fine, points_at(fine, time, p_n)
 
 
 def traffic_reasons(vehicle: int, results: tuple[TrafficResult, ...]) -> list[str]:

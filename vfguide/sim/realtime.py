@@ -4,6 +4,7 @@ import selectors
 import time
 from collections.abc import Callable, Sequence
 
+from vfguide.geometry.units import MS
 from vfguide.link.enums import AttitudeTypeMask
 from vfguide.link.messages import SetAttitudeTarget
 from vfguide.sim.autopilot.flight_mode import Event
@@ -144,6 +145,6 @@ class RealtimeFlight:
         if self.pace.worst > LATE and not self._warned:
             self._warned = True
             self._warn(
-                f"this machine is too slow or too busy: {self.pace.worst * 1e3:.0f} ms behind the "
+                f"this machine is too slow or too busy: {self.pace.worst / MS:.0f} ms behind the "
                 "clock; the flight goes on and catches up where it can"
             )

@@ -13,6 +13,7 @@ from vfguide.earth.geodesy import (
     ned_to_geodetic,
     tangent_plane,
 )
+from vfguide.geometry.polyline import points_at
 from vfguide.geometry.units import CDEG, CM_S, DEG_E7, MM
 from vfguide.geometry.vector import Series, Vec3, Vector, Vectors, add, matvec, norm, sub, transpose
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
@@ -74,7 +75,7 @@ def motion_at(flight: Flight, t: Series) -> tuple[Vectors, Vectors]:
     """Positions [m] and velocities [m/s], NED, (n, 3), at times (n,) [s]."""
     times, v = flight.times, flight.velocities
     i = np.searchsorted(times, t, "right") - 1
-    now = np.column_stack([np.interp(t, times, v[:, axis]) for axis in range(3)])
+    now = points_at(t, times, v)
     return flight.places[i] + 0.5 * (t - times[i])[:, None] * (v[i] + now), now
 
 
@@ -111,8 +112,8 @@ class Sender:
         """The reports that have arrived by `time` [s]: position, error and velocity, NED."""
         taken: list[tuple[Vec3, Vec3, Vec3]] = []
         while self._number * self.each.interval + self.each.delay <= time + TIME_TOLERANCE:
-            told = np.array([self._number * self.each.interval])
-            p_n, v_n = motion_at(self.each.flight, told)
+            at = np.array([self._number * self.each.interval])
+            p_n, v_n = motion_at(self.each.flight, at)
             error = self.each.error * self._rng.standard_normal(3)
             taken.append((vec3(p_n[0]), vec3(error), vec3(v_n[0])))
             self._number += 1

@@ -127,6 +127,11 @@ def stretched(level: Level, k: Vec3) -> Level:
 
 
 @compiled
-def eighth_root(level: float) -> float:
-    """level^(1/8)."""
-    return math.sqrt(math.sqrt(math.sqrt(level)))
+def edged_gauge_bound(level: float, square: float) -> float:
+    """The gauge's bound of the distance from a shape of eighth powers [m], from outside.
+
+    f = U^(1/8) is convex, so that nothing of the body is nearer than (f - 1) / |grad f|. `square`
+    is |grad U|^2 / 64 [1/m^2].
+    """
+    root = math.sqrt(math.sqrt(math.sqrt(level)))
+    return (level - root**7) / math.sqrt(square)

@@ -10,7 +10,7 @@ from vfguide.geometry.shapes.base import (
     Section,
     Shape,
     checked,
-    eighth_root,
+    edged_gauge_bound,
     even_power,
 )
 from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
@@ -109,4 +109,4 @@ def cone_gauge(x: float, y: float, z: float, radius: float, half_height: float) 
     if level <= 1.0:
         return -math.inf
     g_rho, g_z = 2.0 * u7 * rho / (s * radius), (w7 - u7) / half_height
-    return (level - eighth_root(level) ** 7) / math.sqrt(g_rho * g_rho + g_z * g_z)
+    return edged_gauge_bound(level, g_rho * g_rho + g_z * g_z)

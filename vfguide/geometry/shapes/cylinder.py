@@ -11,7 +11,7 @@ from vfguide.geometry.shapes.base import (
     Section,
     Shape,
     checked,
-    eighth_root,
+    edged_gauge_bound,
     even_power,
 )
 from vfguide.geometry.shapes.rays import Array, Rays, upright_rays
@@ -83,4 +83,4 @@ def cylinder_gauge(x: float, y: float, z: float, radius: float, half_height: flo
     if level <= 1.0:
         return -math.inf
     gu, gw = u4 / (math.sqrt(u) * radius + 1e-300), w8 / (abs(w) * half_height + 1e-300)
-    return (level - eighth_root(level) ** 7) / math.sqrt(gu * gu + gw * gw)
+    return edged_gauge_bound(level, gu * gu + gw * gw)

@@ -15,7 +15,7 @@ from vfguide.geometry.shapes.base import (
     Section,
     Shape,
     checked,
-    eighth_root,
+    edged_gauge_bound,
     even_power,
 )
 from vfguide.geometry.shapes.rays import Array, Rays, root
@@ -119,7 +119,7 @@ def edged_gauge(u: float, v: float, w: float, a: Vec3) -> float:
     if level <= 1.0:
         return -math.inf
     gu, gv, gw = u6 * u / a[0], v6 * v / a[1], w6 * w / a[2]
-    return (level - eighth_root(level) ** 7) / math.sqrt(gu * gu + gv * gv + gw * gw)
+    return edged_gauge_bound(level, gu * gu + gv * gv + gw * gw)
 
 
 @compiled
