@@ -21,6 +21,16 @@ HEIGHT = {
 """Of each room; rooms of one layer have the same, and none of those knows the others."""
 CROWDED = 16
 """Modules of a folder above which a newcomer does not see what is in it."""
+LONG = 250
+"""Lines of a module above which it is probably two things."""
+ONE_THING = {
+    "companion/companion.py": "one method for each message",
+    "kernels/rows.py": "records as rows, and the functions that are written for them",
+    "link/enums.py": "one class for each enumeration of the dialect",
+    "link/messages.py": "one record for each message of the dialect",
+    "sim/autopilot/telemetry.py": "one function for each stream",
+}
+"""Longer modules, and what each is."""
 WHOLE_RUNS = "runs"
 """Its folder has what is run from the command line on."""
 
@@ -85,6 +95,13 @@ def test_no_room_is_crowded():
     sizes = Counter(path.parent.relative_to(ROOT / "vfguide").as_posix() for path in modules)
     assert {room.partition("/")[0] for room in sizes} == set(HEIGHT)
     assert {room: size for room, size in sizes.items() if size > CROWDED} == {}
+
+
+def test_no_module_is_two_things():
+    package = ROOT / "vfguide"
+    lines = {path: path.read_text().count("\n") for path in package.rglob("*.py")}
+    long = {path.relative_to(package).as_posix() for path in lines if lines[path] > LONG}
+    assert long == set(ONE_THING)
 
 
 def test_every_folder_of_tests_is_a_room():
