@@ -30,7 +30,7 @@ def doubting(s: LoopState, **times: float) -> LoopState:
 
 def events(announcer, before, after, now_ms=0):
     rows = row_of_state(before), row_of_state(after)
-    return announcer.doubts(*rows) + announcer.events(*rows, now_ms, 0.001 * now_ms, True)
+    return announcer.doubts(*rows) + announcer.events(*rows, now_ms, 0.001 * now_ms, 25.0)
 
 
 def test_a_step_without_news_is_not_told():
@@ -75,4 +75,4 @@ def test_a_plan_without_hazards_has_nothing_to_tell_of_them():
     for names, is_told in ((None, False), (("tower",), True)):
         announcer = StepAnnunciator(Briefing(2, 25.0, names))
         announcer.doubts(numbered, numbered)
-        assert bool(announcer.events(numbered, numbered, 0, 0.0, True)) == is_told
+        assert bool(announcer.events(numbered, numbered, 0, 0.0, 25.0)) == is_told

@@ -1,10 +1,11 @@
 """What the operator reads of a step: what differs between the state before it and after it."""
 
+import math
 from typing import NamedTuple
 
 from vfguide.annunciations.airspeed_notes import AirspeedAnnunciator
 from vfguide.annunciations.doubt_notes import doubt_notes, unfit
-from vfguide.annunciations.flight_notes import progress_notes, reset_notes, wind_notes
+from vfguide.annunciations.flight_notes import reset_notes, wind_notes
 from vfguide.annunciations.hazard_notes import HazardAnnunciator
 from vfguide.kernels.rows import Row
 from vfguide.loop.loop_report import changes, doubts_of_row, trusts_sensor_of_row
@@ -53,7 +54,7 @@ class StepAnnunciator:
         return doubt_notes(doubts_of_row(before), doubts)
 
     def events(
-        self, before: Row, after: Row, now_ms: int, t: float, hears_airspeed: bool
+        self, before: Row, after: Row, now_ms: int, t: float, calibrated: float
     ) -> list[str]:
         """Notes of what a step that is flown has changed in air, position, wind and hazards.
 
@@ -62,20 +63,17 @@ class StepAnnunciator:
             after: row of the `LoopState` after it.
             now_ms: time of the attitude [ms].
             t: time on the clock of the obstacles [s].
-            hears_airspeed: whether the autopilot tells an airspeed.
+            calibrated: calibrated airspeed that is told [m/s]; not a number where none is.
         """
         notes: list[str] = []
         if self.has_news:
-            notes += self._airspeed.notes(trusts_sensor_of_row(after), hears_airspeed)
+            believes, hears = trusts_sensor_of_row(after), not math.isnan(calibrated)
+            notes += self._airspeed.notes(believes, hears)
             notes += self._resets(before, after, now_ms)
             notes += wind_notes(before, after, self._plan.goals, self._plan.airspeed)
         if self._hazards is not None:
             notes += self._hazards.notes(after, t)
         return notes
-
-    def progress(self, before: Row, after: Row) -> list[str]:
-        """Notes of the progress to a goal in a step."""
-        return progress_notes(before, after) if self.has_news else []
 
     def _resets(self, before: Row, after: Row, now_ms: int) -> list[str]:
         """The note of a position reset, and of no other one for a while: they come in a row."""

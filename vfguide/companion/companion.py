@@ -151,8 +151,9 @@ class Companion:
 
     def _housekeeping(self, now: int) -> list[Message]:
         """Heartbeat, requests and mode changes that are due."""
-        phase = self.phase
-        out: list[Message] = [*self._heartbeat.due(now, phase)]
+        phase, out = self.phase, list[Message]()
+        if now >= self._heartbeat.due_at:
+            out.append(self._heartbeat.send(now, phase))
         if phase is Phase.SEARCHING or phase in FINAL_PHASES:
             return out
         self._control.watch(now, self._round_trip, self._speakers)

@@ -7,6 +7,7 @@ from vfguide.aircraft.identification import Identified
 from vfguide.aircraft.state import RateSetpoint
 from vfguide.airspace.detection import Airspace, in_sight, unnested_airspace
 from vfguide.airspace.hazards import Hazards
+from vfguide.annunciations.flight_notes import progress_notes
 from vfguide.annunciations.goal_announcement import GoalAnnouncement, announcement
 from vfguide.annunciations.goal_notes import leg_note, passage_note
 from vfguide.annunciations.identification_notes import (
@@ -83,6 +84,8 @@ class GuidedFlight:
         """What the operator should read; the caller takes it away."""
         self.announced: list[GoalAnnouncement] = []
         """The goals that were passed, as it saw them, in the order of time."""
+        self.unfit: str | None = None
+        """Why what the autopilot tells cannot be flown on; None where it can."""
         self._announcer = StepAnnunciator(plan.briefing)
         self._traffic = TrafficWatch(plan)
         self._obstacle_clock = ObstacleClock(plan)
@@ -94,11 +97,6 @@ class GuidedFlight:
     def is_testing(self) -> bool:
         """Whether a test flight goes before the first goal now."""
         return self._identification is not None
-
-    @property
-    def unfit(self) -> str | None:
-        """Why what the autopilot tells cannot be flown on; None where it can."""
-        return self._announcer.unfit
 
     @property
     def air(self) -> AirReport:
@@ -149,9 +147,9 @@ class GuidedFlight:
         before, (setpoint, after, miss) = self._state, self._fly(state, hazards, t)
         self._state = after if follows else watching(before, after)
         self.notes += self._announcer.doubts(before, after)
+        self.unfit = self._announcer.unfit
         if follows:
-            hears_airspeed = not math.isnan(state.calibrated)
-            self.notes += self._announcer.events(before, after, now_ms, t, hears_airspeed)
+            self.notes += self._announcer.events(before, after, now_ms, t, state.calibrated)
             if self._announcer.has_news:
                 self._jumped |= number_of_resets(after) != number_of_resets(before)
         if follows and self._identification is not None:
@@ -201,7 +199,8 @@ class GuidedFlight:
 
     def _progress(self, before: Row, after: Row, miss: float) -> None:
         """Tell of a step on the way to a goal, and of one that was passed by `miss` [m]."""
-        self.notes += self._announcer.progress(before, after)
+        if self._announcer.has_news:
+            self.notes += progress_notes(before, after)
         if math.isfinite(miss):
             self.announced.append(announcement(before, after, miss))
             self.notes.append(passage_note(self.announced[-1], len(self.plan.goals)))

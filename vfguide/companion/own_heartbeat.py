@@ -17,12 +17,11 @@ class OwnHeartbeat:
     """Heartbeats, one a second."""
 
     def __init__(self) -> None:
-        self._sent: int | None = None
+        self.due_at = 0
+        """When the next one is due [us since 1970]."""
 
-    def due(self, now: int, phase: Phase) -> list[Heartbeat]:
-        """The heartbeat to send now [us], if it is time for one."""
-        if self._sent is not None and now - self._sent < SECOND:
-            return []
-        self._sent = now
+    def send(self, now: int, phase: Phase) -> Heartbeat:
+        """The heartbeat that goes out now [us since 1970]."""
+        self.due_at = now + SECOND
         status = STATUS.get(phase, MavState.STANDBY)
-        return [Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)]
+        return Heartbeat(MavType.ONBOARD_CONTROLLER, MavAutopilot.INVALID, 0, 0, status)

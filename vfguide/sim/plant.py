@@ -95,7 +95,7 @@ class Plant:
 
     def truth(self) -> Truth:
         """The whole state."""
-        return self.readings.truth(self.time)
+        return self.readings.truth(self.steps * self._dt)
 
     def place(self, start: Start, wind_n: Vec3 = (0.0, 0.0, 0.0)) -> None:
         """Put the aeroplane into `start`, servos and motor in steady state, time standing still.
