@@ -17,8 +17,8 @@ LEAST_RADIUS = 1e-3
 """Radius of a turn at no airspeed, or at one that is not a number [m]; chosen so that divisions
 stay finite."""
 LEAST_LOAD = 1.05
-"""Load factor that is flown however slow the aircraft is, a number: 18 degrees of bank; chosen, so
-that it can still turn."""
+"""Load factor that is flown however slow the aircraft is, dimensionless: 18 degrees of bank;
+chosen, so that it can still turn."""
 FASTEST_SHARE = 0.95
 """Share of the fastest airspeed up to which the airspeed to fly is raised, without a sensor and in
 the identification flight; chosen, gusts take the rest."""
