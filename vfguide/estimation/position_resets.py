@@ -61,10 +61,10 @@ def follow_resets(
     Args:
         jumps: resets at the step before.
         before: position that guidance used [m] and velocity [m/s] at the step before, NED.
-        told: the measured state.
+        told: the state of this step, by the autopilot.
         dt: time step [s].
-        farther: time by which the state is predicted farther ahead than at the step before [s],
-            as where the delay of the link has changed; that moves the position, but is no jump.
+        farther: time by which the state is predicted farther ahead than at the step before [s]:
+            where the delay of the link has changed, the position moves, but has not jumped.
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST_PAUSE:
