@@ -3,9 +3,9 @@
 The attitude reference flies the air velocity's azimuth, so that the turn is coordinated; Lemma 4
 of the paper leads the attitude to it, and the rates keep bank and load factor in their limits.
 
-Of the sideslip only a small angle is asked back at once, and the load factor is taken without it.
-A wind or yaw that is told wrong looks like sideslip; with all of it asked back the aircraft would
-be yawed into a true one, which rolling turns into angle of attack.
+The rate law takes back only a small sideslip at once, and the load factor is computed without any.
+A wrong wind or yaw looks like sideslip: if all of that were taken back, the aircraft would be yawed
+into a real one, which a roll turns into angle of attack.
 """
 
 from typing import NamedTuple
@@ -63,8 +63,8 @@ def update(
     """Body rates and thrust that fly a command, before the last limits, and the next state.
 
     The reference attitude has the elevation gamma + k_elevation (gamma - path angle), the command's
-    bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction; Omega is
-    that of Lemma 4 (`rate_law`), to a reference with less sideslip to take back.
+    bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction. Omega is
+    that of Lemma 4 (`rate_law`) towards this reference, yawed to where MOST_SIDESLIP_ASKED is left.
     """
     if vehicle.is_point:
         return point_nose(nav, command, s, vehicle)
