@@ -16,7 +16,7 @@ BEARINGS = 16
 CORNER_BEARINGS = 5
 """Number of directions in which a route may pass a corner of a fence; chosen."""
 CORNER_FAN = 0.45
-"""Angle between the first of those directions and the bisector of the corner [rad]; chosen."""
+"""Angle between the outermost of these directions and the bisector of the corner [rad]; chosen."""
 EXTRA_CLEARANCE = 1.0
 """Clearance of tangent poses beyond the one that the collision check asks for [m]; chosen."""
 STRAIGHTS = 0.0, 1.0, 2.0
@@ -44,7 +44,7 @@ def support(zone: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[float
 
 @compiled
 def checked(wanted: float) -> float:
-    """Clearance that the collision check asks for where `wanted` is wanted [m]."""
+    """Clearance that a point needs to pass the collision check for a clearance `wanted` [m]."""
     return wanted + 0.5 * STEP_SHARE * wanted
 
 
