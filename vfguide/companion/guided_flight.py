@@ -67,8 +67,8 @@ from vfguide.telemetry.knowledge import Knowledge, measurement
 RESET_NOTE_INTERVAL = 5000
 """Least time between two notes of position resets [ms]; chosen."""
 HELD_PERIODS = 1.0
-"""Number of guidance periods for which the state is predicted beyond the delay: half of one because
-a setpoint is held for it, half because the reference's rate is that of the period before."""
+"""Number of guidance periods by which the state is predicted beyond the delay: half of one because
+a setpoint is held for one, half because the reference's rate is the mean of the one before."""
 DUE_SHARE = 0.9
 """Share of the guidance period after which the next step is due; chosen below 1, since an attitude
 may come a little early."""
@@ -96,7 +96,7 @@ class GuidedFlight:
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self.announced: list[GoalAnnouncement] = []
-        """The goals that were passed, as it saw them, in the order of time."""
+        """The goals that were passed, as the companion saw it, in the order of time."""
         self.unfit: str | None = None
         """Why what the autopilot tells cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan.hazard_names)
@@ -110,7 +110,7 @@ class GuidedFlight:
 
     @property
     def is_testing(self) -> bool:
-        """Whether a test flight goes before the first goal now."""
+        """Whether the test flight that goes before the first goal is not over."""
         return self._identification is not None
 
     @property
@@ -129,8 +129,8 @@ class GuidedFlight:
         It acts `delay` [s] after that attitude, and is held until the next one does. Its body
         rates are FRD [rad/s].
 
-        Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
-        the present goal begins anew.
+        While the autopilot does not follow setpoints (`follows`), a step leaves nothing but its
+        doubts. When it begins to, the leg to the present goal begins anew.
         """
         now_ms = known.time_ms
         if known.attitude is None or not self._due(now_ms):
@@ -226,7 +226,7 @@ class GuidedFlight:
             self.notes.append(passage_note(self.announced[-1], len(self.plan.goals)))
 
     def _heed(self, before: Row, after: Row) -> bool:
-        """Tell of doubts, if there are any; whether there is other news of a step."""
+        """Tell the operator of doubts; returns whether a step has other news."""
         in_doubt, has_news = changes(before, after)
         self.unfit = None
         if in_doubt:
@@ -234,7 +234,7 @@ class GuidedFlight:
         return has_news
 
     def _tell_resets(self, before: Row, after: Row) -> None:
-        """Tell of a position reset, and of no other one for a while: they come many in a row."""
+        """Tell of a position reset, then of none for RESET_NOTE_INTERVAL: many come in a row."""
         notes, now_ms = reset_notes(before, after), self._stepped
         if not notes or now_ms is None:
             return
@@ -249,7 +249,7 @@ class GuidedFlight:
         self.unfit = unfit(doubts)
 
     def _begin_leg(self, state: Measurement, hazards: Hazards | None, t: float) -> None:
-        """The autopilot begins to follow: a test flight begins anew, a leg where it was."""
+        """The autopilot begins to follow: a test flight or the present leg begins anew."""
         before = state_of_row(self._state)
         self._annunciator = HazardAnnunciator(self.plan.hazard_names)
         if self._identification is None:
@@ -281,7 +281,7 @@ class GuidedFlight:
             self._end_test(identification, *identified_notes(self.identified))
 
     def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
-        """Fly to the goals, with what the test flight has shown if it has."""
+        """Go on to the goals, with what the test flight has shown, if anything."""
         before, after = self.plan.aircraft, identification.plan_after(self.identified)
         self._identification, self.plan, self._annunciator = (
             None,
