@@ -66,7 +66,7 @@ class Height(NamedTuple):
     altitude: float
     """Above mean sea level, the middle of what it may be [m]."""
     doubt: float
-    """Half of what it may be [m]."""
+    """Half the range of what it may be [m]."""
 
 
 def is_by_pressure(said: AdsbVehicle) -> bool:
@@ -89,9 +89,9 @@ def height_of(said: AdsbVehicle, datum: HeightDatum, own: float) -> Height:
 
 
 def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
-    """Least and greatest that a height by pressure `told` may be above the one that is meant [m].
+    """Least and greatest that a height by pressure `told` may be above the true one [m].
 
-    Zero is among them: it may have been converted already.
+    Zero is in between: the sender may have converted it already.
     """
     if datum.pressure_offset is None:
         return weather(told)
@@ -103,15 +103,15 @@ def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
 
 
 def weather(altitude: float) -> tuple[float, float]:
-    """Least and greatest pressure altitude less the true one [m] that weather makes at one."""
+    """Least and greatest that weather makes of the pressure altitude less an `altitude` [m]."""
     temperature = TEMPERATURE_SHARE * max(altitude, 0.0)
     return pressure_altitude(HIGH_QNH) - temperature, pressure_altitude(LOW_QNH) + temperature
 
 
 def pressure_offset(pressure: float, altitude: float) -> float | None:
-    """Pressure altitude of a pressure [Pa] less the height above mean sea level [m] where it is.
+    """Pressure altitude of a pressure [Pa], less the height above mean sea level [m] it is from.
 
-    None where no weather makes it: the sensor is wrong.
+    None where no weather makes such a difference: the sensor is wrong.
     """
     if not pressure > 0.0:  # not-a-number too
         return None

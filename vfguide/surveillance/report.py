@@ -54,7 +54,7 @@ class Report(NamedTuple):
     """The newest report of one aircraft."""
 
     icao: int
-    """ICAO address of its transponder, 24 bits; or what else it is known by, 0 where by nothing."""
+    """ICAO address of its transponder, 24 bits, or another number in its reports; 0 for none."""
     name: str
     """Callsign, or the address in hexadecimal digits where none is reported."""
     time_ms: int
