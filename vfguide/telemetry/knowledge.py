@@ -196,7 +196,7 @@ def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:
 
 @lru_cache(maxsize=4)
 def density_at(altitude: float) -> float:
-    """Air density at an altitude [m], which is told less often than the attitude [kg/m^3]."""
+    """Air density [kg/m^3] at an altitude [m]; kept, since altitudes come less often than steps."""
     return isa_density(altitude)
 
 

@@ -14,9 +14,10 @@ RETURNS = 8
 """Number of leaps of the counter back to where it went on before, within RETURN_TIME, after which
 two speak; chosen above what single wrong counters make."""
 RETURN_TIME = SECOND
-"""Time within which they come [us]; chosen, attitudes come 10 times a second or more."""
+"""Time within which so many leaps of the counter come from two autopilots [us]; chosen, attitudes
+come 10 times a second or more."""
 ALONE_AFTER = 10 * SECOND
-"""Time without such a leap after which one speaks alone again [us]; chosen."""
+"""Time without so many leaps of the counter after which one speaks alone again [us]; chosen."""
 TWO_SPEAK = "more than one autopilot speaks as vehicle {sysid}: their clocks differ"
 """Reason for silence where it is unknown of which vehicle a message tells."""
 
