@@ -23,7 +23,7 @@ class AirspeedAnnunciator:
         self._is_believed: bool | None = None
         """Whether it is believed; None: no step has been flown yet."""
         self._was_believed = False
-        """Whether it ever was."""
+        """Whether it ever was believed."""
 
     def notes(self, is_believed: bool, is_heard: bool) -> list[str]:
         """The notes of a step; none where a flight begins with a good sensor.
