@@ -50,6 +50,9 @@ def radius_in(wind: float, bank: float, gains: Gains) -> float:
 
 @compiled
 def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
-    """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero."""
+    """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero.
+
+    (V + wind)^2 / (g tan bank), with the true airspeed V and the wind [m/s] and the bank [rad].
+    """
     radius = margin * (airspeed + wind) ** 2 / (G0 * math.tan(bank))
     return radius if radius > LEAST_RADIUS else LEAST_RADIUS

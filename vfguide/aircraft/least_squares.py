@@ -2,6 +2,10 @@
 
 It uses loops of its own instead of LAPACK: setpoints follow from the result, and a replay on
 another machine must give the same.
+
+L. Ljung, System Identification: Theory for the User, 1999, chapter 7: instrumental variables.
+G. V. Bayley and J. M. Hammersley, The "Effective" Number of Independent Observations in an
+Autocorrelated Time Series, 1946: `noise_correlation`.
 """
 
 import math

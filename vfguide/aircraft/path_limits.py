@@ -152,6 +152,12 @@ def path_angle(
     """Path angle through the air that makes good the slope over ground [rad], not limited.
 
     Level over ground where the wind blows the vehicle back: no slope is made good there.
+
+    Args:
+        slope: slope dh/ds over ground.
+        groundspeed: speed over ground along the course [m/s].
+        wind_down: vertical wind, down positive [m/s].
+        airspeed: true airspeed [m/s].
     """
     climb = slope * max(groundspeed, 0.0) + wind_down
     return math.asin(max(-1.0, min(1.0, climb / airspeed)))
@@ -161,7 +167,8 @@ def path_angle(
 def allowed_path(asked: float, limits: tuple[float, float]) -> tuple[float, float]:
     """The path angle within the limits, and the one that thrust is set for, no smaller [rad].
 
-    Thrust is set for the whole climb, so that the airspeed soon allows more of it.
+    Thrust is set for the whole climb that is `asked` for, so that the airspeed soon allows more of
+    it. The `limits` are those of `path_limits`.
     """
     gamma = max(limits[0], min(limits[1], asked))
     return gamma, max(gamma, asked)

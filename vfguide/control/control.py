@@ -122,7 +122,10 @@ def learn_alpha(bias: float, error: float, gains: Gains, dt: float) -> float:
 
 @compiled
 def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> Vec3:
-    """Angular velocity of the reference attitude, body axes, smoothed [rad/s]."""
+    """Angular velocity of the reference attitude in its own axes, smoothed [rad/s].
+
+    `smoothing` is the time constant, `dt` the time since the last reference attitude [s].
+    """
     turned = scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na)))
     size = norm(turned)
     if size > MAX_REFERENCE_RATE:

@@ -22,9 +22,9 @@ GENTLE_SLOPE = 0.06
 """Slope dh/ds with which a larger height error is reduced far from the goal, dimensionless;
 chosen."""
 WAIT_DISTANCE = 8.0
-"""Length of path, ahead of the last half of LINE_UP, that GENTLE_SLOPE is left to take off height
-above the profile [turn lengths]; farther away that height is kept, because sinking air may take it.
-Tuned with `tools/measure_avoidance.py`."""
+"""Length of path, before the last half of LINE_UP, on which GENTLE_SLOPE takes off height above the
+profile [turn lengths]; farther away that height is kept, because sinking air may take it. Tuned
+with `tools/measure_avoidance.py`."""
 LEAST_GROUNDSPEED_SHARE = 0.2
 """Share of the airspeed below which the groundspeed counts as that share; chosen, so that slopes
 stay finite where the wind stops the vehicle."""

@@ -73,8 +73,9 @@ def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tu
 def outbound_length(begin: Pose, radius: float, distance_for_altitude: float) -> float:
     """Length of the shortest outbound straight, with the path after it, that suffices [m].
 
-    It is infinite where none of STRIDES lengths does, as far from the origin with the course
-    towards it.
+    It starts at `begin`; the path is that to the origin, with turns of `radius` [m]. Both together
+    must be as long as `distance_for_altitude` [m]. It is infinite where none of STRIDES lengths is
+    enough, as far from the origin with the course towards it.
     """
     for k in range(STRIDES):
         straight = STRIDE * radius * k

@@ -213,7 +213,7 @@ def cost_of(level: float, here: float, goal: float) -> float:
 def aim_at(level: float, fall: float, target: GuidanceTarget, remaining: float) -> GuidanceTarget:
     """The target whose height is flown to: the level until `remaining` is less than the fall [m].
 
-    Where it is a level, the target is a circle, so that the level is held.
+    A level is held like that of a circle.
     """
     if math.isinf(level) or target.circle != 0.0 or remaining <= fall:
         return target

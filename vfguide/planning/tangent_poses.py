@@ -58,9 +58,10 @@ def add_tangent_pose(
     course: float,
     wanted: float,
 ) -> int:
-    """Adds a pose and the opposite one where they are clear of all hazards that do not move.
+    """Adds the pose at (x, y) [m] on a course [rad], and the opposite one, where they are clear.
 
-    Returns the number of poses.
+    They are where all hazards that do not move are farther than the clearance `wanted` [m], with
+    the reserve of the collision check. Returns the number of poses.
     """
     if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(tangents):
         return used
@@ -117,7 +118,10 @@ def round_corners(hazards: KeepOutZones, i: int, wanted: float, tangents: Poses,
 
 @compiled
 def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
-    """Bearing [rad] away from the polygon at a corner of two sides (inwards for `KEEP_IN`)."""
+    """Bearing [rad] away from a polygon along the bisector of a corner (inwards for `KEEP_IN`).
+
+    (bx, by) is the side before the corner, (ax, ay) the one after it [m].
+    """
     before, after = math.hypot(bx, by), math.hypot(ax, ay)
     tx, ty = bx / before + ax / after, by / before + ay / after
     return math.atan2(-sign * tx, sign * ty)

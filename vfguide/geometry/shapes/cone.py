@@ -70,9 +70,9 @@ def cone_rays(latitude: Array, longitude: Array) -> Rays:
 
 @compiled
 def cone_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """Lower bound of the distance of a point, in the cone's axes, from U = 1 [m].
+    """Lower bound of the distance of (x, y, z), in the cone's axes, from U = 1 [m].
 
-    It is negative inside.
+    It is negative inside. `radius` is that of the base [m].
     """
     sharp = frustum_distance(x, y, z, radius, half_height)
     if sharp > BESIDE * max(radius, half_height):

@@ -60,7 +60,7 @@ def cylinder_rays(latitude: Array, longitude: Array) -> Rays:
 
 @compiled
 def cylinder_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """Lower bound of the distance of a point, in the cylinder's axes, from U = 1 [m].
+    """Lower bound of the distance of (x, y, z), in the cylinder's axes, from U = 1 [m].
 
     It is negative inside.
     """

@@ -1,6 +1,7 @@
 """Superquadrics, the paper's second example: spheres, ellipsoids and boxes among them.
 
-U = |x / a|^(2p) + |y / b|^(2q) + |z / c|^(2r).
+U = |x / a|^(2p) + |y / b|^(2q) + |z / c|^(2r) (A. H. Barr, Superquadrics and Angle-Preserving
+Transformations, 1981).
 """
 
 import math
