@@ -30,7 +30,7 @@ class AirspeedAnnunciator:
 
         Args:
             is_believed: whether the measured airspeed is flown on.
-            is_heard: whether the autopilot tells one.
+            is_heard: whether the autopilot reports one.
         """
         before, was_believed = self._is_believed, self._was_believed
         self._is_believed, self._was_believed = is_believed, was_believed or is_believed

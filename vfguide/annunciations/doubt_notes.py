@@ -53,7 +53,7 @@ def doubt_notes(before: Doubts, after: Doubts) -> list[str]:
 
 
 def unfit(doubts: Doubts) -> str | None:
-    """Why the flight cannot go on with what the autopilot tells; None: it can."""
+    """Why the flight cannot go on with what the autopilot reports; None: it can."""
     if doubts.attitude > 0.0:
         return TILTED
     for name in ("yaw", "velocity"):

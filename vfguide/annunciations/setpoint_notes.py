@@ -1,6 +1,6 @@
 """What the operator reads of setpoints: that they go out, or that they do not, and why.
 
-It says what happened: that they go out is told when one has gone out.
+A note says what has happened: "setpoints go out" comes when one has gone out.
 """
 
 import re

@@ -184,7 +184,7 @@ class Companion:
             self._control.mode.begin_anew(RESTARTED)
 
     def _hear_current_mode(self, now: int, said: CurrentMode) -> None:
-        """Follow the mode that the autopilot tells besides its heartbeats."""
+        """Follow the mode that the autopilot reports besides its heartbeats."""
         self._contact.hear(now)
         if self._tells_its_own_mode(now):
             self._control.mode.hear_current_mode(said)
@@ -241,7 +241,7 @@ class Companion:
         self.flight.hear_traffic(report, self._known)
 
     def _hear_timesync(self, now: int, message: Timesync) -> None:
-        """Take an answer to a question of our own; it tells the delay of the link."""
+        """Take an answer to a question of our own; it shows the delay of the link."""
         self._round_trip.hear(now, message)
         self._control.watch(now, self._round_trip, self._speakers)
 
@@ -286,7 +286,7 @@ class Companion:
         self._control.watch(now, self._round_trip, self._speakers)
         waited = self._contact.waited(now)
         out = self._control.guide(now, self._known, self._round_trip, waited=waited)
-        if out and self.flight.take_jump():  # the origin may have moved: it is told if asked for
+        if out and self.flight.take_jump():  # the origin may have moved; it is sent if asked for
             self._requests.ask_origin()
         return out
 

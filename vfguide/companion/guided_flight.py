@@ -98,7 +98,7 @@ class GuidedFlight:
         self.announced: list[GoalAnnouncement] = []
         """The goals that were passed, as the companion saw it, in the order of time."""
         self.unfit: str | None = None
-        """Why what the autopilot tells cannot be flown on; None where it can."""
+        """Why what the autopilot reports cannot be flown on; None where it can."""
         self._annunciator = HazardAnnunciator(plan.hazard_names)
         self._airspeed_notes = AirspeedAnnunciator()
         self._surveillance = Surveillance(Picture(plan.origin, plan.volume, plan.own_icao))

@@ -12,7 +12,7 @@ from vfguide.geometry.units import MS, US
 from vfguide.telemetry.knowledge import Knowledge
 
 BY_DATE = "moving obstacles: by the autopilot's date it is {since:.0f} s after start_time"
-"""Note where the date tells where moving obstacles are."""
+"""Note where moving obstacles are by the date."""
 BY_ENGAGEMENT = "moving obstacles count their time from when the autopilot follows: {why}"
 """Note where moving obstacles count their time from the engagement."""
 NO_DATE = "it tells no date"

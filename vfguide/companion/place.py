@@ -63,16 +63,16 @@ TWO_PLACES = (
     "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell a place {distance:.0f} m "
     "from the one in GLOBAL_POSITION_INT"
 )
-"""Reason for silence where the autopilot tells two places."""
+"""Reason for silence where the autopilot reports two places."""
 TWO_ALTITUDES = (
     "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell an altitude {distance:.0f} m "
     "from the one in VFR_HUD"
 )
-"""Reason for silence where the autopilot tells two altitudes."""
+"""Reason for silence where the autopilot reports two altitudes."""
 
 
 class PlaceWatch:
-    """Compares the place that the autopilot tells with the plan, and with itself."""
+    """Compares the places that the autopilot reports with the plan, and with each other."""
 
     def __init__(self, plan: Plan, notes: list[str]) -> None:
         """A watch that has not looked yet, of a `plan`; it tells the operator by `notes`."""

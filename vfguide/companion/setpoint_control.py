@@ -110,8 +110,8 @@ class SetpointControl:
 
         Args:
             now: the time [us].
-            known: what the autopilot tells.
-            link: its delay.
+            known: what the autopilot has reported.
+            link: delay of the link to it.
             waited: whether the attitude waited while this program stood still: it is too old.
         """
         checked = self._place.checked(known, follows=self.mode.is_followed)

@@ -2,7 +2,7 @@
 
 Where the autopilot reports a wind, the triangle is overdetermined: ground velocity less wind must
 be as long as the airspeed and point along the nose. A wrong length shows a wrong wind or airspeed,
-whatever the yaw is, and the airspeed that pitch and thrust ask for tells which. A wrong direction
+whatever the yaw is, and the airspeed that pitch and thrust ask for shows which. A wrong direction
 shows a wrong yaw, where the length is right.
 """
 

@@ -61,7 +61,7 @@ def follow_resets(
     Args:
         jumps: resets at the step before.
         before: position that guidance used [m] and velocity [m/s] at the step before, NED.
-        told: the state of this step, by the autopilot.
+        told: the state of this step, before resets are let in slowly.
         dt: time step [s].
         farther: time by which the state is predicted farther ahead than at the step before [s]:
             where the delay of the link has changed, the position moves, but has not jumped.

@@ -65,7 +65,7 @@ class Noted(NamedTuple):
 
 
 class Doubts(NamedTuple):
-    """For how long each thing that the autopilot tells has been doubted [s]; 0: it is believed."""
+    """For how long each thing that the autopilot reports is doubted [s]; 0: it is believed."""
 
     yaw: float
     velocity: float

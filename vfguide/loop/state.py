@@ -80,9 +80,9 @@ def leave_goal(s: LoopState) -> LoopState:
 
 
 def watching(before: Row, after: Row) -> Row:
-    """The next row while the autopilot does not follow setpoints: a step leaves its doubts alone.
+    """The row `before`, with the doubts of the step that led to `after`.
 
-    All else is that of `before`.
+    No more of a step is kept while the autopilot does not follow setpoints.
     """
     s, estimation = state_of_row(before), state_of_row(after).estimation
     kept = s.estimation._replace(consistency=estimation.consistency)

@@ -37,9 +37,9 @@ class HeightDatum(NamedTuple):
 
     pressure_offset: float | None = None
     """The ownship's pressure altitude less its height above mean sea level [m]; None: the autopilot
-    tells no pressure."""
+    reports no pressure."""
     undulation: float | None = None
-    """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not tell it."""
+    """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not report it."""
     pressure_doubt: float = 0.0
     """By how much the pressure offset may be wrong [m]."""
     undulation_doubt: float = 0.0
@@ -47,11 +47,11 @@ class HeightDatum(NamedTuple):
 
 
 UNKNOWN_DATUM = HeightDatum()
-"""The datum where the autopilot tells neither."""
+"""The datum where the autopilot reports neither."""
 
 
 def datum_of(pressure_offset: ToldHeight | None, undulation: ToldHeight | None) -> HeightDatum:
-    """The datum that follows from what the autopilot tells; None: it does not tell it."""
+    """The datum from the two differences that the autopilot reports; None: it does not."""
     return HeightDatum(
         None if pressure_offset is None else pressure_offset.middle,
         None if undulation is None else undulation.middle,
@@ -103,13 +103,13 @@ def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
 
 
 def weather(altitude: float) -> tuple[float, float]:
-    """Least and greatest that weather makes of the pressure altitude less an `altitude` [m]."""
+    """Least and greatest that weather makes pressure altitude less altitude, at an altitude [m]."""
     temperature = TEMPERATURE_SHARE * max(altitude, 0.0)
     return pressure_altitude(HIGH_QNH) - temperature, pressure_altitude(LOW_QNH) + temperature
 
 
 def pressure_offset(pressure: float, altitude: float) -> float | None:
-    """Pressure altitude of a pressure [Pa], less the height above mean sea level [m] it is from.
+    """Pressure altitude of a pressure [Pa] less the altitude [m] at which it was measured.
 
     None where no weather makes such a difference: the sensor is wrong.
     """

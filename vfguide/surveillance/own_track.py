@@ -21,7 +21,7 @@ TRACK_BREAK_TIME = 1.5
 """Time without a sample after which the track begins anew [s]; chosen."""
 TRACK_BREAK_DISTANCE = 10.0
 """Distance of a sample from where the one before leads beyond which the track begins anew [m];
-chosen: the position that the autopilot tells was reset."""
+chosen: the position that the autopilot reports was reset."""
 POSITION_TOLERANCE = 12.0
 """Horizontal distance within which a report agrees with the track [m]; chosen for errors of 4 m in
 each of two receivers, and below the distance of aircraft in close formation."""

@@ -64,9 +64,9 @@ class Report(NamedTuple):
     height_doubt: float = 0.0
     """Doubt of the reported height, which the volume contains [m]."""
     tells_velocity: bool = True
-    """Whether it tells speed and course over ground."""
+    """Whether it has speed and course over ground."""
     tells_climb: bool = True
-    """Whether it tells its vertical speed."""
+    """Whether it has a vertical speed."""
 
 
 class Ownship(NamedTuple):

@@ -1,7 +1,7 @@
-"""The date that an autopilot tells, held against its own counter.
+"""The date that an autopilot reports, checked against its own counter of the time since boot.
 
-SYSTEM_TIME has both, so that one can say what the other should be. A date that leaps, as after a
-wrong week of the GPS, is not believed until it has lasted.
+SYSTEM_TIME has both, and they must go on by the same time. A date that leaps, as after a wrong week
+of the GPS, is not believed until it has lasted.
 """
 
 from typing import NamedTuple

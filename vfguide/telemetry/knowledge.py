@@ -62,10 +62,10 @@ class Knowledge(NamedTuple):
     place: GlobalPositionInt | None = None
     """Latitude and longitude of the vehicle."""
     undulation: ToldHeight | None = None
-    """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
+    """Height of mean sea level above the ellipsoid here [m]; None: it was not reported."""
     pressure_offset: ToldHeight | None = None
-    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot tells
-    no pressure that weather can make."""
+    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot
+    reports no pressure that weather can make."""
 
     @property
     def datum(self) -> HeightDatum:

@@ -8,6 +8,8 @@ if it has the stamp of an open question of our own, and only once.
 
 Between two answers the states themselves show a downlink that becomes slower: they come later than
 the fastest one did. Where no answer comes though states do, the delay is unknown.
+
+F. Cristian, Probabilistic Clock Synchronization, 1989: what a round trip says of a remote clock.
 """
 
 from collections import deque

@@ -19,7 +19,7 @@ come 10 times a second or more."""
 ALONE_AFTER = 10 * SECOND
 """Time without so many leaps of the counter after which one speaks alone again [us]; chosen."""
 TWO_SPEAK = "more than one autopilot speaks as vehicle {sysid}: their clocks differ"
-"""Reason for silence where it is unknown of which vehicle a message tells."""
+"""Reason for silence where it is unknown which of the autopilots sent a message."""
 
 
 class Speakers:
