@@ -4,7 +4,7 @@ from enum import IntEnum
 
 from vfguide.annunciations.phase_notes import (
     FALLEN_BACK,
-    INTRUDER,
+    FOREIGN_HEARTBEAT,
     NOT_ARMED,
     SILENT_UNTIL_CHANGE,
     STRANGER,
@@ -240,7 +240,7 @@ class ModeControl:
     def _tell_of(self, said: Heartbeat) -> None:
         """Tell the operator once of each of the first who are not the vehicle's autopilot."""
         searching = self.phase is Phase.SEARCHING and said.autopilot != MavAutopilot.INVALID
-        text = STRANGER if searching else INTRUDER
+        text = STRANGER if searching else FOREIGN_HEARTBEAT
         note = text.format(sysid=self.sysid, who=describe(said), flown=flown())
         if note not in self._strangers and len(self._strangers) < MAX_TOLD:
             self._strangers.add(note)

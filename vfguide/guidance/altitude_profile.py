@@ -60,7 +60,7 @@ def plan_slope(
         wanted = -2.0 * height / (LOITER_HORIZON * turn_length(airspeed))
     else:
         wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
-    up = airspeed_over_ground(state.airspeed, groundspeed)
+    up = airspeed_to_groundspeed(state.airspeed, groundspeed)
     steepest = steepest_path(wanted, radius_factor, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     change = SLOPE_RATE / airspeed * dt
@@ -78,7 +78,7 @@ def steepest_path(
 
 
 @compiled
-def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
+def airspeed_to_groundspeed(airspeed: float, groundspeed: float) -> float:
     """Ratio of the airspeed to the groundspeed, bounded where the wind stops the vehicle.
 
     It turns the sine of a path angle through the air into a slope over ground.

@@ -28,7 +28,7 @@ FAR = 1e100
 finite."""
 LOG_FAR = math.log(FAR)
 """Natural logarithm of the value `FAR`."""
-BESIDE = 0.5
+FAR_FROM_EDGES = 0.5
 """Distance from the body with sharp edges, as a share of its largest semi-axis, beyond which the
 lower bound of the distance neglects the rounding of the edges; chosen."""
 

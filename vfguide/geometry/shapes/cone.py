@@ -3,8 +3,8 @@
 import math
 
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -75,7 +75,7 @@ def cone_bound(x: float, y: float, z: float, radius: float, half_height: float) 
     It is negative inside. `radius` is that of the base [m].
     """
     sharp = frustum_distance(x, y, z, radius, half_height)
-    if sharp > BESIDE * max(radius, half_height):
+    if sharp > FAR_FROM_EDGES * max(radius, half_height):
         return sharp
     return max(sharp, cone_gauge(x, y, z, radius, half_height))
 

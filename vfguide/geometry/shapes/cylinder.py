@@ -4,8 +4,8 @@ import math
 
 from vfguide.geometry.polygon import prism_distance
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -65,7 +65,7 @@ def cylinder_bound(x: float, y: float, z: float, radius: float, half_height: flo
     It is negative inside.
     """
     sharp = upright_distance(x, y, z, radius, half_height)
-    if sharp > BESIDE * max(radius, half_height):
+    if sharp > FAR_FROM_EDGES * max(radius, half_height):
         return sharp
     return max(sharp, cylinder_gauge(x, y, z, radius, half_height))
 

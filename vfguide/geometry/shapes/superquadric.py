@@ -9,8 +9,8 @@ import math
 import numpy as np
 
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -95,7 +95,7 @@ def superquadric_bound(x: Vec3, a: Vec3, exponents: Vec3) -> float:
         return math.sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - a[0]
     sharp = box_distance(x[0], x[1], x[2], a)
     if p == q == r == EDGED:
-        if sharp > BESIDE * max(a[0], a[1], a[2]):
+        if sharp > FAR_FROM_EDGES * max(a[0], a[1], a[2]):
             return sharp
         return max(sharp, edged_gauge(x[0] / a[0], x[1] / a[1], x[2] / a[2], a))
     if p == q == r == 1.0:
