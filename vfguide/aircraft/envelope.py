@@ -11,7 +11,7 @@ from vfguide.geometry.units import G0
 from vfguide.kernels.compiled import compiled
 
 SLOWEST_TURN = 2.5
-"""Time that a turn by one radian takes at least [s], measured with the EasyStar in calm air
+"""Least time of a turn by one radian [s], measured with the EasyStar in calm air
 (`tools/measure_poses.py`): in tighter turns it could not settle on the final approach."""
 LEAST_RADIUS = 1e-3
 """Radius of a turn at no airspeed, or at one that is not a number [m]; chosen so that divisions

@@ -26,8 +26,8 @@ from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.geometry.units import DEG
 
 SETTLED = 1.5
-"""Time at the start that is left out of the roll response [s], because it answers earlier
-setpoints; chosen."""
+"""Time at the start of a flight that is left out of the roll response [s], because the aircraft
+still answers earlier setpoints; chosen."""
 MIN_SAMPLES = 20
 """Least number of samples, or of means, from which something is estimated; chosen."""
 LARGEST_RELATIVE_SIGMA = 0.2

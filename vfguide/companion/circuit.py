@@ -35,8 +35,8 @@ FIRST_LEG_TIME = 3.0
 TURN_END = 0.7
 """Length of the straight after a turn [turn radii]; chosen."""
 MET_DISTANCE = 10.0
-"""Distance from its pose within which a leg counts as flown [m]; chosen: one that misses it by more
-is left all the same."""
+"""Miss of its last pose up to which a leg counts as flown [m]; chosen: one that misses by more is
+left all the same."""
 MET_ANGLE = 30.0 * DEG
 """Error of course and climb within which a leg counts as flown [rad]; chosen."""
 ROOM_SPACING = 25.0

@@ -64,7 +64,8 @@ def update(
 
     The reference attitude has the elevation gamma + k_elevation (gamma - path angle), the command's
     bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction. Omega is
-    that of Lemma 4 (`rate_law`) towards this reference, yawed to where MOST_SIDESLIP_ASKED is left.
+    that of Lemma 4 (`rate_law`) towards this reference; where it would take back more sideslip than
+    MOST_SIDESLIP_ASKED, the reference is turned about the vertical by the rest.
     """
     if vehicle.is_point:
         return point_nose(nav, command, s, vehicle)

@@ -28,7 +28,7 @@ GUST = 6.0
 in moderate turbulence."""
 LASTING_ERROR = 3.5
 """Error of the triangle's length that no gust sustains for SLOW_TIME [m/s]; chosen."""
-TOLD_WIND_TIME = 1.5
+REPORTED_WIND_TIME = 1.5
 """Time constant with which the reported wind is smoothed [s]; chosen, so that one that changes by
 more than 2.7 m/s^2 counts as a jump."""
 WIND_JUMP = 4.0
@@ -63,7 +63,7 @@ class AirCheck(NamedTuple):
     is_first: bool
     """Whether nothing was measured yet."""
     wind_n: Vec3
-    """The reported wind, smoothed with TOLD_WIND_TIME, NED [m/s]."""
+    """The reported wind, smoothed with REPORTED_WIND_TIME, NED [m/s]."""
     ahead: float
     """Cosine of the sideslip, smoothed."""
     right: float
@@ -113,7 +113,7 @@ def smoothed_triangle(s: AirCheck, seen: Triangle, wind_n: Vec3, dt: float) -> A
     """The check with one more triangle, `dt` [s] later, and the reported wind, NED [m/s]."""
     ahead, right = math.cos(seen.sideslip), math.sin(seen.sideslip)
     fast = 1.0 if s.is_first else dt / (FAST_TIME + dt)
-    followed = 1.0 if s.is_first else dt / (TOLD_WIND_TIME + dt)
+    followed = 1.0 if s.is_first else dt / (REPORTED_WIND_TIME + dt)
     return AirCheck(
         False,
         add(s.wind_n, scale(followed, sub(wind_n, s.wind_n))),

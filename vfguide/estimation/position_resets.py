@@ -16,8 +16,8 @@ RESET_DISTANCE = 2.0
 """Distance from the predicted position above which a step counts as a reset [m]; chosen above the
 noise of positions."""
 RESET_ACCELERATION = 10.0
-"""Growth of that distance with the square of the time step [m/s^2]; chosen as what an aircraft may
-deviate from a straight line."""
+"""Growth of the reset distance with the square of the time step [m/s^2]; chosen as what an aircraft
+may deviate from a straight line."""
 LONGEST_PAUSE = 1.0
 """Time between two steps above which no reset is looked for [s]; chosen."""
 HOLD_TIME = 0.5

@@ -23,7 +23,7 @@ class Progress(NamedTuple):
     flown: float
     """Distance over ground since then [m]."""
     alarmed: bool
-    """Whether it has flown more than `longest` less `least` and a full circle without progress."""
+    """Whether it has flown farther without progress than a full circle and `longest` - `least`."""
 
 
 @compiled

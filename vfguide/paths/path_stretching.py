@@ -14,7 +14,8 @@ from vfguide.paths.dubins import length_of, shortest_path
 OUTBOUND_TURNS = 4
 """Number of turns to either side that are tried before an outbound straight; chosen."""
 OUTBOUND_TURN = 0.55
-"""Difference between two of those turns [rad]; chosen, so that they reach 126 degrees."""
+"""Difference between two turns that are tried before an outbound straight [rad]; chosen, so that
+the largest is 126 degrees."""
 STRIDE = 0.1
 """Step of the lengths of straights that are tried [turn radii]; chosen."""
 STRIDES = 100

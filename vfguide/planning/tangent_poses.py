@@ -16,7 +16,8 @@ BEARINGS = 16
 CORNER_BEARINGS = 5
 """Number of directions in which a route may pass a corner of a fence; chosen."""
 CORNER_FAN = 0.45
-"""Angle between the outermost of these directions and the bisector of the corner [rad]; chosen."""
+"""Angle between the bisector of a corner of a fence and the outermost direction in which a route
+may pass it [rad]; chosen."""
 EXTRA_CLEARANCE = 1.0
 """Clearance of tangent poses beyond the one that the collision check asks for [m]; chosen."""
 STRAIGHTS = 0.0, 1.0, 2.0

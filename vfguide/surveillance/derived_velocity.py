@@ -82,7 +82,7 @@ def miss_of_velocity(report: Report, past: Sequence[Report]) -> float:
 def allowed_miss(report: Report, past: Sequence[Report]) -> float:
     """The miss of reported velocities up to which they are believed [m].
 
-    In a turn, an error of the time moves the place by that time and the change of the velocity.
+    In a turn, an error of the time moves the place by that time, times the change of the velocity.
     """
     turned = sub(report.intruder.v_n, past[0].intruder.v_n)
     return PLACE_MISS + REPORT_DELAY * norm(level(turned))

@@ -103,7 +103,7 @@ def offsets(datum: HeightDatum, told: float) -> tuple[float, float]:
 
 
 def weather(altitude: float) -> tuple[float, float]:
-    """Least and greatest that weather makes pressure altitude less altitude, at an altitude [m]."""
+    """Least and greatest difference that weather makes, pressure altitude less `altitude` [m]."""
     temperature = TEMPERATURE_SHARE * max(altitude, 0.0)
     return pressure_altitude(HIGH_QNH) - temperature, pressure_altitude(LOW_QNH) + temperature
 

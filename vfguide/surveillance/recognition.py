@@ -6,12 +6,12 @@ from vfguide.geometry.units import DEG
 from vfguide.link.boot_time import elapsed
 
 LEAST_REPORTS = 4
-"""Number of successive reports that have to agree; chosen."""
+"""Number of successive reports that have to agree with the ownship's track; chosen."""
 LEAST_TIME = 3.0
 """Least time from the first to the last report that agrees [s]; chosen."""
 LEAST_TURN = 45.0 * DEG
-"""Turn of the ownship on those parts of its track that late reports agree with [rad]; chosen: an
-aircraft that holds its place behind has left the track by then."""
+"""Least turn of the ownship over the part of its track that late reports agree with [rad]; chosen:
+an aircraft that holds its place behind has left the track by then."""
 LATE_TURN = 20.0 * DEG
 """Turn of the ownship since the point of its track that a report agrees with, from which on the
 report is late, and not of an aircraft that turns with the ownship [rad]; chosen: the velocities of

@@ -9,8 +9,8 @@ and finite at any distance that has a meaning.
 
 The functions `..._gauge` bound the distance of a point x outside from below. For a convex f that is
 1 on the surface, f(y) >= f(x) + grad f(x) . (y - x), so that the nearest point of the surface is at
-least (f(x) - 1) / |grad f(x)| away. They take f = U^(1 / (2 p)), the gauge of the body or near it
-(R. T. Rockafellar, Convex Analysis, 1970, section 15).
+least (f(x) - 1) / |grad f(x)| away (R. T. Rockafellar, Convex Analysis, 1970). They take
+f = U^(1 / (2 p)), which is the gauge of the body or near it.
 """
 
 import math
