@@ -35,7 +35,7 @@ from vfguide.geometry.units import DEG
 from vfguide.guidance.altitude_profile import (
     LOITER_HORIZON,
     STANDOFF,
-    airspeed_over_ground,
+    airspeed_to_groundspeed,
     goal_slope,
     plan_slope,
     steepest_path,
@@ -191,7 +191,7 @@ def test_in_wider_turns_a_descent_is_steeper_as_far_as_the_aircraft_flies():
 @pytest.mark.parametrize("groundspeed", [-5.0, 0.0, 1e-9, 25.0])
 @pytest.mark.parametrize("airspeed", [0.0, 1e-9, 25.0])
 def test_the_ratio_of_the_speeds_is_bounded(airspeed, groundspeed):
-    assert 0.0 <= airspeed_over_ground(airspeed, groundspeed) <= 5.0 + 1e-9
+    assert 0.0 <= airspeed_to_groundspeed(airspeed, groundspeed) <= 5.0 + 1e-9
 
 
 @pytest.mark.parametrize("airspeed", [11.0, 25.0, 45.0])

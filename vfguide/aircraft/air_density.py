@@ -17,12 +17,13 @@ from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
 
 THIN_AIR_SHARE = 0.75
-"""Share of the sine of the steepest steady climb in thin air that is asked for at most, or that of
-the aircraft file where it is larger; chosen, that of the Aerosonde's file."""
+"""Largest share of the sine of the steepest steady climb in thin air that is asked for, unless the
+aircraft file has a larger share at sea level; chosen, the share of the Aerosonde's file."""
 POWER_SLOPE = 1.132
-"""Slope of the power of a piston engine over the density, both over those at sea level, a number:
-Gagg and Farrar, *Altitude Performance of Aircraft Engines*, SAE 1934. The thrust of an electric
-propeller falls less, with the density; which one an aircraft has is not known."""
+"""Slope of the power of a piston engine over the air density, both as ratios to sea level,
+dimensionless: Gagg and Farrar, *Altitude Performance of Aircraft Engines*, SAE 1934. The thrust of
+an electric propeller falls less, in proportion to the density; which of the two an aircraft has is
+not known."""
 NO_CLIMB = 0.5 * DEG
 """Steepest climb that is asked for where the thrust gives none [rad]; chosen, so that heights stay
 within reach of a finite path. The airspeed comes first, see `vfguide.aircraft.path_limits`."""
@@ -50,7 +51,7 @@ def in_air(aircraft: Performance, density: float, airspeed: float) -> Performanc
 
     Args:
         aircraft: the aircraft at sea-level density.
-        density: that of the air [kg/m^3].
+        density: air density [kg/m^3].
         airspeed: true airspeed to fly, at which it climbs [m/s].
     """
     thinner = DENSITY_0 / density
@@ -88,7 +89,7 @@ def vehicle_in_air(vehicle: Vehicle, density: float) -> Vehicle:
 def steepest_climb(aircraft: Performance, density: float, airspeed: float) -> float:
     """The steepest climb to ask for [rad]: that of the aircraft file, or what thin air leaves.
 
-    Arguments as of `in_air`.
+    The arguments are those of `in_air`.
     """
     if density >= DENSITY_0:
         return aircraft.climb_max
@@ -108,7 +109,7 @@ def excess_thrust(aircraft: Performance, density: float, airspeed: float, load: 
 
     Args:
         aircraft: the aircraft at sea-level density.
-        density: that of the air [kg/m^3].
+        density: air density [kg/m^3].
         airspeed: true airspeed [m/s].
         load: load factor.
     """

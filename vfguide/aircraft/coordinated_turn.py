@@ -43,12 +43,12 @@ def turn_rate(bank: float, airspeed: float) -> float:
 
 @compiled
 def angle_of_attack(R_nb: Mat3, air: Vec3) -> float:
-    """Angle at which a velocity through the air, NED, meets the body's x axis [rad]."""
+    """Angle of attack atan2(w, u) [rad] of a velocity through the air, NED [m/s]."""
     u, _, w = matvec(transpose(R_nb), air)
     return math.atan2(w, u)
 
 
 @compiled
 def attitude_for_lift(azimuth: float, elevation: float, bank: float, alpha: float) -> Mat3:
-    """R_nb with the air velocity along (azimuth, elevation), banked about it, alpha above it."""
+    """R_nb for an air velocity along (azimuth, elevation), the bank about it, and alpha [rad]."""
     return matmul(from_euler(bank, elevation, azimuth), from_euler(0.0, alpha, 0.0))

@@ -12,14 +12,14 @@ from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
 
 SLOWEST_TURN = 2.5
-"""Time that a turn by one radian takes at least [s], measured with the EasyStar in calm air
+"""Least time of a turn by one radian [s], measured with the EasyStar in calm air
 (`tools/measure_poses.py`): in tighter turns it could not settle on the final approach."""
 LEAST_RADIUS = 1e-3
 """Radius of a turn at no airspeed, or at one that is not a number [m]; chosen so that divisions
 stay finite."""
 LEAST_LOAD = 1.05
-"""Load factor that is flown however slow the aircraft is, a number: 18 degrees of bank; chosen, so
-that it can still turn."""
+"""Load factor that is flown however slow the aircraft is, dimensionless: 18 degrees of bank;
+chosen, so that it can still turn."""
 FASTEST_SHARE = 0.95
 """Share of the fastest airspeed up to which the airspeed to fly is raised, without a sensor and in
 the identification flight; chosen, gusts take the rest."""
@@ -60,6 +60,9 @@ def radius_in(wind: float, bank: float, gains: Gains) -> float:
 
 @compiled
 def turn_radius(airspeed: float, wind: float, bank: float, margin: float) -> float:
-    """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero."""
+    """Radius over ground that the bank allows flying downwind [m], times `margin`; never zero.
+
+    (V + wind)^2 / (g tan bank), with the true airspeed V and the wind [m/s] and the bank [rad].
+    """
     radius = margin * (airspeed + wind) ** 2 / (G0 * math.tan(bank))
     return radius if radius > LEAST_RADIUS else LEAST_RADIUS

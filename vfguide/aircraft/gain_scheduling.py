@@ -4,9 +4,8 @@ from vfguide.aircraft.performance import Gains
 from vfguide.geometry.units import G0
 
 FAST_ROLL = 0.08
-"""Longest roll response time with the full attitude gain [s], the one that the default gains are
-made for; slower aircraft get less gain in proportion, since the inner loop has to be the faster
-one."""
+"""Longest roll response time with the full attitude gain [s]; the default gains are made for it.
+Slower aircraft get less gain in proportion, since the inner loop has to be the faster one."""
 PROMPT_ROLL = 0.2
 """Longest roll response time with the full azimuth gain [s]; chosen with flights of the shipped
 aircraft."""
@@ -15,9 +14,9 @@ STEP_DELAY = 0.02
 shows [s], measured by `tools/measure_aircraft.py`: 0.01 to 0.03 for the shipped aircraft, 0 with
 slow servos."""
 ROLL_IN = 6.0
-"""Least time in which the bank is rolled in that an azimuth error of one radian asks for, at the
-largest roll rate [s]; chosen with flights of the Cessna 172, which rolled from side to side with
-larger gains."""
+"""Longest time that a roll at the largest roll rate may take to the bank V psi' / g that an azimuth
+error of one radian asks for [s]; chosen with flights of the Cessna 172, which rolled from side to
+side with larger gains."""
 AIRSPEED_BANDWIDTH = 0.8
 """Bandwidth of the airspeed control with a fast engine [1/s]; chosen."""
 ENGINE_BANDWIDTH = 0.6

@@ -4,13 +4,13 @@ Least squares on what was measured and what was commanded (R. V. Jategaonkar, Fl
 Identification, 2006: the equation-error method). The models are those of the flight law:
 
     angle of attack = alpha_zero + alpha_load n / V_e^2
-    thrust at sea level = trim + per_climb f + per_load (n^2 - 1) + its slope over the airspeed
-    roll rate       = the setpoint of the roll rate, 63 % of a step after roll_time
+    thrust at sea level = trim + per_climb f + per_load (n^2 - 1) + slope (V_e - cruise)
+    roll rate       = its setpoint with a first-order lag, 63 % of a step after roll_time
 
-where n is the load factor, V_e the equivalent airspeed, the thrust at sea level the setpoint times
-the density over that at sea level, and f the specific force along the flight over g:
-sin(path angle) + acceleration / g. The air is taken as level and the wind as steady: gusts are
-noise, which the standard errors show.
+where n is the load factor, V_e the equivalent airspeed, and f the specific force along the
+direction of flight over g: sin(path angle) + acceleration / g. The thrust at sea level is the
+setpoint times the ratio of the density to that at sea level. The air is taken to move level and the
+wind to be steady: gusts are noise, which the standard errors show.
 """
 
 import math
@@ -34,31 +34,31 @@ from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.geometry.units import DEG
 
 SETTLED = 1.5
-"""Time at the start that is left out of the roll response [s], because it answers earlier
-setpoints; chosen."""
+"""Time at the start of a flight that is left out of the roll response [s], because the aircraft
+still answers earlier setpoints; chosen."""
 MIN_SAMPLES = 20
 """Least number of samples, or of means, from which something is estimated; chosen."""
 LARGEST_RELATIVE_SIGMA = 0.2
-"""Largest ratio of the standard error of a slope or time to its value with which it is used;
+"""Largest ratio of the standard error of a slope or a time to its value at which it is still used;
 chosen."""
 TRIM_SIGMA = 0.1
-"""Largest standard error of the thrust setpoint of level flight with which it is used, as a share
-of full thrust; chosen."""
+"""Largest standard error of the thrust setpoint of level flight at which it is still used, as a
+share of full thrust; chosen."""
 LOAD_SIGMA = 0.05
-"""Largest standard error of the thrust setpoint per unit of n^2 with which it is used, as a share
-of full thrust; chosen, and not in proportion to the value, which is small where the drag is."""
+"""Largest standard error of the thrust setpoint per unit of n^2 at which it is still used, as a
+share of full thrust; chosen, and not a ratio to the value, which is small where the drag is."""
 LAG_SIGMA = 0.5
-"""Largest ratio of the standard error of the response time of thrust to its value with which it is
-used; chosen."""
+"""Largest ratio of the standard error of the response time of thrust to its value at which it is
+still used; chosen."""
 SLOW_ENGINE = 1.0
-"""Response time that is assumed of an engine whose own is not seen [s]; chosen on the slow side,
-which makes the gains small."""
+"""Response time that is assumed of an engine whose own the flight does not show [s]; chosen on the
+slow side, which makes the gains small."""
 ALPHA_SIGMA = 1.0 * DEG
-"""Largest standard error of the angle of attack at cruise with which the lift is used [rad];
+"""Largest standard error of the mean angle of attack at which the lift is still used [rad];
 chosen."""
 ALPHA_UNKNOWN = 1.0 * DEG
-"""Standard error that is assumed of the angle of attack of an aircraft file where the flight does
-not show it [rad]; chosen."""
+"""Standard error that the angle of attack of the aircraft file is assumed to have where the flight
+does not show a better one [rad]; chosen."""
 MIN_LOAD_RANGE = 0.2
 """Least range of n / V^2 as a share of its mean with which a slope over it is estimated; chosen."""
 MIN_FOLLOWED = 0.5
@@ -90,7 +90,7 @@ def identify(samples: Samples, before: Performance, roll_time: float) -> Identif
         samples: the flight, with turns, climbs and changes of airspeed; samples with values that
             are not finite are ignored.
         before: what is known of the aircraft; it stays where the flight does not show better.
-        roll_time: roll response time that is known [s], which stays likewise.
+        roll_time: roll response time known before [s]; it stays likewise.
     """
     flown = sound(samples)
     sensed = with_airspeed(flown)

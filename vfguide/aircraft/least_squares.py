@@ -2,6 +2,10 @@
 
 It uses loops of its own instead of LAPACK: setpoints follow from the result, and a replay on
 another machine must give the same.
+
+L. Ljung, System Identification: Theory for the User, 1999, chapter 7: instrumental variables.
+G. V. Bayley and J. M. Hammersley, The "Effective" Number of Independent Observations in an
+Autocorrelated Time Series, 1946: `noise_correlation`.
 """
 
 import math
@@ -20,8 +24,8 @@ RESPONSE_TIMES: Series = np.geomspace(0.01, 2.0, 54)
 """Response times that are tried, (54,) [s]: 0.01 to 2 s in steps of 10 %; chosen to enclose those
 of small aircraft."""
 SINGULAR = 1e-9
-"""Least square of the part of a normalised regressor that is independent of the others,
-dimensionless; chosen well above rounding."""
+"""Least pivot of a matrix of normalised regressors that counts as not zero, dimensionless: the
+squared length of what is independent of the others; chosen well above rounding."""
 LEAST_CORRELATION = 0.05
 """Autocorrelation, as a share of the power, below which later lags are ignored; chosen."""
 
@@ -36,10 +40,10 @@ class Fit(NamedTuple):
     squares: float
     """Sum of the squared residuals."""
     variance: float
-    """Variance of a residual, times the number of samples that count as one."""
+    """Variance of a residual, times the `noise_correlation` of the residuals."""
 
     def sigma(self, *weights: float) -> float:
-        """Standard error of a sum of the estimates, so weighted."""
+        """Standard error of the weighted sum of the estimates."""
         square = sum(
             v * w * self.covariance[i, j]
             for i, v in enumerate(weights)

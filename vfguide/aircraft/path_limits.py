@@ -11,8 +11,8 @@ LEVEL_RATIO = 1.165
 tuned with `tools/measure_poses.py` in moderate turbulence, where it keeps 1.10 of the slowest
 airspeed."""
 CLIMB_BAND = 0.12
-"""Airspeed above `LEVEL_RATIO` at which the steepest climb is flown, as a share of the airspeed to
-fly; chosen."""
+"""Airspeed above that of `LEVEL_RATIO` at which the steepest climb is flown, as a share of the
+airspeed to fly; chosen."""
 ZOOM_RATIO = 1.4
 """Ratio of the steepest path through sinking air, while the airspeed lasts, to the steepest climb;
 tuned with `tools/measure_poses.py` in moderate turbulence."""
@@ -25,21 +25,21 @@ FLOOR_CLIMB_BAND = 0.056
 FLOOR_ZOOM_RATIO = 1.8
 """Value of `ZOOM_RATIO` at the floor, dimensionless; tuned with `tools/measure_avoidance.py`."""
 NEAR_FLOOR = 1.2
-"""Height above the floor below which the three values begin to change [turn lengths]; 76 m at 25
-m/s, tuned with `tools/measure_avoidance.py`."""
+"""Height above the floor below which level ratio, climb band and zoom ratio begin to change [turn
+lengths]; 76 m at 25 m/s, tuned with `tools/measure_avoidance.py`."""
 AT_FLOOR = 0.6
-"""Height above the floor at which they have reached their values at the floor [turn lengths]; 38 m
-at 25 m/s, tuned with `tools/measure_avoidance.py`."""
+"""Height above the floor below which level ratio, climb band and zoom ratio have their values at
+the floor [turn lengths]; 38 m at 25 m/s, tuned with `tools/measure_avoidance.py`."""
 DESCENT_RATIO = 0.98
 """Ratio of the airspeed at which half of the steepest descent is allowed to the fastest airspeed;
 chosen."""
 AIRSPEED_BAND = 0.12
-"""Airspeed above that at which no descent is allowed any more, as a share of the cruise airspeed;
-chosen wide, since a narrow band answered every gust."""
+"""Airspeed above that of `DESCENT_RATIO` from which on no descent is allowed, as a share of the
+cruise airspeed; chosen wide, since a narrow band answered every gust."""
 TURN_GLIDE_RATIO = 1.2
 """Ratio of the sine of the descent in a turn to that of the straight glide without thrust: a turn
 has more drag, and the descent is flown a little faster. Tuned with `tools/measure_poses.py`; with
-1.36, turns of the ordinary radius were left."""
+1.36, aircraft ran wide of turns of the ordinary radius."""
 MAX_RADIUS_FACTOR = 1.15
 """Largest factor by which turns are widened for a faster and steeper descent; tuned with
 `tools/measure_poses.py --height 80`."""
@@ -49,8 +49,8 @@ MAX_RADIUS_FACTOR = 1.15
 def descent_at_airspeed(aircraft: Performance, goal_slope: float) -> float:
     """Steepest angle of a descent that hardly gains airspeed, or that of the goal [rad], positive.
 
-    Without thrust the aeroplane glides at the angle whose sine is trim / per_climb; in a turn,
-    which takes more drag, and a little faster it sinks TURN_GLIDE_RATIO times as steeply.
+    Without thrust the aeroplane glides at the angle whose sine is trim / per_climb. In a turn, with
+    more drag and a little faster, the sine is TURN_GLIDE_RATIO times that.
     """
     glide = TURN_GLIDE_RATIO * aircraft.thrust_trim / aircraft.thrust_per_climb
     angle = max(math.asin(min(glide, 1.0)), math.atan(-goal_slope))
@@ -81,13 +81,13 @@ def largest_radius_factor(aircraft: Performance) -> float:
 
 @compiled
 def highest_path(airspeed: float, flown: float, above: float, aircraft: Performance) -> float:
-    """Largest sine of the path angle that the airspeed allows: speed goes before height.
+    """Largest sine of the path angle that the airspeed allows: airspeed goes before height.
 
-    It falls with the airspeed from more than the steepest climb, which `plan_slope` asks for only
-    where the air sinks, to the glide without thrust: the climb is the steepest CLIMB_BAND above
-    LEVEL_RATIO times the slowest airspeed, the glide CLIMB_BAND below, and there the path is level;
-    near the floor, `above` it [m], FLOOR_CLIMB_BAND and FLOOR_LEVEL_RATIO. Where the airspeed to
-    fly, `flown` [m/s], is slower than that, the airspeed of level flight is lower.
+    The path is level at LEVEL_RATIO times the slowest airspeed. CLIMB_BAND faster it is the
+    steepest climb, and its sine grows on to ZOOM_RATIO times as much, which `plan_slope` asks for
+    only where the air sinks. CLIMB_BAND slower it is the glide without thrust. Near the floor,
+    `above` it [m], the FLOOR values hold. The airspeed of level flight is never above 1 -
+    CLIMB_BAND times the airspeed to fly, `flown` [m/s].
     """
     last = floor_share(above, turn_length(flown))
     room = blended(CLIMB_BAND, FLOOR_CLIMB_BAND, last) * flown
@@ -111,7 +111,10 @@ def floor_share(above: float, unit: float) -> float:
 
 @compiled
 def share(margin: float, band: float) -> float:
-    """Share of the steepest path allowed with the airspeed `margin` inside its limit [m/s]."""
+    """Share of the steepest descent that is allowed at an airspeed `margin` below its limit [m/s].
+
+    It is 1 from `band` below the limit, 1/2 at the limit, and 0 from `band` above it [m/s].
+    """
     return max(0.0, min(1.0, 0.5 + 0.5 * margin / band))
 
 
@@ -144,6 +147,12 @@ def path_angle(
     """Path angle through the air that makes good the slope over ground [rad], not limited.
 
     Level over ground where the wind blows the vehicle back: no slope is made good there.
+
+    Args:
+        slope: slope dh/ds over ground.
+        groundspeed: speed over ground along the course [m/s].
+        wind_down: vertical wind, down positive [m/s].
+        airspeed: true airspeed [m/s].
     """
     climb = slope * max(groundspeed, 0.0) + wind_down
     return math.asin(max(-1.0, min(1.0, climb / airspeed)))
@@ -153,7 +162,8 @@ def path_angle(
 def allowed_path(asked: float, limits: tuple[float, float]) -> tuple[float, float]:
     """The path angle within the limits, and the one that thrust is set for, no smaller [rad].
 
-    Thrust is set for the whole climb, so that the airspeed soon allows more of it.
+    Thrust is set for the whole climb that is `asked` for, so that the airspeed soon allows more of
+    it. The `limits` are those of `path_limits`.
     """
     gamma = max(limits[0], min(limits[1], asked))
     return gamma, max(gamma, asked)

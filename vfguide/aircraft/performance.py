@@ -9,8 +9,8 @@ from vfguide.kernels.compiled import compiled
 class Performance(NamedTuple):
     """Limits and trim of one aircraft in air of one density, SI units and radians.
 
-    An aircraft file holds at sea-level density, where equivalent airspeeds are true ones;
-    `vfguide.aircraft.air_density` makes the aircraft in other air of it.
+    An aircraft file holds at sea-level density, where equivalent airspeeds are true ones; from it
+    `vfguide.aircraft.air_density` makes the aircraft in other air.
     """
 
     airspeed_min: float
@@ -107,5 +107,8 @@ def alpha_of_load(load: float, speed: float, aircraft: Performance) -> float:
 
 @compiled
 def load_of_alpha(alpha: float, speed: float, aircraft: Performance) -> float:
-    """Load factor, a number, of an angle of attack [rad] at a true airspeed [m/s]."""
+    """Load factor n at an angle of attack [rad] and a true airspeed V [m/s].
+
+    n = (alpha - alpha_zero) V^2 / alpha_load, the inverse of `alpha_of_load`.
+    """
     return (alpha - aircraft.alpha_zero) * speed * speed / aircraft.alpha_load

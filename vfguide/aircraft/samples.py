@@ -36,7 +36,7 @@ class Samples(NamedTuple):
     """A flight, at N instants in the order of time: the columns of a table of `Sample`."""
 
     time: Series
-    """(N,) of the attitude [s]."""
+    """(N,) times of the attitudes [s]."""
     R_nb: Matrices
     """(N, 3, 3) attitude, body FRD to NED."""
     v_n: Vectors
@@ -44,11 +44,11 @@ class Samples(NamedTuple):
     airspeed: Series
     """(N,) true airspeed [m/s]; not a number where it was not measured, or not trusted."""
     density: Series
-    """(N,) of the air [kg/m^3]."""
+    """(N,) air density [kg/m^3]."""
     roll_rate: Series
-    """(N,) [rad/s]."""
+    """(N,) roll rate p [rad/s]."""
     roll_rate_asked: Series
-    """(N,) setpoint that answers this state [rad/s]."""
+    """(N,) setpoint of the roll rate that answers this state [rad/s]."""
     thrust: Series
     """(N,) thrust setpoint that answers this state, 0 to 1."""
     delay: Series

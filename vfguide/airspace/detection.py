@@ -40,7 +40,7 @@ _nested_airspace = nester(Airspace)
 
 
 def airspace_of(values: AirspaceTuple | None) -> Airspace | None:
-    """The airspace of a tuple of its values; None compiles to None."""
+    """The airspace from the tuple of its values; None where there is none."""
     if values is None:
         return None
     return _nested_airspace(values)
@@ -48,7 +48,7 @@ def airspace_of(values: AirspaceTuple | None) -> Airspace | None:
 
 @overload(airspace_of)
 def _compiled_airspace_of(values: Any) -> Any:
-    """The same in compiled code: None stays a None that the compiler sees."""
+    """`airspace_of` in compiled code, where None stays a None that the compiler sees."""
 
     def nothing(values: Any) -> Any:
         return None
@@ -70,7 +70,7 @@ class DetectionState(NamedTuple):
 def update(
     nav: NavState, airspace: Airspace | None, s: DetectionState
 ) -> tuple[Airspace | None, DetectionState]:
-    """The airspace without undetected obstacles, and what is known; None compiles to nothing."""
+    """The airspace without undetected obstacles, and what is known now; None stays None."""
     if airspace is None:
         return None, s
     known = s.known.copy()

@@ -1,9 +1,8 @@
 """Lower bounds of the distance from an obstacle: cheap, and never too large.
 
-Two bounds are good in different places, and the larger one is taken. Near the surface it is the
-gauge's: f = U^(1/m), m twice the least exponent, is convex for every shape here (the norm of
-convex functions), so nothing of the body is nearer than (f - 1) / |grad f|. Far away, and inside,
-it is the sharp body in which the body lies: the box, the upright cylinder or the cone's frustum.
+Two bounds are good in different places, and the larger one is taken. Near the surface it is that of
+the gauge, see `vfguide.geometry.shapes.base`. Far away, and inside, it is the distance from a body
+with sharp edges that contains the obstacle: the box, the upright cylinder or the cone's frustum.
 """
 
 from vfguide.field.obstacle import Rows, into_axes, read_obstacle, shape_of

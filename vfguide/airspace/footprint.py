@@ -125,7 +125,9 @@ def with_corner(side: Side, before: Side) -> Side:
 
 @compiled
 def times_in(band: Band, height: float, half_height: float, rate: float) -> tuple[float, float]:
-    """From when until when a moving body reaches into a band [s]; never: the first is later.
+    """The first and the last time at which a moving body reaches into a band [s].
+
+    Where it never does, the first is later than the last.
 
     Args:
         band: the heights.
@@ -141,7 +143,7 @@ def times_in(band: Band, height: float, half_height: float, rate: float) -> tupl
 
 @compiled
 def crossing_times(obstacles: Rows, i: int, band: Band) -> tuple[float, float]:
-    """From when until when row `i` reaches into the band [s], as of `times_in`."""
+    """The first and the last time at which row `i` reaches into the band [s], as `times_in`."""
     obstacle = read_obstacle(obstacles[i])
     return times_in(band, obstacle.p_n[2], obstacle.semi_axes[2], obstacle.v_n[2])
 

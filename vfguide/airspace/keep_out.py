@@ -109,7 +109,10 @@ def footprint_zone(
     sides: Rows,
     first: int,
 ) -> KeepOutZone:
-    """The zone of a section of an obstacle; writes its sides from row `first` on."""
+    """The zone of a section of an obstacle, which counts from time `since` until `until` [s].
+
+    Its sides are written into `sides` from row `first` on.
+    """
     number, radius = 0, section.a
     if not is_round(section):
         number, there = SIDES, sides[first : first + SIDES]
@@ -131,13 +134,19 @@ def bounding_radius_of(sides: Rows) -> float:
 
 
 def circle(x: float, y: float, radius: float, sign: float = KEEP_OUT) -> KeepOutZones:
-    """A circle of a fence around (x, y), north and east [m], that does not move."""
+    """A circle of a fence around (x, y), north and east, with a `radius` [m]; it does not move.
+
+    `sign` is `KEEP_OUT` or `KEEP_IN`.
+    """
     zone = KeepOutZone(sign, x, y, 0.0, 0.0, 0.0, radius, 0, 0, -math.inf, math.inf, True)
     return KeepOutZones(table_of(KeepOutZone, (zone,)), table_of(Side, ()))
 
 
 def polygon(corners: Sequence[tuple[float, float]], sign: float = KEEP_OUT) -> KeepOutZones:
-    """A polygon of a fence by its corners, north and east [m], in either direction of rotation."""
+    """A polygon of a fence by its corners, north and east [m], in either direction of rotation.
+
+    `sign` is `KEEP_OUT` or `KEEP_IN`.
+    """
     points: Vectors = np.array(corners, dtype=float)
     following: Vectors = np.roll(points, -1, axis=0)
     area = np.sum(points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0])

@@ -23,14 +23,14 @@ class AirspeedAnnunciator:
         self._is_believed: bool | None = None
         """Whether it is believed; None: no step has been flown yet."""
         self._was_believed = False
-        """Whether it ever was."""
+        """Whether it ever was believed."""
 
     def notes(self, is_believed: bool, is_heard: bool) -> list[str]:
         """The notes of a step; none where a flight begins with a good sensor.
 
         Args:
             is_believed: whether the measured airspeed is flown on.
-            is_heard: whether the autopilot tells one.
+            is_heard: whether the autopilot reports one.
         """
         before, was_believed = self._is_believed, self._was_believed
         self._is_believed, self._was_believed = is_believed, was_believed or is_believed

@@ -1,9 +1,9 @@
 """What the operator reads of doubts, and when a doubt ends the flight.
 
 Yaw, ground velocity, wind and airspeed are replaced while they are doubted, and the flight goes on.
-Roll and pitch cannot be: nothing more is sent at once. Yaw and ground velocity are replaced for a
-time only, since then one more fault would not be seen. Wind and airspeed are estimated for as long
-as it takes: many aircraft tell neither.
+Roll and pitch cannot be: setpoints stop at once. Yaw and ground velocity are replaced only for a
+time, since a second fault would not be seen meanwhile. Wind and airspeed are estimated for as long
+as it takes: many autopilots report neither.
 """
 
 from typing import NamedTuple
@@ -53,7 +53,7 @@ def doubt_notes(before: Doubts, after: Doubts) -> list[str]:
 
 
 def unfit(doubts: Doubts) -> str | None:
-    """Why the flight cannot go on with what the autopilot tells; None: it can."""
+    """Why the flight cannot go on with what the autopilot reports; None: it can."""
     if doubts.attitude > 0.0:
         return TILTED
     for name in ("yaw", "velocity"):

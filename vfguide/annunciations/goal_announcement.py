@@ -28,7 +28,7 @@ class GoalAnnouncement(NamedTuple):
     """Index of the goal, from 0."""
     outcome: Outcome
     miss: float
-    """Distance from the goal that it believes [m]; not a number where it tells none."""
+    """Distance from the goal that the companion believes [m]; not a number where it has none."""
     missed: int
     """Number of passes that have missed the goal before this one."""
 

@@ -4,12 +4,12 @@ from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
 
 
 def leg_note(goal: int, goals: int) -> str:
-    """Note of what is flown to: `goal`, counted from 0, of a number of goals, or the circle."""
+    """Note of what is flown to: the goal of index `goal`, from 0, of `goals`, or the circle."""
     return f"flying to goal {goal + 1} of {goals}" if goal < goals else "loitering"
 
 
 def passage_note(said: GoalAnnouncement, goals: int) -> str:
-    """Note of a goal that was passed, of a number of goals."""
+    """Note of one of `goals` goals that was passed."""
     goal = said.goal + 1
     if said.outcome is Outcome.GIVEN_UP:
         return f"goal {goal} missed {times(said.missed + 1)}: {onward(goal, goals)}"
@@ -19,7 +19,7 @@ def passage_note(said: GoalAnnouncement, goals: int) -> str:
 
 
 def onward(passed: int, goals: int) -> str:
-    """Note of what follows after some of a number of goals."""
+    """Note of what follows after `passed` of `goals` goals."""
     return f"going on to goal {passed + 1}" if passed < goals else "loitering"
 
 

@@ -32,7 +32,7 @@ ROUTE_AGAIN = "the route to goal {goal} is clear again"
 NOTHING_CLEAR = "NOTHING IS CLEAR"
 """Beginning of the note where no escape stays clear."""
 TAKE_OVER = "best effort is flown, take over if you can"
-"""End of that note."""
+"""End of the note where no escape stays clear."""
 NO_ESCAPE_LEFT = "else no escape would be left"
 """Reason of an escape where the command itself would hit nothing."""
 TOLD_LENGTH = 0.0175
@@ -56,7 +56,7 @@ class HazardAnnunciator:
         self._route: str | None = None
         """The route that was told last."""
         self._unclear: set[int] = set()
-        """The hazards that nothing is clear of, as they were told in this escape."""
+        """Hazards of which the operator was told in this escape that nothing is clear of them."""
 
     def notes(self, after: Row, now: float) -> list[str]:
         """The notes of a step that left the state `after` at `now`.
@@ -137,7 +137,7 @@ def route_summary(route: RouteFollowing) -> str:
     """The turns and the length of a route, or the level of an overflight."""
     if math.isfinite(route.level) and route.length == 0:
         return f"new route: over the obstacles, at {-route.level:.0f} m"
-    route_edges = route.length or route.present + 1  # the last one flies as the leg's own
+    route_edges = route.length or route.present + 1  # the last one becomes the path of the leg
     paths = [edge_in(route.route_edges, i).path for i in range(route_edges)]
     sides = [side for path in paths for side in sides_of(path)]
     turns = sum(one != other for one, other in pairwise((0.0, *sides)) if other != 0.0)

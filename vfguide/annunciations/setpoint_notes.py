@@ -1,6 +1,6 @@
 """What the operator reads of setpoints: that they go out, or that they do not, and why.
 
-It says what happened: that they go out is told when one has gone out.
+A note says what has happened: "setpoints go out" comes when one has gone out.
 """
 
 import re
@@ -32,9 +32,9 @@ class SetpointAnnunciator:
         self._has_sent = False
         """Whether a setpoint has gone out since the autopilot was found."""
         self._is_told = False
-        """Whether the operator knows that they go out."""
+        """Whether the operator knows that setpoints go out."""
         self._why: str | None = None
-        """Why they do not, as it was told."""
+        """Why none go out, as the operator was told."""
 
     def find(self, now: int) -> None:
         """Record that an autopilot was found at `now` [us]: it has got no setpoint yet."""
@@ -42,11 +42,11 @@ class SetpointAnnunciator:
         self.rest(now)
 
     def rest(self, now: int) -> None:
-        """Record at `now` [us] that none may go out, which the phase tells."""
+        """Record at `now` [us] that none may go out, which the notes of the phase say already."""
         self._silent_from, self._is_told, self._why = now, False, None
 
     def follow(self) -> None:
-        """Record that the autopilot follows, which tells that they go out."""
+        """Record that the autopilot follows, so that the operator knows that setpoints go out."""
         self._is_told |= self._why is None
 
     def send(self, now: int, what_follows: Callable[[], str]) -> list[str]:

@@ -31,7 +31,7 @@ class StepAnnunciator:
     def __init__(self, plan: Briefing) -> None:
         """No step of the plan has been flown."""
         self.unfit: str | None = None
-        """Why what the autopilot tells cannot be flown on; None where it can."""
+        """Why what the autopilot reports cannot be flown on; None where it can."""
         self.has_news = False
         """Whether the last step changed anything of air, position, wind and progress."""
         self._airspeed = AirspeedAnnunciator()

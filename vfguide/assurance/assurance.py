@@ -33,7 +33,7 @@ from vfguide.kernels.rows import replacing
 NARROW_ROUTE = 1.25
 """Ratio of the clearance of a route to the margin below which the margin becomes smaller in
 proportion; tuned with `tools/measure_avoidance.py`: with the whole margin, narrow routes were
-planned and left in turn."""
+planned and left again and again."""
 LEAST_ROOM = 4.0
 """Least margin on a narrow route [m]; tuned with `tools/measure_avoidance.py`."""
 LASTING = 0.5
@@ -143,7 +143,10 @@ def raised(gamma: float, sine: float) -> float:
 
 @compiled
 def point_mass_of(state: FlightState) -> PointMass:
-    """The point mass from which trajectories are predicted; its path angle is that over ground."""
+    """The point mass from which trajectories are predicted.
+
+    The sine of its path angle is the vertical speed over ground, over the airspeed.
+    """
     air, bank = sub(state.v_n, state.wind_n), bank_angle(state.R_nb)
     speed = max(state.airspeed, 1.0)
     return PointMass(state.p_n, azimuth_of(air), bank, path_of(state.v_n, speed), speed)
@@ -153,7 +156,7 @@ def point_mass_of(state: FlightState) -> PointMass:
 def as_decided(
     command: GuidanceCommand, decision: Decision, path: tuple[float, float], bank_max: float
 ) -> GuidanceCommand:
-    """The command, or the command of the escape: the lift carries the weight in its bank.
+    """The command of guidance, or that of the escape, whose lift carries the weight at its bank.
 
     Args:
         command: the command of guidance.

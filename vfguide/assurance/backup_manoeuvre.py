@@ -67,7 +67,7 @@ def bank_of(flown: Manoeuvre, limits: Dynamics) -> float:
 
 @compiled
 def climb_of(flown: Manoeuvre, limits: Dynamics) -> float:
-    """The path angle that a manoeuvre commands [rad]; level only within the limits."""
+    """The path angle that a manoeuvre commands [rad]; air that sinks may forbid level flight."""
     asked = flown.climb * (limits.climb_max if flown.climb > 0.0 else limits.descent_max)
     return max(-limits.descent_max, min(limits.climb_max, asked))
 

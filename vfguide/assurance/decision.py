@@ -89,7 +89,7 @@ class Decision(NamedTuple):
     bank: float
     """Bank [rad], right wing down positive."""
     gamma: float
-    """Path angle over ground in still air [rad], up positive."""
+    """Path angle [rad], up positive: its sine is the vertical speed over ground, over airspeed."""
     reason: int
     """A `Reason`."""
     margin: float

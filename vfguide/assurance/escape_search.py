@@ -19,9 +19,9 @@ from vfguide.geometry.vector import Series
 from vfguide.kernels.compiled import compiled
 
 BACKUP_ADVANTAGE = 1.0
-"""Merit that the stored escape has ahead of others [m]; chosen as hysteresis."""
+"""Merit by which another escape must be better than the stored one [m]; chosen as hysteresis."""
 NO_CONTACT = 1e6
-"""Merit that an escape without contact has ahead of others [m]; chosen above every clearance."""
+"""Merit that is added to that of an escape without contact [m]; chosen above every clearance."""
 SETTLED_POINT = 15
 """Index of the trajectory point from which on escapes without contact are compared, 3 s ahead;
 chosen so that, where all are too near now, the one that moves away is taken."""

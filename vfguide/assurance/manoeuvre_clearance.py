@@ -70,7 +70,7 @@ def clear(
         world: hazards, wind and trajectory.
         point_mass: the aircraft; its airspeed and the wind bound the speed over ground.
         t: time of point 0 on the clock of the obstacles [s].
-        first: index of the point from which on is looked.
+        first: index of the first point that counts.
         least: clearance that is enough, and one that is too little [m].
         suspect: number of the hazard to look at first.
     """

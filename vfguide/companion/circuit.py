@@ -32,20 +32,20 @@ rest."""
 STRAIGHT_TIME = 8.0
 """Duration of a straight leg [s]; chosen."""
 FIRST_LEG_TIME = 3.0
-"""Duration of the first leg, before which nothing is flown [s]; chosen."""
+"""Duration of the first leg, level flight straight on [s]; chosen."""
 TURN_END = 0.7
 """Length of the straight after a turn [turn radii]; chosen."""
 MET_DISTANCE = 10.0
-"""Distance from its pose at which a leg has reached it [m]; chosen, a leg that does not is left all
-the same."""
+"""Miss of its last pose up to which a leg counts as flown [m]; chosen: one that misses by more is
+left all the same."""
 MET_ANGLE = 30.0 * DEG
-"""Error of course and climb with which a leg has reached its pose [rad]; chosen."""
+"""Error of course and climb within which a leg counts as flown [rad]; chosen."""
 ROOM_SPACING = 25.0
 """Largest distance between two checked positions on the circuit [m]; chosen."""
 LEG_TIME_FACTOR = 3.0
-"""Factor of the time in still air after which a leg is left; chosen."""
+"""Ratio of the longest time of a leg, after which it is left, to that in still air; chosen."""
 SPARE_TIME = 10.0
-"""Time in addition to that after which a leg is left [s]; chosen."""
+"""Time that is added to the longest time of a leg [s]; chosen."""
 
 
 class Manoeuvre(NamedTuple):

@@ -94,7 +94,7 @@ class Companion:
 
     @property
     def phase(self) -> Phase:
-        """Whether it flies, and what it does else."""
+        """The phase of the engagement: whether the companion searches, waits, asks or flies."""
         return self._control.mode.phase
 
     def receive(self, now: int, message: Message) -> list[Message]:
@@ -129,7 +129,7 @@ class Companion:
         return out + self._housekeeping(now)
 
     def _observe(self, now: int, message: Message) -> None:
-        """Know what a message tells, and tell of a clock or a date that goes wrong."""
+        """Keep what a message reports; tell the operator of a clock or a date that goes wrong."""
         before = self._known
         self._known = after = observe(before, message, now)
         if after is before:
@@ -141,7 +141,7 @@ class Companion:
             self._news += self._time_notes.notes(before, after)
 
     def _guide(self, now: int) -> list[Message]:
-        """The setpoint for the state at a new attitude."""
+        """The setpoint for the state at a new attitude, if one goes out."""
         self._control.watch(now, self._round_trip, self._speakers)
         waited = self._contact.waited(now)
         out = self._control.guide(now, self._known, self._round_trip, waited=waited)
@@ -168,7 +168,7 @@ class Companion:
         return out
 
     def poll(self, now: int) -> list[Message]:
-        """What is due at `now` [us since 1970] without anything received."""
+        """The messages that are due at `now` [us since 1970], though nothing was received."""
         self._wake(now)
         self._watch_link(now)
         out = self._housekeeping(now) + self._control.coast(now, self._known)
@@ -177,9 +177,9 @@ class Companion:
         return out
 
     def recall(self, now: int, message: Message) -> list[Message]:
-        """Takes one message of its own that a log says went out at `now` [us since 1970].
+        """Takes a message that this companion sent at `now` [us since 1970], as a log has it.
 
-        Returns the setpoint that is due then without anything received, if it is one.
+        Where it is a setpoint, returns the one that is due then though nothing was received.
         """
         self._wake(now)
         self._contact.act(now)
@@ -189,7 +189,7 @@ class Companion:
         return self._control.coast(now, self._known) if is_setpoint else []
 
     def stop(self, now: int) -> list[Message]:
-        """The operator ends it at `now` [us since 1970]; returns what hands over, if it flies."""
+        """The operator ends it at `now` [us since 1970]; returns the messages that hand over."""
         self._control.mode.stop()
         return self._housekeeping(now)
 
@@ -221,13 +221,16 @@ class Companion:
             self._control.mode.begin_anew(RESTARTED)
 
     def _hear_current_mode(self, now: int, said: CurrentMode) -> None:
-        """Follow the mode that the autopilot tells besides its heartbeats."""
+        """Follow the mode that the autopilot reports besides its heartbeats."""
         self._contact.hear(now)
         if self._tells_its_own_mode(now):
             self._control.mode.hear_current_mode(said)
 
     def _tells_its_own_mode(self, now: int) -> bool:
-        """Whether a mode is of the autopilot that was flown: after a lost link its clock tells."""
+        """Whether a mode is that of the autopilot flown so far; after a lost link its clock shows.
+
+        Another autopilot may speak by then.
+        """
         clock = self._known.clock
         is_known = clock is not None and now - clock.heard <= SECOND
         return is_known or self.phase is not Phase.INTERRUPTED
@@ -244,14 +247,14 @@ class Companion:
             self._control.lose_link(why)
 
     def _wake(self, now: int) -> None:
-        """Record that it runs at `now` [us]; what waited while it stood still is not new."""
+        """Record that this program runs at `now` [us]; what waited while it stood still is old."""
         gap = self._contact.wake(now)
         if gap and self.phase is not Phase.SEARCHING:
             self._round_trip.forget_questions()
             self._control.stand_still(now, gap)
 
     def _hear_clock(self, now: int, before: BootClock | None, after: BootClock) -> None:
-        """A new time of the autopilot tells the age of its states, and a leap of its counter."""
+        """Take a new time of the autopilot: it shows the age of its states, and a leap."""
         self._round_trip.hear_state(now, after.time_ms)
         if before is not None and before.leaps != after.leaps:
             self._hear_leap(now, before, after)
@@ -263,7 +266,7 @@ class Companion:
         self.flight.hear_traffic(report, self._known)
 
     def _hear_timesync(self, now: int, message: Timesync) -> None:
-        """Take an answer to a question of our own; it tells the delay of the link."""
+        """Take an answer to a question of our own; it shows the delay of the link."""
         self._round_trip.hear(now, message)
         self._control.watch(now, self._round_trip, self._speakers)
 

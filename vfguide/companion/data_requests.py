@@ -65,7 +65,7 @@ class DataRequests:
         self._requests.ask([request_origin(self._sysid)])
 
     def ask_origin_again(self, now: int) -> None:
-        """Ask for it at `now` [us], unless that was done within ORIGIN_RETRY."""
+        """Ask for the origin at `now` [us], unless that was done within ORIGIN_RETRY."""
         if now - self._origin_asked >= ORIGIN_RETRY:
             self._origin_asked = now
             self.ask_origin()

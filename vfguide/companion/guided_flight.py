@@ -54,8 +54,8 @@ from vfguide.loop.state import (
 from vfguide.telemetry.knowledge import Knowledge, measurement
 
 HELD_PERIODS = 1.0
-"""Number of guidance periods for which the state is predicted beyond the delay: half of one because
-a setpoint is held for it, half because the reference's rate is that of the period before."""
+"""Number of guidance periods by which the state is predicted beyond the delay: half of one because
+a setpoint is held for one, half because the reference's rate is the mean of the one before."""
 DUE_SHARE = 0.9
 """Share of the guidance period after which the next step is due; chosen below 1, since an attitude
 may come a little early."""
@@ -83,9 +83,9 @@ class GuidedFlight:
         self.notes: list[str] = []
         """What the operator should read; the caller takes it away."""
         self.announced: list[GoalAnnouncement] = []
-        """The goals that were passed, as it saw them, in the order of time."""
+        """The goals that were passed, as the companion saw it, in the order of time."""
         self.unfit: str | None = None
-        """Why what the autopilot tells cannot be flown on; None where it can."""
+        """Why what the autopilot reports cannot be flown on; None where it can."""
         self._announcer = StepAnnunciator(plan.briefing)
         self._traffic = TrafficWatch(plan)
         self._obstacle_clock = ObstacleClock(plan)
@@ -95,7 +95,7 @@ class GuidedFlight:
 
     @property
     def is_testing(self) -> bool:
-        """Whether a test flight goes before the first goal now."""
+        """Whether the test flight that goes before the first goal is not over."""
         return self._identification is not None
 
     @property
@@ -131,8 +131,8 @@ class GuidedFlight:
         It acts `delay` [s] after that attitude, and is held until the next one does. Its body
         rates are FRD [rad/s].
 
-        Steps leave a memory only while the autopilot `follows`; when it begins to, the leg to
-        the present goal begins anew.
+        While the autopilot does not follow setpoints (`follows`), a step leaves nothing but its
+        doubts. When it begins to, the leg to the present goal begins anew.
         """
         state, now_ms = self._due_state(known, delay), known.time_ms
         if state is None:
@@ -239,7 +239,7 @@ class GuidedFlight:
             self._end_test(identification, *identified_notes(self.identified))
 
     def _end_test(self, identification: IdentificationFlight, *notes: str) -> None:
-        """Fly to the goals, with what the test flight has shown if it has."""
+        """Go on to the goals, with what the test flight has shown, if anything."""
         before, after = self.plan.aircraft, identification.plan_after(self.identified)
         self._identification, self.plan = None, after
         self._announcer.begin(after.briefing)

@@ -33,17 +33,17 @@ side."""
 NEEDED_ROOM = 50.0
 """Least distance of the circuit from hazards with which a test is flown [m]; chosen."""
 IDLE_SAMPLES = 120
-"""Number of samples of a flight in which nothing changes; chosen, half a minute is
-enough for an identification to run."""
+"""Number of samples with which the identification is compiled on the ground; chosen, half a minute
+is enough for it to run."""
 IDLE_INTERVAL = 0.25
-"""Time between two of those samples [s]; chosen."""
+"""Time between two samples with which the identification is compiled [s]; chosen."""
 
 
 class IdentificationFlight:
     """The test flight of one vehicle."""
 
     def __init__(self, plan: Plan) -> None:
-        """Before it: `plan` is what follows."""
+        """A test flight that has not begun; `plan` is what is flown after it."""
         self.plan = plan
         """What is flown now."""
         self._known = plan
@@ -97,7 +97,7 @@ class IdentificationFlight:
         self._flown.append(Sample(state.time, state.R_nb, state.v_n, *air, roll_rate, *asked))
 
     def enters(self, leg: int) -> str | None:
-        """The name of a leg that begins now; None: the one before goes on, or it is over."""
+        """The name of a leg that begins now; None: the one before goes on, or all are flown."""
         if leg == self._leg:
             return None
         self._leg, self._began = leg, self._flown[-1].time
@@ -118,7 +118,7 @@ class IdentificationFlight:
         return identify(samples_of(self._flown), self._known.aircraft, self._known.roll_time)
 
     def plan_after(self, found: Identified | None) -> Plan:
-        """What is flown after it; `found` None: it has shown nothing."""
+        """What is flown after the test flight, with what it `found`; None: it found nothing."""
         if found is None:
             return self._then
         seen = any(estimate.key == "roll_s" and estimate.used for estimate in found.estimates)

@@ -4,7 +4,7 @@ from enum import IntEnum
 
 from vfguide.annunciations.phase_notes import (
     FALLEN_BACK,
-    INTRUDER,
+    FOREIGN_HEARTBEAT,
     NOT_ARMED,
     SILENT_UNTIL_CHANGE,
     STRANGER,
@@ -44,7 +44,7 @@ class ModeControl:
             engage: ask for the follow mode by itself; else wait for the operator to do it.
         """
         self.autopilot = ASSUMED
-        """Whose modes they are."""
+        """The autopilot whose modes are meant; before one is found, the one to expect."""
         self.phase = Phase.SEARCHING
         self.engage = engage
         self.follows = False
@@ -80,7 +80,7 @@ class ModeControl:
     def is_vehicle(self, said: Heartbeat) -> bool:
         """Whether a heartbeat is that of the vehicle's autopilot; the operator is told of others.
 
-        The first that can be flown with is taken for it.
+        The first autopilot that can be flown with is taken to be the vehicle's.
         """
         found = autopilot_of(said)
         if found is None or (self.phase is not Phase.SEARCHING and found is not self.autopilot):
@@ -97,9 +97,10 @@ class ModeControl:
         self._hear_mode(said.custom_mode, said.system_status == MavState.CRITICAL)
 
     def hear_current_mode(self, said: CurrentMode) -> None:
-        """Follow the mode in a CURRENT_MODE; the failsafe acts if it was asked for the follow mode.
+        """Follow the mode in a CURRENT_MODE.
 
-        A CURRENT_MODE does not say who flies, so that no autopilot is found by one.
+        Where it intends the follow mode and flies another, the failsafe acts. It does not say which
+        autopilot flies, so that none is found by it.
         """
         intended = said.intended_custom_mode == self.autopilot.follow_mode
         self._hear_mode(
@@ -134,7 +135,10 @@ class ModeControl:
         self._mode, self.follows = None, False
 
     def hinder(self, now: int, hindrance: str | None) -> None:
-        """Record at `now` [us] why it cannot guide, None where it can; it asks for hold at once."""
+        """Record at `now` [us] why the companion cannot guide, so that it asks for hold at once.
+
+        None: it can.
+        """
         before, self.hindrance = self.hindrance, hindrance
         if (before is None) == (hindrance is None):
             return
@@ -142,15 +146,15 @@ class ModeControl:
             self._yield(now, hindrance)
 
     def stand_still(self, now: int, why: str) -> None:
-        """Record that it did not guide for longer than the autopilot waits, until `now` [us].
+        """Record that until `now` [us] it did not guide for longer than the autopilot waits.
 
-        The autopilot's failsafe acts by then, which its heartbeats show; only if they do not, hold
-        is asked for.
+        The autopilot's failsafe has acted by then, which its heartbeats show. Hold is asked for
+        only if they do not.
         """
         self._yield(now + self.autopilot.loss_time + HEARTBEAT_INTERVAL, why)
 
     def begin_anew(self, why: str) -> None:
-        """Record that the autopilot may be another one: neither guided nor asked for a mode."""
+        """Record that the autopilot may be another one: it is not guided, nor asked for a mode."""
         self._yield(NEVER, why)
 
     def _yield(self, hold_from: int, why: str) -> None:
@@ -165,7 +169,7 @@ class ModeControl:
             self.happen(Event.STOP_ASKED)
 
     def offer(self, now: int) -> None:
-        """A setpoint goes out at `now` [us]."""
+        """Record that a setpoint goes out at `now` [us]."""
         if self._offered is None or now - self._offered_last > OFFER_GAP:
             self._offered = now
         self._offered_last = now
@@ -193,9 +197,11 @@ class ModeControl:
         )
 
     def _request_hold(self, now: int) -> CommandLong | None:
-        """Hold while it cannot guide, where the autopilot still follows or would do so by itself.
+        """The request for hold at `now` [us], while the companion cannot guide.
 
-        A mode that somebody chose is left alone, and so is the failsafe's that is no hold.
+        It is made where the autopilot still follows setpoints, and where its failsafe holds and
+        would follow them again by itself. A mode that somebody chose is left alone, and so is any
+        other mode of the failsafe.
         """
         if self._mode is None:
             return None
@@ -215,7 +221,7 @@ class ModeControl:
             self.notes.append(complaint)
 
     def happen(self, event: Event, why: str = "") -> None:
-        """Go on in the table; say so, and `why`."""
+        """Change the phase by the table of transitions; tell the operator so, and `why`."""
         before, after = self.phase, TRANSITIONS[self.phase, event]
         if after is before:
             return
@@ -234,7 +240,7 @@ class ModeControl:
     def _tell_of(self, said: Heartbeat) -> None:
         """Tell the operator once of each of the first who are not the vehicle's autopilot."""
         searching = self.phase is Phase.SEARCHING and said.autopilot != MavAutopilot.INVALID
-        text = STRANGER if searching else INTRUDER
+        text = STRANGER if searching else FOREIGN_HEARTBEAT
         note = text.format(sysid=self.sysid, who=describe(said), flown=flown())
         if note not in self._strangers and len(self._strangers) < MAX_TOLD:
             self._strangers.add(note)

@@ -1,7 +1,7 @@
 """The clock of the obstacles: by the autopilot's date, else from when the autopilot follows.
 
-Which of the two it is, is settled when the autopilot begins to follow: obstacles do not leap in
-flight because a date becomes known.
+The choice is settled when the autopilot begins to follow, so that obstacles do not leap in flight
+because a date becomes known.
 """
 
 from datetime import UTC, datetime
@@ -12,9 +12,9 @@ from vfguide.geometry.units import MS, US
 from vfguide.telemetry.knowledge import Knowledge
 
 BY_DATE = "moving obstacles: by the autopilot's date it is {since:.0f} s after start_time"
-"""Note where the date tells where moving obstacles are."""
+"""Note where moving obstacles are by the date."""
 BY_ENGAGEMENT = "moving obstacles count their time from when the autopilot follows: {why}"
-"""Note where it does not."""
+"""Note where moving obstacles count their time from the engagement."""
 NO_DATE = "it tells no date"
 """Reason where no date is known."""
 FAR_DATE = "its date is {day}, start_time is farther away than the {longest:.0f} s of the plan"
@@ -27,7 +27,7 @@ class Timing(NamedTuple):
     by_date: bool
     """Whether by the autopilot's date."""
     why: str
-    """Why not."""
+    """Why not by the date; empty where it is."""
 
 
 class ObstacleClock:
@@ -74,7 +74,7 @@ class ObstacleClock:
         return [BY_DATE.format(since=self.time(known))]
 
     def _timing(self, known: Knowledge) -> Timing:
-        """How they count, by what is known now."""
+        """How the obstacles count their time, by what is known now."""
         plan, date = self._plan, known.date
         if date is None:
             return Timing(False, NO_DATE)

@@ -1,9 +1,9 @@
-"""Place: whether the vehicle is where its plan is, and whether the autopilot tells one place.
+"""Place: whether the vehicle is where its plan is, and whether the autopilot reports one place.
 
-An autopilot without a fix tells an origin of its local frame at 0 N 0 E, and a plan for one field
-is soon loaded at another. Nothing is streamed there. In flight, an estimator may glitch by any
-distance for a few seconds: the flight goes on from the last right place by the velocity that is
-told. A wrong place that lasts ends the flight.
+An autopilot without a fix reports an origin of its local frame at 0 N 0 E, and the plan of another
+airfield is easily loaded. No setpoints are sent there. In flight, an estimator may glitch by any
+distance for a few seconds: the flight goes on from the last right place with the reported velocity.
+A wrong place that lasts ends the flight.
 """
 
 import math
@@ -31,18 +31,18 @@ RIGHT_LASTS = 1000
 """Time for which the place has to be right again in flight before it is followed [ms]; chosen, so
 that one that goes to and fro is wrong all the time."""
 IN_FLIGHT = 1.5
-"""Factor of the distances at which a plan may be begun within which it may be flown, a number;
+"""Ratio of the distance and height at which a plan may be flown to those at which it may be begun;
 chosen, so that a flight that begins at the limit may turn round first."""
 PLACE_LEAP = 1000.0
-"""Sum of the coordinates of a step of the position above which it is looked at at once [m];
-chosen."""
+"""Step of the position, the sum over its three axes, above which the place is looked at at once
+[m]; chosen."""
 LEAST_REACH = 10_000.0
 """Distance from the nearest goal that any plan may be begun at [m]; chosen."""
 LEAST_CLIMB = 300.0
 """Height from the nearest goal that any plan may be begun at [m]; chosen."""
 CONTRADICTION = 100.0
-"""Distance between two places told by one autopilot above which they contradict each other [m];
-chosen, in recorded flights they differ by 0.3 m."""
+"""Distance between two places that one autopilot reports above which they contradict each other
+[m]; chosen, in recorded flights they differ by 0.3 m."""
 SAME_TIME = 0.2
 """Longest time between two places that are compared [s]; chosen, 10 m at 50 m/s."""
 NOT_FOLLOWED = f"{{why}}: not followed unless it lasts {LONGEST_GLITCH * MS:.0f} s"
@@ -63,16 +63,16 @@ TWO_PLACES = (
     "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell a place {distance:.0f} m "
     "from the one in GLOBAL_POSITION_INT"
 )
-"""Reason for silence where the autopilot tells two places."""
+"""Reason for silence where the autopilot reports two places."""
 TWO_ALTITUDES = (
     "GPS_GLOBAL_ORIGIN and LOCAL_POSITION_NED tell an altitude {distance:.0f} m "
     "from the one in VFR_HUD"
 )
-"""Reason for silence where the autopilot tells two altitudes."""
+"""Reason for silence where the autopilot reports two altitudes."""
 
 
 class PlaceWatch:
-    """Compares the place that the autopilot tells with the plan, and with itself."""
+    """Compares the places that the autopilot reports with the plan, and with each other."""
 
     def __init__(self, plan: Plan, notes: list[str]) -> None:
         """A watch that has not looked yet, of a `plan`; it tells the operator by `notes`."""
@@ -156,7 +156,7 @@ class PlaceWatch:
 
 
 def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositionNed:
-    """A position moved on to the time of the one that is told, with the velocity that is told."""
+    """A position moved on to the time of a reported one, `told`, with its velocity."""
     dt = max(elapsed(position.time_boot_ms, told.time_boot_ms), 0.0)
     x, y, z = add((position.x, position.y, position.z), scale(dt, (told.vx, told.vy, told.vz)))
     return told._replace(x=x, y=y, z=z)
@@ -176,7 +176,7 @@ def wrong_place(plan: Plan, known: Knowledge, m: Measurement, *, follows: bool) 
 
 
 def contradiction(known: Knowledge, m: Measurement) -> str | None:
-    """In which way the places told by the autopilot contradict each other; None: they do not."""
+    """How the places that the autopilot reports contradict each other; None: they do not."""
     rise = abs(m.altitude - (m.origin[2] - m.p_l[2]))
     if not rise <= CONTRADICTION:
         return TWO_ALTITUDES.format(distance=rise)

@@ -75,7 +75,7 @@ class Plan:
 
     @property
     def moves(self) -> bool:
-        """Whether obstacles move, so that it matters when they are where."""
+        """Whether any obstacle moves, so that the time of the obstacles matters."""
         rows = () if self.hazards is None else self.hazards.obstacles
         return any(any(velocity_of_row(row)) for row in rows)
 

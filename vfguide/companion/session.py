@@ -35,9 +35,9 @@ class Session:
         return self._take_all(now, (frame,))
 
     def _take_all(self, now: int, frames: Sequence[Frame]) -> list[bytes]:
-        """Takes frames in turn; they go to the record, each before its answers, at the end.
+        """Takes frames in turn, and records them at the end, each before its answers.
 
-        That is so whatever ends it: the record of a fault has the frame that brought it about.
+        They are recorded even if one raises: the record of a fault has the frame that caused it.
         """
         vehicle, kept, answers = self.companion.sysid, list[bytes](), list[bytes]()
         try:
@@ -57,15 +57,15 @@ class Session:
         return answers
 
     def recall(self, now: int, frame: Frame) -> list[bytes]:
-        """Takes a frame of its own that a log says went out at `now` [us since 1970].
+        """Takes a frame that this companion sent at `now` [us since 1970], as a log has it.
 
-        Returns the frames to send without anything received then.
+        Returns the frames that are due then though nothing was received.
         """
         message = decode(frame)
         return self._send(now, self.companion.recall(now, message)) if message else []
 
     def poll(self, now: int) -> list[bytes]:
-        """The frames that are due at `now` [us since 1970] without anything received."""
+        """The frames that are due at `now` [us since 1970], though nothing was received."""
         return self._send(now, self.companion.poll(now))
 
     def stop(self, now: int) -> list[bytes]:

@@ -1,7 +1,7 @@
-"""What goes out to one vehicle: whether setpoints do, which, and why there are none.
+"""Setpoint control: whether setpoints go out to one vehicle, which, and if none do, why not.
 
 They go out while the phase allows it and nothing keeps the companion from guiding: neither the
-delay of the link, nor the place of the vehicle, nor what the autopilot tells of its state.
+delay of the link, nor the place of the vehicle, nor the state that the autopilot reports.
 """
 
 from vfguide.aircraft.state import RateSetpoint
@@ -62,7 +62,7 @@ class SetpointControl:
 
     @property
     def doubts_place(self) -> bool:
-        """Whether the place is wrong, as it is where the origin of the local frame is."""
+        """Whether the place is wrong, as after a wrong origin of the local frame."""
         return self._place.wrong is not None
 
     def begin(self, now: int) -> None:
@@ -86,7 +86,7 @@ class SetpointControl:
             self._notes.append(note)
 
     def watch(self, now: int, link: RoundTrip, speakers: Speakers) -> None:
-        """What is known of the link at `now` [us]: nothing is guided over a slow or shared one."""
+        """Take what is known of the link at `now` [us]: a slow or shared one forbids guidance."""
         self.mode.is_alone = not speakers.are_two(now)
         self._shared = None if self.mode.is_alone else TWO_SPEAK.format(sysid=self.mode.sysid)
         self._unknown = UNANSWERED if link.is_unanswered else None
@@ -110,8 +110,8 @@ class SetpointControl:
 
         Args:
             now: the time [us].
-            known: what the autopilot tells.
-            link: its delay.
+            known: what the autopilot has reported.
+            link: delay of the link to it.
             waited: whether the attitude waited while this program stood still: it is too old.
         """
         checked = self._place.checked(known, follows=self.mode.is_followed)
@@ -137,7 +137,7 @@ class SetpointControl:
         return choice_note(self.mode.phase, self.mode.autopilot, self.mode.engage)
 
     def coast(self, now: int, known: Knowledge) -> list[Message]:
-        """One setpoint at `now` [us] where attitudes have stayed away since the last in flight.
+        """The one setpoint that goes out at `now` [us] when attitudes have stopped in flight.
 
         After it the autopilot's own failsafe acts.
         """

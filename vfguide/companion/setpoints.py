@@ -16,7 +16,8 @@ COAST_AFTER = 0.2
 """Time without a new attitude after which a coordinated turn is flown [s]; chosen, a roll at 60
 degrees a second goes on for 12 degrees."""
 COAST_PERIODS = 3.0
-"""Number of guidance periods that this takes at least; chosen."""
+"""Least number of guidance periods without a new attitude before a coordinated turn is flown;
+chosen."""
 
 
 class Setpoints:
@@ -40,7 +41,7 @@ class Setpoints:
             now: the time [us].
             time_boot_ms: time of the attitude for which it is made [ms].
             setpoint: what it says.
-            autopilot: whose type mask says what of it counts.
+            autopilot: its type mask says which fields count.
         """
         ((p, q, r), thrust, q_nb), mask = setpoint, autopilot.type_mask
         self.count += 1
@@ -51,10 +52,10 @@ class Setpoints:
         return said
 
     def coast(self, now: int, known: Knowledge, plan: Plan) -> RateSetpoint | None:
-        """The setpoint at `now` [us] that ends a roll, where none can be made; None: not due.
+        """The setpoint at `now` [us] that ends a roll when no attitude arrives; None: not due.
 
-        There is one after each that was made for an attitude. The roll has gone on since that one
-        went out, or since an attitude that was heard later.
+        One may follow each setpoint that was made for an attitude. The roll has gone on since that
+        one went out, or since an attitude that arrived later.
         """
         flown, attitude, clock = self._flown, known.attitude, known.clock
         age = (now - self.sent_at) * US

@@ -39,7 +39,10 @@ def thrust_for(
 def integrate_error(
     aircraft: Performance, error: float, thrust: float, integral: float, dt: float
 ) -> float:
-    """The integral `dt` [s] later, as thrust setpoint; held while the thrust is at a limit."""
+    """The integral `dt` [s] later, as thrust setpoint; held while the `thrust` is at a limit.
+
+    `error` is the airspeed to fly less the true airspeed [m/s], `integral` the present value.
+    """
     if thrust <= 0.0 or thrust >= 1.0:
         return integral
     return max(

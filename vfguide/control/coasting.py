@@ -1,7 +1,7 @@
-"""Coasting: body rates for the time in which no attitude is heard and the autopilot still follows.
+"""Coasting: body rates for the time in which no attitude arrives but the autopilot still follows.
 
-A body rate that is held rolls the aircraft on. So where attitudes stay away, one more setpoint goes
-out, which flies the coordinated turn of the bank that is reached by then.
+A body rate that is held keeps rolling the aircraft. So when attitudes stop arriving, one more
+setpoint is sent, which flies a coordinated turn at the bank that is reached by then.
 """
 
 from vfguide.aircraft.coordinated_turn import turn_rate
@@ -24,7 +24,7 @@ def coast(
     Aircraft, 2012, chapter 5).
 
     Args:
-        q_nb: the last attitude that was heard, w, x, y, z, body FRD to NED.
+        q_nb: the last attitude received, w, x, y, z, body FRD to NED.
         omega_b: body rates that have been flown since then, FRD [rad/s].
         age: time since then [s].
         airspeed: true airspeed [m/s].

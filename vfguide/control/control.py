@@ -3,9 +3,9 @@
 The attitude reference flies the air velocity's azimuth, so that the turn is coordinated; Lemma 4
 of the paper leads the attitude to it, and the rates keep bank and load factor in their limits.
 
-Of the sideslip only a small angle is asked back at once, and the load factor is taken without it.
-A wind or yaw that is told wrong looks like sideslip; with all of it asked back the aircraft would
-be yawed into a true one, which rolling turns into angle of attack.
+The rate law takes back only a small sideslip at once, and the load factor is computed without any.
+A wrong wind or yaw looks like sideslip: if all of that were taken back, the aircraft would be yawed
+into a real one, which a roll turns into angle of attack.
 """
 
 from typing import NamedTuple
@@ -63,8 +63,9 @@ def update(
     """Body rates and thrust that fly a command, before the last limits, and the next state.
 
     The reference attitude has the elevation gamma + k_elevation (gamma - path angle), the command's
-    bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction; Omega is
-    that of Lemma 4 (`rate_law`), to a reference with less sideslip to take back.
+    bank about it, and alpha = alpha_zero + alpha_load n / V^2 + the learned correction. Omega is
+    that of Lemma 4 (`rate_law`) towards this reference; where it would take back more sideslip than
+    MOST_SIDESLIP_ASKED, the reference is turned about the vertical by the rest.
     """
     if vehicle.is_point:
         return point_nose(nav, command, s, vehicle)
@@ -122,7 +123,10 @@ def learn_alpha(bias: float, error: float, gains: Gains, dt: float) -> float:
 
 @compiled
 def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> Vec3:
-    """Angular velocity of the reference attitude, body axes, smoothed [rad/s]."""
+    """Angular velocity of the reference attitude in its own axes, smoothed [rad/s].
+
+    `smoothing` is the time constant, `dt` the time since the last reference attitude [s].
+    """
     turned = scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na)))
     size = norm(turned)
     if size > MAX_REFERENCE_RATE:

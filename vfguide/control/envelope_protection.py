@@ -1,11 +1,11 @@
 """Envelope protection: body rates that keep bank, load and sideslip in limits, also in gusts.
 
-The reference attitude does not take gusts into account: pitching down where rising air ends takes
-the wing through zero lift. A gust that is faster than the pitch rate still exceeds the limits.
+The reference attitude does not take gusts into account: where rising air ends, the pitch down to it
+would take the wing through zero lift. A gust faster than the pitch rate still exceeds the limits.
 
-A yaw, ground velocity or wind that is told wrong yaws the aircraft out of its path. The sideslip by
-attitude and rates shows it (`vfguide.estimation.flow_angles`): it is limited, and the load factor
-is limited by both estimates of it, since rolling turns sideslip into angle of attack.
+A wrong yaw, ground velocity or wind yaws the aircraft out of its path. The sideslip by attitude and
+rates shows it (`vfguide.estimation.flow_angles`). It is limited, and so are both estimates of the
+load factor, since a roll turns sideslip into angle of attack.
 """
 
 from vfguide.aircraft.coordinated_turn import angle_of_attack
@@ -40,7 +40,7 @@ SIDESLIP_MAX = 8.0 * DEG
 """Largest sideslip by attitude and rates that yaw rates lead to [rad]; chosen with
 `tools/measure_lies.py` above what honest flight in calm air needs."""
 SIDESLIP_TIME = 0.3
-"""Least time in which the yaw rate may take the sideslip to its limit [s]; that of the bank."""
+"""Least time in which the yaw rate may take the sideslip to its limit [s]; chosen, `BANK_TIME`."""
 
 
 @compiled

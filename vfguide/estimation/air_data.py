@@ -24,14 +24,14 @@ from vfguide.kernels.rows import replacing
 RESTART_PAUSE = 1.0
 """Time without a step after which the estimate starts anew [s]; chosen."""
 LEAST_DURATION = 1e-3
-"""Least time for which a measurement counts, also the first one [s]; chosen, since its noise is
-given per second."""
+"""Shortest time that a measurement stands for, also the first one [s]; chosen: noise is given per
+second."""
 IMPLAUSIBLE_ERROR = 7.0
 """Difference of the airspeed sensor from the airspeed that pitch and thrust ask for above which it
 is not used [m/s]; chosen above the errors of the model in turbulence."""
 STILL_CHANGE = 0.02
-"""Change of the measured airspeed below which it counts as unchanged [m/s]; chosen: the true
-airspeed of a frozen calibrated one changes a little with height."""
+"""Change of the measured airspeed below which it counts as unchanged [m/s]; chosen: where the
+calibrated airspeed is frozen, the true one still changes a little with height."""
 STUCK_TIME = 3.0
 """Time without change after which an airspeed sensor may be stuck [s]; chosen. In still air without
 noise an aircraft in trim reads the same for long."""
@@ -116,7 +116,10 @@ def fused(state: FlightState, air: AirState, dt: float) -> tuple[FlightState, Ai
 
 @compiled
 def watched(sensor: SensorWatch, measured: float, dt: float) -> SensorWatch:
-    """The watch `dt` [s] later: judges the measured airspeed [m/s], and the sensor."""
+    """The watch over the sensor `dt` [s] later, with the measured airspeed [m/s].
+
+    An airspeed that is not a number counts as implausible.
+    """
     last, stuck_time = sensor.measured, sensor.stuck_time + dt
     if not abs(measured - last) < STILL_CHANGE:  # not-a-number too
         last, stuck_time = measured, 0.0

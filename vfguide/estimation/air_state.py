@@ -38,7 +38,7 @@ Covariance = Annotated[Matrix, Shape(STATES, STATES)]
 class WindEstimate(NamedTuple):
     """State of the Kalman filter of the wind triangle.
 
-    Within a step the filter works in place; what a step leaves is not changed by the next one.
+    Within a step the filter works in place; the next step works on a copy.
     """
 
     x: StateVector
@@ -55,7 +55,7 @@ class SensorWatch(NamedTuple):
     stuck_time: float
     """Time since that change [s]."""
     fault_time: float
-    """Time for which it has been implausible, or negative: plausible [s]."""
+    """Time for which it has been implausible, or minus the time for which it was plausible [s]."""
     trusted: bool
     """Whether it is used."""
 

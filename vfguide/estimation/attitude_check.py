@@ -1,8 +1,9 @@
 """Attitude against body rates: an attitude may only turn as fast as the body does.
 
-An estimator that is reset, or a compass that is disturbed, turns the told attitude while the body
-does not turn. About the vertical the turn is taken back: the yaw to fly on is the told one less the
-turns that no body rate shows. About a horizontal axis it cannot be flown on.
+An estimator that is reset, or a compass that is disturbed, turns the reported attitude while the
+body does not turn. Such a turn about the vertical is taken back: the yaw to fly on is the reported
+one less the turns that no body rate shows. After one about a horizontal axis roll and pitch are
+doubted, and have no replacement.
 """
 
 import math
@@ -15,24 +16,23 @@ from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
 
 UNEXPLAINED_TURN = 10.0 * DEG
-"""Turn of the attitude without body rates above which it is none of the aircraft [rad]; chosen well
-above what samples of the rates miss."""
+"""Turn of the attitude that no body rate shows above which the aircraft has not made it [rad];
+chosen well above what samples of the rates miss."""
 TURN_MEMORY = 2.0
-"""Time constant with which a smaller one is forgotten [s]; chosen, so that biases of the body rates
-do not add up."""
+"""Time constant with which smaller unexplained turns are forgotten [s]; chosen, so that biases of
+the body rates do not add up."""
 LONGEST_PREDICTION = 0.1
 """Time between two attitudes above which body rates do not predict the turn [s]; chosen, since
 they are sampled at its ends."""
 YAW_MEMORY = 3.0
-"""Time constant with which the yaw is led to the one without sideslip while it is doubted [s];
-chosen."""
+"""Time constant with which a doubted yaw is led to the one without sideslip [s]; chosen."""
 YAW_AGREES = 4.0 * DEG
-"""Correction of the yaw below which it is believed again [rad]; chosen above the sideslip of steady
+"""Correction below which a doubted yaw is believed again [rad]; chosen above the sideslip of steady
 flight."""
 
 
 class AttitudeCheck(NamedTuple):
-    """The attitude that was told last, and what its turns have shown."""
+    """The attitude that was reported last, and what its turns have shown."""
 
     R_nb: Mat3
     """Attitude, body to NED."""
@@ -41,9 +41,9 @@ class AttitudeCheck(NamedTuple):
     unexplained_n: Vec3
     """Turn that no body rate shows, NED rotation vector [rad]."""
     yaw_correction: float
-    """Angle to add to the told yaw [rad]; 0: it is believed."""
+    """Angle to add to the reported yaw [rad]; 0: it is believed."""
     is_by_wind: bool
-    """Whether the wind triangle alone asks for it, so that the told wind may be wrong instead."""
+    """Whether the wind triangle alone asks for it: the reported wind may be wrong instead."""
     is_tilted: bool
     """Whether roll or pitch have turned though the body has not."""
 
@@ -83,7 +83,7 @@ def turned_by(s: AttitudeCheck, angle: float) -> AttitudeCheck:
 
 @compiled
 def uncorrected(s: AttitudeCheck) -> AttitudeCheck:
-    """The check with the told yaw."""
+    """The check with the yaw as it is reported."""
     return with_correction(s, 0.0, False)
 
 
@@ -95,7 +95,7 @@ def corrected_attitude(s: AttitudeCheck, R_nb: Mat3) -> Mat3:
 
 @compiled
 def with_slip(s: AttitudeCheck, sideslip: float, dt: float) -> AttitudeCheck:
-    """The check `dt` [s] later, the yaw led to where the `sideslip` [rad] is zero if it is doubted.
+    """The check `dt` [s] later; a doubted yaw is led to where the `sideslip` [rad] is zero.
 
     The sideslip is the azimuth of the air velocity less that of the corrected attitude.
     """

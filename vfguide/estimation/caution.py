@@ -8,8 +8,8 @@ from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
 
 AIRSPEED_MARGIN = 1.2
-"""Ratio to the slowest airspeed above which, by two standard deviations, the airspeed is kept
-without a sensor; chosen."""
+"""Ratio of the airspeed to fly without a sensor, less two standard deviations of the estimate, to
+the slowest airspeed; chosen."""
 
 with_gains = replacing(Vehicle, "gains")
 with_airspeed_and_bank = replacing(Gains, "airspeed", "bank_max")

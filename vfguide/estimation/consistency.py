@@ -36,16 +36,16 @@ from vfguide.kernels.compiled import compiled
 
 FIRST_CHECK = 0.2
 """Time of measurements after which the wind triangle is judged [s]; chosen, so that a wrong ground
-velocity is found before."""
+velocity is found first."""
 FIRST_LIFT = 0.4
 """Time of measurements after which lift and attitude are compared [s]; chosen, so that a wrong
-ground velocity, yaw or wind is found before."""
+ground velocity, yaw or wind is found first."""
 LONGEST_GAP_CHECKED = 1.0
 """Time between two steps after which the checks start anew [s]; chosen."""
 
 
 class Consistency(NamedTuple):
-    """What was told last, what the checks have shown, and how long each thing has been doubted."""
+    """What was reported last, what the checks have shown, and how long each thing is doubted."""
 
     time: float
     """Time of the step [s]; negative before the first."""
@@ -54,11 +54,11 @@ class Consistency(NamedTuple):
     lift: LiftCheck
     air: AirCheck
     yaw_doubt: float
-    """Time for which the told yaw has not been believed [s]; 0: it is believed."""
+    """Time for which the reported yaw has not been believed [s]; 0: it is believed."""
     velocity_doubt: float
-    """The same of the ground velocity [s]."""
+    """Time for which the ground velocity has not been believed [s]; 0: it is believed."""
     attitude_doubt: float
-    """The same of roll and pitch [s]; it does not end by itself."""
+    """Time for which roll and pitch have not been believed [s]; it does not end by itself."""
     was_misled: bool
     """Whether the estimate of the air has to start anew: the wind that was believed is wrong."""
 
@@ -130,7 +130,7 @@ def follow(
 
 @compiled
 def lasted(time: float, is_doubted: bool, dt: float) -> float:
-    """The time of a doubt `dt` [s] later [s]."""
+    """Duration of a doubt `dt` later [s]; 0 where there is none."""
     return time + max(dt, LEAST_DOUBT) if is_doubted else 0.0
 
 
@@ -142,7 +142,7 @@ def believed(
     checked: AirCheck,
     air: AirState,
 ) -> FlightState:
-    """The state with what the others say in place of what is doubted, and of what is not told."""
+    """The measured state, with replacements for what is doubted or not reported."""
     own_n = (air.estimate.x[NORTH], air.estimate.x[EAST], 0.0)
     wind_n = own_n if checked.wind_doubt > 0.0 or math.isnan(m.wind_n[0]) else m.wind_n
     untold = checked.airspeed_doubt > 0.0 or math.isnan(m.airspeed)

@@ -1,7 +1,7 @@
 """The stage of estimation: from the measurements of the autopilot to the state for guidance.
 
-The vertical wind is estimated from the lift, wind and airspeed by a Kalman filter, and position
-resets are let in slowly.
+What contradicts the rest is replaced, a Kalman filter estimates wind and airspeed, the lift shows
+the vertical wind, and position resets are let in slowly.
 """
 
 from typing import NamedTuple
@@ -72,7 +72,7 @@ class EstimationState(NamedTuple):
     air: AirState
     """The estimate of wind, airspeed and vertical wind."""
     consistency: Consistency
-    """What is doubted of what is told."""
+    """What the autopilot reports but is doubted."""
     lead: float
     """Time by which the state was predicted at the step before [s]."""
     flow: FlowAngles

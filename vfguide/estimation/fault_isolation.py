@@ -79,10 +79,10 @@ def judged(
     air: AirState,
     dt: float,
 ) -> tuple[AttitudeCheck, AirCheck]:
-    """The checks after a wind triangle with a wind that is believed; arguments as of `check_air`.
+    """The checks after the wind triangle `seen` with a wind that is believed.
 
-    A wrong length is no matter of the yaw. A wrong direction is one, as long as the length stays
-    right in turns.
+    A wrong length is not a fault of the yaw; a wrong direction is, as long as the length stays
+    right in turns. The other arguments are those of `check_air`.
     """
     if attitude.is_by_wind and abs(s.excess) > LASTING_ERROR:
         return uncorrected(attitude), doubting_wind(s, dt)
@@ -99,8 +99,9 @@ def judged(
 def blamed(s: AirCheck, measured: float, airspeed: float, air: AirState, dt: float) -> AirCheck:
     """The check after a wind triangle of the wrong length, at a step of `dt` [s].
 
-    Of the `measured` airspeed and the speed by the told wind the one that is farther from what
-    pitch and thrust ask for is wrong [m/s]; `airspeed` is the one that is believed.
+    Either the `measured` airspeed or the reported wind is wrong. The airspeed by each is compared
+    with the one that pitch and thrust ask for, and the one that is farther from it is doubted.
+    `airspeed` is the one that is believed so far [m/s].
     """
     model = air.sensor.model_airspeed
     by_wind = airspeed + (s.lasting if abs(s.lasting) > abs(s.excess) else s.excess)

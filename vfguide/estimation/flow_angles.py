@@ -7,8 +7,8 @@ and Lewis, Aircraft Control and Simulation, section 2.5):
     alpha' = q - p tan(beta) + g (cos pitch cos bank - n) / V
     beta'  = p alpha - r + g (cos pitch sin bank) / V - beta / T
 
-Neither yaw, ground velocity nor wind enters. An aircraft that is yawed out of its path by a wrong
-one of them therefore shows here, while the velocity through the air that is told shows nothing.
+Neither yaw, ground velocity nor wind enters. Where one of them is wrong and yaws the aircraft out
+of its path, these angles show it; the air velocity that is made of the three does not.
 """
 
 import math

@@ -1,9 +1,9 @@
 """Roll and pitch against the forces: lift and weight alone turn the velocity of an aeroplane.
 
 A wrong roll shows as a force across the fuselage; sideslip looks the same for a moment and is
-allowed for. A wrong pitch shows twice: as a lift that its angle of attack does not give, which a
-vertical wind does too, and as an acceleration along the path that thrust, drag and weight do not
-give, which errors of the model do too.
+allowed for. A wrong pitch shows twice: as a lift that does not belong to its angle of attack, as in
+a vertical wind, and as an acceleration along the path that thrust, drag and weight do not give, as
+with errors of the model.
 """
 
 import math
@@ -53,8 +53,8 @@ class LiftCheck(NamedTuple):
     age: float
     """Time since the first velocity [s]."""
     time: float
-    """Time for which one of them has been above its limit, times the square of how many times above
-    it [s]: gross errors are found sooner."""
+    """Time for which an error has been above its limit, weighted with the square of its ratio to
+    the limit [s], so that gross errors are found sooner."""
 
 
 with_velocity = replacing(LiftCheck, "v_n")
@@ -70,11 +70,11 @@ def first_lift(v_n: Vec3) -> LiftCheck:
 def follow_lift(
     s: LiftCheck, v_n: Vec3, state: FlightState, thrust: float, aircraft: Performance, dt: float
 ) -> LiftCheck:
-    """The check `dt` [s] later; younger than LIFT_TIME it has the means.
+    """The check `dt` [s] later; up to an age of LIFT_TIME its smoothed values are plain means.
 
     Args:
         s: the check at the step before.
-        v_n: told velocity over ground, NED [m/s], whose changes count; a jump shows no force.
+        v_n: reported velocity over ground, NED [m/s]; its change shows the force, unless it jumps.
         state: the state that is believed.
         thrust: thrust setpoint of the step before, 0 to 1.
         aircraft: its lift, thrust and drag.

@@ -19,8 +19,8 @@ factor of a level turn grows without bound."""
 
 
 FARTHEST_LEVEL = 1e6
-"""Distance from the plan above which the vehicle's level plane is taken for the plan's [m]; chosen.
-A flight so far away is not begun, so that it is a glitch, which must not tilt the attitude."""
+"""Distance from the plan above which the vehicle's level plane is taken to be the plan's [m];
+chosen. No flight is begun so far away: it is a glitch, which must not tilt the attitude."""
 
 
 class Measurement(NamedTuple):
@@ -98,7 +98,7 @@ def place_measured(m: Measurement, origin: Vec3) -> FlightState:
 
 @compiled
 def measured_in(m: Measurement, plane: TangentPlane) -> FlightState:
-    """The same in a tangent plane."""
+    """The state in a tangent plane at the time of the attitude, not predicted."""
     return place_in(_at_attitude(m, 0.0), plane)
 
 
@@ -110,7 +110,7 @@ def measured_position(measured: MeasurementTuple, origin: Vec3) -> Vec3:
 
 @compiled
 def distance_from(measured: MeasurementTuple, place: Vec3) -> float:
-    """Horizontal distance of a place from the position that is told in the local frame [m].
+    """Horizontal distance of a place from the measured position [m].
 
     The place is latitude, longitude [rad] and altitude [m].
     """

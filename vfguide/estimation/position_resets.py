@@ -16,8 +16,8 @@ RESET_DISTANCE = 2.0
 """Distance from the predicted position above which a step counts as a reset [m]; chosen above the
 noise of positions."""
 RESET_ACCELERATION = 10.0
-"""Growth of that distance with the square of the time step [m/s^2]; chosen as what an aircraft may
-deviate from a straight line."""
+"""Growth of the reset distance with the square of the time step [m/s^2]; chosen as what an aircraft
+may deviate from a straight line."""
 LONGEST_PAUSE = 1.0
 """Time between two steps above which no reset is looked for [s]; chosen."""
 HOLD_TIME = 0.5
@@ -61,10 +61,10 @@ def follow_resets(
     Args:
         jumps: resets at the step before.
         before: position that guidance used [m] and velocity [m/s] at the step before, NED.
-        told: the measured state.
+        told: the state of this step, before resets are let in slowly.
         dt: time step [s].
-        farther: time by which the state is predicted farther ahead than at the step before [s],
-            as where the delay of the link has changed; that moves the position, but is no jump.
+        farther: time by which the state is predicted farther ahead than at the step before [s]:
+            where the delay of the link has changed, the position moves, but has not jumped.
     """
     p_n, v_n = before
     if not 0.0 < dt < LONGEST_PAUSE:

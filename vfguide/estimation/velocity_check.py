@@ -1,7 +1,7 @@
-"""Ground velocity against the motion of the position: what moves must be seen to move.
+"""Ground velocity against the motion of the position, of which it must be the rate.
 
-The velocity to fly on is the told one plus a correction, as in a complementary filter: fast changes
-are the told ones, slow ones those of the position.
+The velocity to fly on is the reported one plus a correction, as in a complementary filter: fast
+changes are taken from the reported velocity, slow ones from the position.
 """
 
 from typing import NamedTuple
@@ -10,10 +10,11 @@ from vfguide.geometry.vector import ZERO, Vec3, add, norm, scale, sub
 from vfguide.kernels.compiled import compiled
 
 VELOCITY_JUMP = 3.0
-"""Change of the ground velocity in a step that counts as none of the aircraft [m/s]; chosen above
-the noise of velocities."""
+"""Change of the ground velocity in a step above which the aircraft has not made it [m/s]; chosen
+above the noise of velocities."""
 MOST_ACCELERATION = 30.0
-"""Growth of that change with the time step [m/s^2]; chosen as the most an aircraft accelerates."""
+"""Growth of `VELOCITY_JUMP` with the time step [m/s^2]; chosen as the most an aircraft
+accelerates."""
 POSITION_JUMP = 2.0
 """Motion of the position beyond the velocity that counts as a position reset [m]; chosen above the
 noise of positions."""
@@ -23,18 +24,18 @@ m/s."""
 VELOCITY_ERROR = 3.0
 """Error above which the ground velocity is doubted [m/s]; chosen above those of good estimators."""
 VELOCITY_AGREES = 1.5
-"""Error below which it is believed again [m/s]; chosen as hysteresis."""
+"""Error below which a doubted ground velocity is believed again [m/s]; chosen as hysteresis."""
 
 
 class VelocityCheck(NamedTuple):
-    """What was told last, and the error that it has shown."""
+    """What was reported last, and the error that it has shown."""
 
     p_n: Vec3
     """Position, NED [m]."""
     v_n: Vec3
     """Velocity over ground, NED [m/s]."""
     correction_n: Vec3
-    """Velocity of the position less the one told, smoothed, NED [m/s]."""
+    """Velocity of the position less the reported one, smoothed, NED [m/s]."""
     age: float
     """Time since the first position [s]."""
     is_doubted: bool
@@ -49,7 +50,7 @@ def first_velocity(p_n: Vec3, v_n: Vec3) -> VelocityCheck:
 
 @compiled
 def velocity_jumps(before_n: Vec3, v_n: Vec3, dt: float) -> bool:
-    """Whether no aircraft changes its velocity so much in `dt` [s], NED [m/s]."""
+    """Whether a velocity, NED [m/s], has changed more in `dt` [s] than an aircraft's can."""
     return norm(sub(v_n, before_n)) > VELOCITY_JUMP + MOST_ACCELERATION * dt
 
 
@@ -57,8 +58,8 @@ def velocity_jumps(before_n: Vec3, v_n: Vec3, dt: float) -> bool:
 def follow_velocity(s: VelocityCheck, p_n: Vec3, v_n: Vec3, dt: float) -> VelocityCheck:
     """The check `dt` [s] later, with the next position [m] and velocity [m/s], NED.
 
-    Younger than CORRECTION_TIME, the correction is the mean of all errors, and the noise of the
-    position is larger in it.
+    Up to an age of CORRECTION_TIME the correction is the plain mean of all errors. It has more of
+    the noise of the position then, so that its limit is wider.
     """
     correction, age = s.correction_n, s.age + dt
     if velocity_jumps(s.v_n, v_n, dt):

@@ -2,7 +2,7 @@
 
 No autopilot reports the vertical wind. The specific force gives the angle of attack; attitude and
 velocity give the angle of attack in level air. Their difference times the airspeed is the vertical
-wind, which is so known before the path bends.
+wind, which is known in this way before the path bends.
 
 Langelaan, Alley and Neidhoefer, Wind field estimation for small unmanned aerial vehicles, Journal
 of Guidance, Control, and Dynamics 34 (4), 2011: gusts from the difference of motion over ground and

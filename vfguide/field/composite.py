@@ -41,7 +41,7 @@ class Composite(NamedTuple):
     Omega_a: Vec3
     """Its body rates [rad/s]."""
     chi: Series
-    """Of each obstacle, (M,)."""
+    """chi of each obstacle, (M,)."""
 
 
 @compiled

@@ -93,7 +93,10 @@ def obstacle_rows(obstacles: Sequence[Obstacle]) -> Rows:
 
 
 def placed(obstacle: Obstacle) -> PlacedObstacle:
-    """The obstacle with its reach.
+    """The row of an obstacle, with its reach.
+
+    Where U <= c-bar, |x_i| <= a_i c-bar^(1 / (2 p_i)); the reach is the radius of the ball round
+    that box.
 
     Raises:
         ValueError: the reactive level is not above 1 or too high.

@@ -36,4 +36,4 @@ class FieldPoint(NamedTuple):
     Omega_a: Vec3
     """Body rates of R_a for the motion through the point [rad/s]; law flight: along the plan."""
     chi: tuple[float, ...]
-    """One of each obstacle; law flight: none."""
+    """chi of each obstacle; law flight: none."""

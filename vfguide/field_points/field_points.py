@@ -1,4 +1,4 @@
-"""The field of a scenario at points of one's own: `vfguide field`, and the same from Python.
+"""The field of a scenario at points that the user gives: `vfguide field`, and the same from Python.
 
 >>> loaded = load_scenario("paper/example-3")
 >>> vehicle = vehicle_of(loaded.scenario, 4)

@@ -36,7 +36,7 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
 
     Args:
         plan: the plan of the vehicle.
-        point: the point; of two plans that are equally short the one nearer to its velocity counts.
+        point: the point; of two equally short plans, the one nearer to its velocity is taken.
         wind_n: wind, blowing toward, NED [m/s].
 
     Raises:
@@ -74,7 +74,10 @@ def settled(around: Surroundings, start: Start) -> FieldPoint:
 
 
 def attitude_of(plan: Plan, azimuth: float, gamma: float, lift: Lift) -> Mat3:
-    """The attitude that flies along a direction [rad] with a lift; a rigid body needs none."""
+    """The attitude, body to NED, that flies along azimuth and path angle [rad] with a lift.
+
+    A rigid body points where it flies.
+    """
     aircraft, gains, is_point = plan.vehicle
     if is_point:
         return from_euler(lift.bank, gamma, azimuth)

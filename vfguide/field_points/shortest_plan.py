@@ -1,9 +1,9 @@
 """The shortest plan from a point: the course on which law `flight` would leave it.
 
-A plan depends on the course that one has already. The direction of a point is the one in which the
-shortest of its plans begins: courses all round are planned from, and from the best of them the
-course to which its first turn leads, until nothing is left of that turn. Where it does not vanish,
-as beside a goal that is nearer than a turn, the plan begins with it.
+A plan depends on the course that the vehicle has already, and a point gives none. So plans are made
+from courses all round, and the shortest is taken. Next, a plan is made from the course to which its
+first turn leads, and so on until it begins without a turn: that is the direction of the field.
+Where the turn does not vanish, as beside a goal nearer than a turn, the plan begins with it.
 """
 
 import math
@@ -110,9 +110,9 @@ def best_start(around: Surroundings, course: float) -> Start:
 
 
 def straightened(around: Surroundings, start: Start) -> Start:
-    """The plan from the course to which the first turn of a plan leads, as long as one is left.
+    """The plan that is left when a plan is made again and again from the end of its first turn.
 
-    The plan that is returned begins with a turn where that turn never vanishes.
+    It begins straight on, unless the turn never vanishes.
     """
     found = start
     for _ in range(DIRECTION_REFINEMENTS):
@@ -126,7 +126,7 @@ def straightened(around: Surroundings, start: Start) -> Start:
 
 
 def shortest_between(around: Surroundings, start: Start, width: float) -> Start:
-    """The shortest plan from courses within `width` [rad] of that of a plan: golden section."""
+    """The shortest plan from courses within `width` [rad] of that of `start`: golden section."""
     low, high, best = start.course - width, start.course + width, start
     for _ in range(DIRECTION_REFINEMENTS):
         left, right = (

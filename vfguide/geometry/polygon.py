@@ -33,7 +33,7 @@ def side_from(x0: float, y0: float, x1: float, y1: float, x: float, y: float) ->
 
 @compiled
 def signed_root(square: float, inside: bool) -> float:
-    """The distance of a square [m], negative inside."""
+    """Distance [m], negative inside, from its `square` [m^2]."""
     return -math.sqrt(square) if inside else math.sqrt(square)
 
 
@@ -41,8 +41,8 @@ def signed_root(square: float, inside: bool) -> float:
 def prism_distance(beside: float, above: float) -> float:
     """Distance from an upright body with sharp edges, a prism or a cylinder [m], negative inside.
 
-    `beside` is the horizontal distance from its outline, negative inside of it, and `above` the
-    vertical one from its nearer end, negative between both ends.
+    `beside` is the horizontal distance from its outline, negative inside it, and `above` the
+    vertical distance beyond the nearer of its two ends, negative between them [m].
     """
     if max(beside, above) <= 0.0:
         return max(beside, above)

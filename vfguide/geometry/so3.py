@@ -62,8 +62,8 @@ def from_quaternion(q: Quaternion) -> Mat3:
 def to_quaternion(R: Mat3) -> Quaternion:
     """Unit quaternion w, x, y, z of `R`, w >= 0.
 
-    Shepperd's method: each branch is q times four times its largest component, so that
-    nothing cancels.
+    S. W. Shepperd, Quaternion from Rotation Matrix, 1978: each branch is q times four times its
+    largest component, so that nothing cancels.
     """
     (a, b, c), (d, e, f), (g, h, i) = R
     ww, xx, yy, zz = 1.0 + a + e + i, 1.0 + a - e - i, 1.0 - a + e - i, 1.0 - a - e + i

@@ -20,5 +20,5 @@ def horizontal_norm(a_n: Vec3) -> float:
 
 @compiled
 def path_of(air: Vec3, speed: float) -> float:
-    """Path angle of a velocity, NED, at the `speed` through the air [m/s]; up positive [rad]."""
+    """Path angle of an air velocity, NED, whose length is `speed` [m/s]: [rad], up positive."""
     return math.asin(max(-1.0, min(1.0, -air[2] / speed)))

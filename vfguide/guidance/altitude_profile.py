@@ -22,9 +22,9 @@ GENTLE_SLOPE = 0.06
 """Slope dh/ds with which a larger height error is reduced far from the goal, dimensionless;
 chosen."""
 WAIT_DISTANCE = 8.0
-"""Length of path before the last half of LINE_UP on which GENTLE_SLOPE has to reduce a height above
-the profile to zero [turn lengths]; height is kept until then, because sinking air may take it.
-Tuned with `tools/measure_avoidance.py`."""
+"""Length of path, before the last half of LINE_UP, on which GENTLE_SLOPE takes off height above the
+profile [turn lengths]; farther away that height is kept, because sinking air may take it. Tuned
+with `tools/measure_avoidance.py`."""
 LEAST_GROUNDSPEED_SHARE = 0.2
 """Share of the airspeed below which the groundspeed counts as that share; chosen, so that slopes
 stay finite where the wind stops the vehicle."""
@@ -60,7 +60,7 @@ def plan_slope(
         wanted = -2.0 * height / (LOITER_HORIZON * turn_length(airspeed))
     else:
         wanted = goal_slope(height, remaining, target.slope, turn_length(airspeed))
-    up = airspeed_over_ground(state.airspeed, groundspeed)
+    up = airspeed_to_groundspeed(state.airspeed, groundspeed)
     steepest = steepest_path(wanted, radius_factor, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
     change = SLOPE_RATE / airspeed * dt
@@ -78,8 +78,11 @@ def steepest_path(
 
 
 @compiled
-def airspeed_over_ground(airspeed: float, groundspeed: float) -> float:
-    """Ratio of airspeed to groundspeed [m/s each], bounded where the wind stops the vehicle."""
+def airspeed_to_groundspeed(airspeed: float, groundspeed: float) -> float:
+    """Ratio of the airspeed to the groundspeed, bounded where the wind stops the vehicle.
+
+    It turns the sine of a path angle through the air into a slope over ground.
+    """
     return airspeed / max(groundspeed, LEAST_GROUNDSPEED_SHARE * airspeed, 1e-3)
 
 

@@ -126,8 +126,8 @@ def wanted_slope(
 def sparing_bank(bank: float, missing: float) -> float:
     """The largest bank where the climb near the floor falls short [rad].
 
-    Air that sinks faster than the aircraft climbs is left with level wings: a turn takes thrust,
-    and another may have to follow it.
+    The aircraft leaves air that sinks faster than it climbs with level wings: a turn takes thrust,
+    and has to be turned back later.
 
     Args:
         bank: largest bank elsewhere [rad].

@@ -23,8 +23,8 @@ LATERAL_FEEDBACK = 12.0
 """Largest lateral acceleration that the feedback of the azimuth commands [m/s^2], about that of a
 turn at 50 degrees of bank; chosen."""
 OPPOSITE_ERROR = 2.5
-"""Azimuth error above which a turn goes on to its present side [rad]; chosen, so that a goal behind
-is not turned to from both sides in turn."""
+"""Azimuth error above which a turn goes on to its present side [rad]; chosen, so that the turn to a
+goal behind does not change sides again and again."""
 
 
 @compiled

@@ -1,12 +1,12 @@
 """The one way this project compiles a function.
 
-A function that compiled code calls becomes a part of its caller: it needs no machine code of its
-own, nor the code that takes Python objects apart. A function that Python calls gets both, and its
-machine code is cached on disk with all its parts in it. Only what is called so is compiled so,
-which takes a third less time than numba's own way of making every function complete.
+A function has two forms. The one that compiled code calls is a part of its caller and cannot take
+Python objects. The one that Python calls can, and its machine code holds that of all the functions
+that it calls. Each form is compiled when it is first needed and kept on disk. numba would make
+both forms of every function, which takes half as much time again.
 
-The cache folder is named after the text of every compiled module, so that a change in one makes
-all the cached machine code stale at once, for a function holds those that it calls.
+The cache folder is named after the text of every compiled module: a function holds those that it
+calls, so a change in one module has to make all the cached machine code stale.
 """
 
 import hashlib
@@ -40,7 +40,10 @@ def cache_folder() -> Path:
 
 
 def cache_home() -> Path:
-    """Where programs keep what they can make anew; without a home, a path that cannot be made."""
+    """The user's cache folder (XDG Base Directory Specification).
+
+    Without a home directory it is a path that cannot be created, so that nothing is kept.
+    """
     if named := os.environ.get("XDG_CACHE_HOME"):
         return Path(named)
     try:
@@ -50,7 +53,7 @@ def cache_home() -> Path:
 
 
 class EntryPoint(CPUDispatcher):
-    """A function compiled for calls from Python, and the same as a part of its callers."""
+    """A function compiled for calls from Python; its `part` is the form for compiled callers."""
 
     def __init__(self, function: Callable[..., Any], source: Callable[..., Any] | None) -> None:
         """Nothing is compiled before the first call.
@@ -66,7 +69,7 @@ class EntryPoint(CPUDispatcher):
 
     @cached_property
     def part(self) -> Any:
-        """What compiled code calls; Python must not."""
+        """The form that compiled code calls; Python must not call it."""
         njit: Any = numba.njit
         part = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(self.py_func)
         if self.source is not None:
@@ -76,28 +79,28 @@ class EntryPoint(CPUDispatcher):
 
 @typeof_impl.register(EntryPoint)
 def typeof_entry_point(function: EntryPoint, context: object) -> types.Dispatcher:
-    """What compiled code takes such a function for."""
+    """The type in numba of an entry point that compiled code names: that of its `part`."""
     return types.Dispatcher(function.part)
 
 
 def compiled(function: Callable[P, T]) -> Callable[P, T]:
     """Compile `function` with numba on its first call; the machine code is cached on disk.
 
-    It must not call itself.
+    `function` must not be recursive.
     """
     return cast("Callable[P, T]", EntryPoint(function, function))
 
 
 def is_kept(function: object) -> bool:
-    """Whether the machine code of what numba compiles is kept from one start to the next."""
+    """Whether the machine code of `function` is kept from one start to the next."""
     return isinstance(getattr(function, "_cache", None), MachineCode)
 
 
 def compiled_source(
     function: Callable[P, T], source: Callable[..., Any] | None = None
 ) -> Callable[P, T]:
-    """The same for a function without a file, whose machine code is not cached.
+    """Compile, as `compiled` does, a function that was made from text and has no file.
 
-    With a `source`, the function that it is made from and that has a file, it is.
+    Its machine code is cached only with a `source`: the function it was made from, which has one.
     """
     return cast("Callable[P, T]", EntryPoint(function, source))

@@ -1,8 +1,8 @@
 """Machine code that is kept on disk from one start to the next: a convenience, never a condition.
 
 One file holds one compiled function for one signature and one kind of processor. It begins with
-the digest of the rest, so that a damaged file is known for one before anything in it is loaded,
-and it appears whole or not at all, so that programs that start together may share the folder.
+the digest of the rest, so that a damaged file is recognised before anything in it is loaded, and
+it appears whole or not at all, so that programs that start together may share the folder.
 Whatever is wrong with a file or the folder costs the time to compile, and one warning.
 """
 
@@ -25,7 +25,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 DIGEST_BYTES = 32
-"""Length of a SHA-256 digest, a number of bytes (FIPS 180-4)."""
+"""Length of a SHA-256 digest [bytes] (FIPS 180-4)."""
 
 
 class MachineCodeWarning(UserWarning):
@@ -62,10 +62,10 @@ class MachineCode(FunctionCache):
         return str(self._folder)
 
     def flush(self) -> None:
-        """Numba's request to forget everything, which nothing here makes."""
+        """Do nothing: part of numba's interface, to forget all machine code; nothing calls it."""
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """The function as it was compiled for a signature; None: it has to be compiled."""
+        """The function as it was compiled for a signature; None if it has to be compiled."""
         target_context.refresh()
         key = self._key(sig, target_context.codegen())
         path = self._path(key)
@@ -93,7 +93,7 @@ class MachineCode(FunctionCache):
             warn_of_folder(self._folder, error.strerror or str(error))
 
     def _key(self, sig: Any, codegen: Any) -> Any:
-        """All that the machine code depends on beside the folder: signature, processor, source."""
+        """All that the machine code depends on besides the folder: signature, processor, source."""
         return (*self._index_key(sig, codegen), self._made_of)
 
     def _path(self, key: Any) -> Path:
@@ -102,7 +102,7 @@ class MachineCode(FunctionCache):
 
 
 VERSIONS = (numba.__version__, llvmlite.__version__, sys.version)
-"""What compiles, whose machine code and pickles no other version can use."""
+"""Versions of numba, llvmlite and Python; others cannot use their machine code and pickles."""
 
 
 def packed(key: Any, kept: Any) -> bytes:
@@ -117,7 +117,7 @@ def is_whole(content: bytes) -> bool:
 
 
 def unpacked(content: bytes, key: Any) -> Any:
-    """What was packed with `key`; None: with another one."""
+    """What was packed with `key`; None if the file holds another key."""
     # The digest tells damage, not malice: the folder is the user's own, as numba's cache is.
     found, kept = pickle.loads(content[DIGEST_BYTES:])  # noqa: S301
     return kept if found == key else None
@@ -141,14 +141,14 @@ def write_whole(path: Path, content: bytes) -> None:
 
 
 def source_digest(function: Callable[..., Any]) -> str:
-    """Of the text of the file that holds a function; empty for one without a file."""
+    """Digest of the file that holds a function, hexadecimal; empty for one without a file."""
     file = inspect.getsourcefile(function)
     return digest_of_file(file) if file is not None and Path(file).exists() else ""
 
 
 @functools.cache
 def digest_of_file(file: str) -> str:
-    """Of the text of a file, as it is at the start."""
+    """SHA-256 digest of a file, hexadecimal, as it was when it was first asked for."""
     return hashlib.sha256(Path(file).read_bytes()).hexdigest()
 
 

@@ -30,11 +30,14 @@ class Points(NamedTuple):
     rows: Any
     """All points, or one that stands for all."""
     step: int
-    """From one point to the next, 1 or 0."""
+    """Rows from one point to the next: 1, or 0 where one row stands for all points."""
 
 
 def over_points(layout: str) -> Callable[[Callable[..., None]], Callable[..., Any]]:
-    """Make a kernel, whose last argument is what it fills, a function of arrays of floats."""
+    """A decorator that makes a kernel a function of arrays, which returns the array of results.
+
+    The kernel's last argument is the array that it fills at one point.
+    """
     axes = parsed(layout)
 
     def decorate(kernel: Callable[..., None]) -> Callable[..., Any]:
@@ -99,7 +102,7 @@ def points_of(array: Any, lead: tuple[int, ...], last: int) -> Points:
 
 
 def loop_over(kernel: Callable[..., None], inputs: int) -> Callable[..., None]:
-    """A compiled loop of a kernel over rows of points, and the step of each argument."""
+    """A compiled loop of a kernel over points; it takes the rows and the step of each input."""
     name = re.sub(r"\W+", "_", f"over_points_{kernel.__module__}_{kernel.__qualname__}")
     names = [f"a{index}" for index in range(inputs)]
     arguments = ", ".join(f"{each}, {each}_step" for each in names)

@@ -1,4 +1,4 @@
-"""Functions that the program makes: of a source that it writes, and constructors of records."""
+"""Functions that the program makes itself: from source text, and constructors of records."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -14,8 +14,8 @@ def source_function(source: str, name: str, scope: dict[str, Any]) -> Any:
 
 
 def maker(kind: type[T]) -> Callable[[Iterable[Any]], T]:
-    """A function that makes a named tuple of its values, whose number it does not check.
+    """A fast constructor of a named tuple from its values; it does not check how many there are.
 
-    A third of the time of the class called by its name: for records that are made at every step.
+    It takes a third of the time of a call of the class, for records that are made at every step.
     """
     return partial(tuple.__new__, kind)

@@ -33,7 +33,7 @@ def once_more(attempts: Attempts) -> Attempts:
 
 @compiled
 def gives_up(attempts: Attempts, goal: Goal) -> bool:
-    """Whether the goal was missed `attempts` times; never if that is 0."""
+    """Whether the goal was missed as often as it may be, `goal.attempts`; never if that is 0."""
     return 0 < goal.attempts <= attempts.missed
 
 

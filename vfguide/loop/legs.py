@@ -46,7 +46,10 @@ read_leg = reader(MissionLeg)
 
 
 def leg_rows(goals: Sequence[Goal], loiter_side: float, loiter_radius: float) -> Legs:
-    """The legs to all goals, and the level circle that leaves the last one."""
+    """The legs to all goals, and the level circle that leaves the last one.
+
+    The circle turns to `loiter_side`, +1 right or -1 left, with `loiter_radius` [m].
+    """
     to_goals = [MissionLeg(goal, math.tan(goal.climb), 0.0, 0.0) for goal in goals]
     circle = MissionLeg(goals[-1], 0.0, loiter_side, loiter_radius)
     return table_of(MissionLeg, [*to_goals, circle])

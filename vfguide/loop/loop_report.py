@@ -59,13 +59,13 @@ class Noted(NamedTuple):
     margin: float
     """Least clearance along its escape [m]."""
     conflict: float
-    """Time until the held command would hit a hazard [s]; infinite if never."""
+    """Time until the command, if held, would hit a hazard [s]; infinite if never."""
     hazard: float
     """Number of that hazard; -1 for none."""
 
 
 class Doubts(NamedTuple):
-    """For how long each thing that the autopilot tells has been doubted [s]; 0: it is believed."""
+    """For how long each thing that the autopilot reports is doubted [s]; 0: it is believed."""
 
     yaw: float
     velocity: float
@@ -87,9 +87,9 @@ def doubts_of_row(row: Row) -> Doubts:
 
 @compiled
 def changes(before: Row, after: Row) -> tuple[bool, bool]:
-    """Whether anything is or was doubted, and whether `has_news`: what a step may have to tell.
+    """Whether anything is or was doubted, and `has_news`: whether there is anything to annunciate.
 
-    One call of compiled code for each step takes less time than `doubts_of_row`.
+    This one call of compiled code at each step takes less time than `doubts_of_row`.
     """
     return is_in_doubt(after) or is_in_doubt(before), has_news(before, after)
 
@@ -114,7 +114,7 @@ def air_report(row: Row) -> AirReport:
 
 @compiled
 def noted_numbers(row: Row) -> tuple[float, ...]:
-    """The numbers of `Noted`, (9,): one call of compiled code, and no names, for each update."""
+    """The numbers of `Noted` in one call of compiled code, a plain tuple: made at every update."""
     air, decision = report_air(_air(row)), _decision(row)
     return (
         air.wind_north,

@@ -25,7 +25,7 @@ class Progress(NamedTuple):
     flown: float
     """Distance over ground since then [m]."""
     alarmed: bool
-    """Whether it has flown a full circle more than those paths need to come nearer."""
+    """Whether it has flown farther without progress than a full circle and `longest` - `least`."""
 
 
 @compiled

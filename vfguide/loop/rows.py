@@ -41,7 +41,7 @@ def step_measured(
         before: a `LoopState`.
         legs: legs of the mission.
         airspace: the hazards, from `unnested_airspace`, or None.
-        law: the law that guides, as of `crossing`.
+        law: the law that guides, as `crossing` gives it.
         vehicle: a `Vehicle`.
 
     Returns:

@@ -38,7 +38,7 @@ class LoopState(NamedTuple):
 
 read_state, write_state = reader(LoopState), writer(LoopState)
 state_of_row = python_reader(LoopState)
-"""The same as `read_state` in Python; its arrays are views of the row."""
+"""Reader of the row of a `LoopState` in Python; its arrays are views of the row."""
 _numbers = flattener(LoopState)
 
 
@@ -78,14 +78,17 @@ def leave_goal(s: LoopState) -> LoopState:
 
 
 def watching(before: Row, after: Row) -> Row:
-    """The row of a state while the autopilot does not follow: of a step only doubts are kept."""
+    """The row `before`, with the doubts of the step that led to `after`.
+
+    No more of a step is kept while the autopilot does not follow setpoints.
+    """
     s, estimation = state_of_row(before), state_of_row(after).estimation
     kept = s.estimation._replace(consistency=estimation.consistency)
     return row_of_state(s._replace(estimation=kept))
 
 
 def take_over(s: LoopState) -> LoopState:
-    """The state when the autopilot begins to follow: mission, air and doubts are kept."""
+    """The state when the autopilot begins to follow setpoints: mission, air and doubts are kept."""
     estimation = fresh_estimation()._replace(
         air=s.estimation.air, consistency=s.estimation.consistency
     )

@@ -122,7 +122,7 @@ def line_course(at: Planar, line: Pose, width: float) -> Course:
 
 @compiled
 def loiter_course(at: Planar, side: float, radius: float) -> Course:
-    """Course onto a circle around the origin, which converges without turning more tightly.
+    """Course onto a circle around the origin that never turns more tightly than the circle.
 
     `side` is +1 for a circle to the right, -1 to the left; `radius` is in m.
     """

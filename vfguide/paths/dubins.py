@@ -16,8 +16,8 @@ from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import reader, writer
 
 CLOSED_TURN = 0.1
-"""Largest angle missing to a full circle at which a turn counts as none [rad], chosen: a step
-earlier the turn was none."""
+"""Largest angle missing to a full circle at which a turn counts as none [rad]; chosen: it is a turn
+that was complete a step earlier, and has been flown a little too far."""
 
 SHORT_LAST_TURN = 1.1
 """Angle below which a last turn is too short for the course to settle [rad]; chosen."""
@@ -53,7 +53,7 @@ def length_of(path: DubinsPath) -> float:
 
 @compiled
 def turn_of(angle: float) -> float:
-    """The angle of a turn, taken between 0 and a full circle [rad]."""
+    """The angle of a turn between 0 and a full circle [rad]; 0 within CLOSED_TURN of a circle."""
     turned = angle % FULL_TURN
     return 0.0 if turned > FULL_TURN - CLOSED_TURN else turned
 

@@ -12,16 +12,16 @@ from vfguide.paths.leg import Leg
 from vfguide.paths.path_progress import TURN_IN
 
 START_DEPTH = 0.045
-"""Largest depth inside the circles in which the field is too tight at which a leg starts in the
+"""Largest depth, inside the circles where the field turns too tightly, at which a leg starts in the
 field [turn radii]; chosen."""
 CAPTURE_DEPTH = 0.1
-"""Largest depth inside those circles at which the field is captured from a path, and kept [turn
-radii]; chosen larger, as hysteresis."""
+"""Largest depth, inside the circles where the field turns too tightly, at which the field is
+captured from a path, and kept [turn radii]; chosen larger than `START_DEPTH`, as hysteresis."""
 CAPTURE_ANGLE = 0.14
 """Largest angle between the course and the field at which the field is captured from a path [rad];
 tuned with `tools/measure_poses.py`, so that turns onto the final approach begin in time."""
 STRAY_ANGLE = 2.0
-"""Angle between the course and the field above which the field is left, away from the goal [rad];
+"""Angle between the course and the field above which the field is left, except near the goal [rad];
 chosen."""
 GOAL_COURSE_ANGLE = 1.2
 """Angle between the course and the goal's below which the field is kept near the goal, whatever its
@@ -38,9 +38,9 @@ LINE_ANGLE = 0.05
 """Largest angle between the course and the final approach at which a leg starts on it [rad];
 chosen."""
 ROLL_OUT_FACTOR = 5.0
-"""Factor by which distance and angle may be larger at the end of a path, where the vehicle rolls
-out onto the final approach; chosen: a path that ends beside it by 5 % of the radius goes on along
-it."""
+"""Factor by which line distance and line angle may be larger at the end of a path, where the
+vehicle rolls out onto the final approach; chosen: a path that ends up to 5 % of the radius beside
+the final approach goes on along it."""
 
 
 @compiled

@@ -51,9 +51,9 @@ def new_leg() -> Leg:
 
 @compiled
 def keep_radius(leg: Leg, radius: float) -> Leg:
-    """The leg with turns of `radius` [m], which is changed only for a large difference.
+    """The leg with turns of `radius` [m] if that differs much from its own; else unchanged.
 
-    A leg on a path is planned anew then.
+    A leg on a path is planned anew with the other radius.
     """
     change = NEW_RADIUS_CHANGE if leg.phase == NEW else FLOWN_RADIUS_CHANGE
     if leg.radius < change * radius and radius <= change * leg.radius:

@@ -24,8 +24,8 @@ from vfguide.paths.path_progress import (
 OFF_PATH = 0.5
 """Distance beside its path above which a leg is planned anew [turn radii]; chosen."""
 BREAK_OFF = 0.9
-"""Share of the length that the change of height takes below which a path is planned anew;
-chosen."""
+"""Share of the path length that the change of height takes: a path with less of it left is planned
+anew; chosen."""
 
 
 @compiled

@@ -105,7 +105,7 @@ def about(turn: Turn, at: Planar) -> Planar:
 def segment_left(progress: PathProgress, at: Planar) -> float:
     """Rest of the present segment: angle of a turn [rad], length of a straight [turn radii].
 
-    The number of full circles is that of the step before.
+    The number of full circles still to be flown is that of the step before.
     """
     if is_straight(progress):
         travelled, _ = on_straight(progress, at)

@@ -14,7 +14,8 @@ from vfguide.paths.dubins import length_of, shortest_path
 OUTBOUND_TURNS = 4
 """Number of turns to either side that are tried before an outbound straight; chosen."""
 OUTBOUND_TURN = 0.55
-"""Difference between two of those turns [rad]; chosen, so that they reach 126 degrees."""
+"""Difference between two turns that are tried before an outbound straight [rad]; chosen, so that
+the largest is 126 degrees."""
 STRIDE = 0.1
 """Step of the lengths of straights that are tried [turn radii]; chosen."""
 STRIDES = 100
@@ -73,8 +74,9 @@ def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tu
 def outbound_length(begin: Pose, radius: float, distance_for_altitude: float) -> float:
     """Length of the shortest outbound straight, with the path after it, that suffices [m].
 
-    It is infinite where none of STRIDES lengths does, as far from the origin with the course
-    towards it.
+    It starts at `begin`; the path is that to the origin, with turns of `radius` [m]. Both together
+    must be as long as `distance_for_altitude` [m]. It is infinite where none of STRIDES lengths is
+    enough, as far from the origin with the course towards it.
     """
     for k in range(STRIDES):
         straight = STRIDE * radius * k

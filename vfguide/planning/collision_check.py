@@ -44,7 +44,7 @@ class Task(NamedTuple):
 
 
 class Demand(NamedTuple):
-    """Clearance that is wanted, less around the ends if there is less."""
+    """Clearance that is wanted; around the ends less suffices, where there is no more."""
 
     wanted: float
     """Clearance along the route [m]."""

@@ -1,7 +1,7 @@
 """Overflight: over the obstacles that block the route, instead of around them.
 
 The route stays as it is. The vehicle climbs before the obstacles, keeps that level, and flies to
-the goal's height after them. Moving obstacles are not passed so.
+the goal's height after them. It does not fly over moving obstacles.
 """
 
 import math
@@ -29,8 +29,8 @@ ENOUGH_SLOPE_SHARE = 0.9
 """Share of the steepest path with which a change of height must still be possible during the
 flight; chosen larger, since the estimated wind changes."""
 GOAL_HEIGHT_LEAD = 3.0
-"""Length of path before the goal on which its height is flown to in any case [turn lengths];
-chosen."""
+"""Length of path by which the change to the goal's height starts earlier than it has to [turn
+lengths]; chosen."""
 HEIGHT_COST = 1.0
 """Ratio of the cost of a metre of height, up or down, to that of a metre of path; chosen: a climb
 costs airspeed and thrust, most of which a descent returns."""
@@ -62,7 +62,7 @@ class AltitudePlan(NamedTuple):
 def altitude_plan_by(
     level: float, state: FlightState, target: GuidanceTarget, aircraft: Performance, gains: Gains
 ) -> AltitudePlan:
-    """The altitude plan of a route by a level (z of NED [m]), as it is planned."""
+    """The altitude plan of a route that is planned now, by a level (z of NED [m])."""
     here, goal = state.p_n, target.p_n
     rise = change_length(here[2] - level, PLANNED_SLOPE_SHARE, state.wind_n, aircraft, gains)
     fall = change_length(level - goal[2], PLANNED_SLOPE_SHARE, state.wind_n, aircraft, gains)
@@ -80,7 +80,7 @@ def altitude_plan_left(
     aircraft: Performance,
     gains: Gains,
 ) -> AltitudePlan:
-    """The altitude plan of the rest of a route whose level was planned with a `fall` [m]."""
+    """The altitude plan of the rest of a route that was planned with a level and a `fall` [m]."""
     rise = change_length(state.p_n[2] - level, ENOUGH_SLOPE_SHARE, state.wind_n, aircraft, gains)
     return AltitudePlan(state.p_n, target.p_n, level, rise, fall)
 
@@ -214,7 +214,7 @@ def cost_of(level: float, here: float, goal: float) -> float:
 def aim_at(level: float, fall: float, target: GuidanceTarget, remaining: float) -> GuidanceTarget:
     """The target whose height is flown to: the level until `remaining` is less than the fall [m].
 
-    The level is kept as on a circle.
+    A level is held like that of a circle.
     """
     if math.isinf(level) or target.circle != 0.0 or remaining <= fall:
         return target

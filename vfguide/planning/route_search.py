@@ -15,8 +15,8 @@ from vfguide.planning.graph_search import search
 from vfguide.planning.shortcutting import shortened
 
 CLEARANCES = (25.0, 18.0, 12.0, 8.0, 5.0)
-"""Clearances that are tried one after the other [m]; chosen, the first twice the margin of the
-assurance."""
+"""Clearances that are tried one after the other [m]; chosen, the first about twice the margin of
+the assurance."""
 EFFORTS = (3500, 1500, 2500, 2500, 1000)
 """Largest number of Dubins paths that are computed for each clearance, see `search`; chosen for the
 time of a step."""
@@ -24,9 +24,11 @@ LONG_ROUTE = 1.4
 """Ratio of the length of a route to the one without hazards above which less clearance is tried
 too; chosen."""
 GATE = 2
-"""Index of that clearance in CLEARANCES, with which gates are flown through."""
+"""Index in CLEARANCES of the clearance that is tried too where the route is long: it lets a route
+through gaps between obstacles."""
 GATE_RATIO = 0.75
-"""Ratio of its length to that of the route below which the narrower route is taken; chosen."""
+"""Ratio of the length of a route through a gap to that of the long one below which it is taken;
+chosen."""
 
 
 class FoundRoute(NamedTuple):

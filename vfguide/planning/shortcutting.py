@@ -1,4 +1,7 @@
-"""Shortcutting: leaves tangent poses of a route out, and slides those that are left."""
+"""Shortcutting: leaves tangent poses of a route out, and slides those that are left.
+
+R. Geraerts and M. H. Overmars, Creating High-quality Paths for Motion Planning, 2007.
+"""
 
 import math
 

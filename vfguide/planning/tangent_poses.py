@@ -17,7 +17,8 @@ BEARINGS = 16
 CORNER_BEARINGS = 5
 """Number of directions in which a route may pass a corner of a fence; chosen."""
 CORNER_FAN = 0.45
-"""Angle between the first of those directions and the bisector of the corner [rad]; chosen."""
+"""Angle between the bisector of a corner of a fence and the outermost direction in which a route
+may pass it [rad]; chosen."""
 EXTRA_CLEARANCE = 1.0
 """Clearance of tangent poses beyond the one that the collision check asks for [m]; chosen."""
 STRAIGHTS = 0.0, 1.0, 2.0
@@ -45,7 +46,7 @@ def support(zone: KeepOutZone, sides: Rows, nx: float, ny: float) -> tuple[float
 
 @compiled
 def checked(wanted: float) -> float:
-    """Clearance that the collision check asks for where `wanted` is wanted [m]."""
+    """Clearance that a point needs to pass the collision check for a clearance `wanted` [m]."""
     return wanted + 0.5 * STEP_SHARE * wanted
 
 
@@ -59,9 +60,10 @@ def add_tangent_pose(
     course: float,
     wanted: float,
 ) -> int:
-    """Adds a pose and the opposite one where they are clear of all hazards that do not move.
+    """Adds the pose at (x, y) [m] on a course [rad], and the opposite one, where they are clear.
 
-    Returns the number of poses.
+    They are where all hazards that do not move are farther than the clearance `wanted` [m], with
+    the reserve of the collision check. Returns the number of poses.
     """
     if clearance_at_rest(hazards, x, y) < checked(wanted) or used + 2 > len(tangents):
         return used
@@ -118,7 +120,10 @@ def round_corners(hazards: KeepOutZones, i: int, wanted: float, tangents: Poses,
 
 @compiled
 def outward(bx: float, by: float, ax: float, ay: float, sign: float) -> float:
-    """Bearing [rad] away from the polygon at a corner of two sides (inwards for `KEEP_IN`)."""
+    """Bearing [rad] away from a polygon along the bisector of a corner (inwards for `KEEP_IN`).
+
+    (bx, by) is the side before the corner, (ax, ay) the one after it [m].
+    """
     before, after = math.hypot(bx, by), math.hypot(ax, ay)
     tx, ty = bx / before + ax / after, by / before + ay / after
     return math.atan2(-sign * tx, sign * ty)

@@ -16,7 +16,8 @@ LOOKS = 5
 """Number of the last looks that an alert depends on: N of the M-of-N filter of NASA DAIDALUS, the
 reference implementation of DO-365; chosen."""
 ENOUGH = 3
-"""Number of those looks with a conflict at which an alert begins: M of that filter; chosen."""
+"""Number of the last looks with a conflict at which an alert begins: M of the M-of-N filter;
+chosen."""
 RELEASE_FACTOR = 1.5
 """Factor of the volume whose conflicts keep an alert on; chosen as hysteresis."""
 
@@ -60,7 +61,7 @@ def encounter(x_n: Vec3, v_n: Vec3, radius: float, half_height: float) -> Encoun
 
 
 def _beside(x_n: Vec3, v_n: Vec3, radius: float) -> tuple[float, float]:
-    """First and last time within `radius` horizontally [s]; never if the first is later."""
+    """First and last time within `radius` horizontally [s]; where never, the first is later."""
     a = v_n[0] * v_n[0] + v_n[1] * v_n[1]
     b = x_n[0] * v_n[0] + x_n[1] * v_n[1]
     c = x_n[0] * x_n[0] + x_n[1] * x_n[1] - radius * radius
@@ -73,7 +74,7 @@ def _beside(x_n: Vec3, v_n: Vec3, radius: float) -> tuple[float, float]:
 
 
 def _level(z: float, v_z: float, half_height: float) -> tuple[float, float]:
-    """First and last time within `half_height` vertically [s]; never if the first is later."""
+    """First and last time within `half_height` vertically [s]; where never, the first is later."""
     if abs(v_z) < 1e-9:
         return (-math.inf, math.inf) if abs(z) <= half_height else (math.inf, -math.inf)
     one, other = (-half_height - z) / v_z, (half_height - z) / v_z

@@ -1,4 +1,4 @@
-"""Velocity of an aircraft from where it was, where it reports none, or one that it does not fly.
+"""Velocity of an aircraft, derived from its positions where it reports none, or a wrong one.
 
 Receivers are known that call a velocity valid which they do not have: north, or zero.
 """
@@ -19,15 +19,15 @@ POSITION_STEP = 20.0
 HEIGHT_STEP = 8.0
 """Error of the difference of two reported heights [m]; chosen, the 25 ft in which they come."""
 CONTRADICTION_TIME = 2.0
-"""Least time over which told velocities are compared with positions [s]; chosen."""
+"""Least time over which reported velocities are compared with positions [s]; chosen."""
 REPORT_DELAY = 3.0
 """Error of the time between two reports that does not count against a velocity [s]; chosen, since
 receivers pass reports on up to 3 s late."""
 PLACE_MISS = 30.0
-"""Distance that told velocities may miss a later position by [m]; chosen above errors of 10 m in
-each of two reports."""
+"""Distance by which reported velocities may miss a later position [m]; chosen above errors of 10 m
+in each of two reports."""
 CLIMB_MISS = 16.0
-"""Height that told vertical speeds may miss a later height by [m]; chosen, two steps of
+"""Height by which reported vertical speeds may miss a later height [m]; chosen, two steps of
 heights."""
 
 
@@ -38,9 +38,9 @@ def past_reports(before: Sequence[Report], report: Report) -> tuple[Report, ...]
 
 
 def with_derived_velocity(report: Report, past: Sequence[Report], volume: Volume) -> Report:
-    """The report with a velocity from the oldest of the past ones, where it tells no right one.
+    """The report with a velocity derived from the oldest past one, where its own is none or wrong.
 
-    Its doubt grows by the error of that velocity instead of that of a standing aircraft.
+    Its volume grows by the error of that velocity, not by ASSUMED_SPEED or ASSUMED_CLIMB.
     """
     time = elapsed(past[0].time_ms, report.time_ms) if past else 0.0
     if time < LEAST_PAST_TIME:
@@ -66,7 +66,7 @@ def with_derived_velocity(report: Report, past: Sequence[Report], volume: Volume
 
 
 def miss_of_velocity(report: Report, past: Sequence[Report]) -> float:
-    """Distance by which the told velocities, since the oldest report, miss the newest place [m].
+    """Distance by which the reported velocities since the oldest report miss the newest place [m].
 
     The time between the two may be wrong by REPORT_DELAY, but not negative.
     """
@@ -80,22 +80,22 @@ def miss_of_velocity(report: Report, past: Sequence[Report]) -> float:
 
 
 def allowed_miss(report: Report, past: Sequence[Report]) -> float:
-    """The miss of told velocities up to which they are right [m].
+    """The miss of reported velocities up to which they are believed [m].
 
-    In a turn, a wrong time moves a place by as much as the velocity has changed since.
+    In a turn, an error of the time moves the place by that time, times the change of the velocity.
     """
     turned = sub(report.intruder.v_n, past[0].intruder.v_n)
     return PLACE_MISS + REPORT_DELAY * norm(level(turned))
 
 
 def miss_of_climb(report: Report, past: Sequence[Report]) -> float:
-    """Height by which the told vertical speeds, since the oldest report, miss the newest [m]."""
+    """Height by which the reported vertical speeds since the oldest report miss the newest [m]."""
     moved = sub(report.intruder.p_n, past[0].intruder.p_n)
     return abs(moved[2] - told_motion(report, past)[2])
 
 
 def told_motion(report: Report, past: Sequence[Report]) -> Vec3:
-    """The motion since the oldest report by the told velocities, trapezoids, NED [m]."""
+    """The motion since the oldest report by the reported velocities (trapezoidal rule), NED [m]."""
     motion = (0.0, 0.0, 0.0)
     for one, after in pairwise((*past, report)):
         half = 0.5 * elapsed(one.time_ms, after.time_ms)

@@ -8,8 +8,8 @@ from vfguide.link.plausibility import LARGEST_UNDULATION
 from vfguide.surveillance.heights import HeightDatum, is_by_pressure, weather
 
 ANSWER_TIME = 3.0
-"""Time from the first report that needs it within which the autopilot may tell its pressure, which
-is asked for then, or its height above the ellipsoid [s]; chosen."""
+"""Time that the autopilot has, from the first report that cannot be compared, to report its
+pressure, which is asked for then, or its height above the ellipsoid [s]; chosen."""
 NO_PRESSURE = (
     "the autopilot tells no pressure (SCALED_PRESSURE): traffic that reports a pressure altitude "
     "is kept clear of from {below:.0f} m below it to {above:.0f} m above"

@@ -37,9 +37,9 @@ class HeightDatum(NamedTuple):
 
     pressure_offset: float | None = None
     """The ownship's pressure altitude less its height above mean sea level [m]; None: the autopilot
-    tells no pressure."""
+    reports no pressure."""
     undulation: float | None = None
-    """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not tell it."""
+    """Height of mean sea level above the ellipsoid [m]; None: the autopilot does not report it."""
     pressure_doubt: float = 0.0
     """By how much the pressure offset may be wrong [m]."""
     undulation_doubt: float = 0.0
@@ -47,11 +47,11 @@ class HeightDatum(NamedTuple):
 
 
 UNKNOWN_DATUM = HeightDatum()
-"""The datum where the autopilot tells neither."""
+"""The datum where the autopilot reports neither."""
 
 
 def datum_of(pressure_offset: ToldHeight | None, undulation: ToldHeight | None) -> HeightDatum:
-    """The datum that follows from what the autopilot tells; None: it does not tell it."""
+    """The datum from the two differences that the autopilot reports; None: it does not."""
     return HeightDatum(
         None if pressure_offset is None else pressure_offset.middle,
         None if undulation is None else undulation.middle,
@@ -66,7 +66,7 @@ class Height(NamedTuple):
     altitude: float
     """Above mean sea level, the middle of what it may be [m]."""
     doubt: float
-    """Half of what it may be [m]."""
+    """Half the range of what it may be [m]."""
 
 
 def is_by_pressure(said: AdsbVehicle) -> bool:
@@ -91,7 +91,7 @@ def height_of(said: AdsbVehicle, datum: HeightDatum, own: float) -> Height:
 def offsets(datum: HeightDatum, altitude: float) -> tuple[float, float]:
     """Least and greatest error of an `altitude` by pressure, as a height above sea level [m].
 
-    Zero is among them: it may have been converted already.
+    Zero is in between: the sender may have converted it already.
     """
     if datum.pressure_offset is None:
         return weather(altitude)
@@ -103,15 +103,15 @@ def offsets(datum: HeightDatum, altitude: float) -> tuple[float, float]:
 
 
 def weather(altitude: float) -> tuple[float, float]:
-    """Least and greatest pressure altitude less the true one [m] that weather makes at one."""
+    """Least and greatest difference that weather makes, pressure altitude less `altitude` [m]."""
     temperature = TEMPERATURE_SHARE * max(altitude, 0.0)
     return pressure_altitude(HIGH_QNH) - temperature, pressure_altitude(LOW_QNH) + temperature
 
 
 def pressure_offset(pressure: float, altitude: float) -> float | None:
-    """Pressure altitude of a pressure [Pa] less the height above mean sea level [m] where it is.
+    """Pressure altitude of a pressure [Pa] less the altitude [m] at which it was measured.
 
-    None where no weather makes it: the sensor is wrong.
+    None where no weather makes such a difference: the sensor is wrong.
     """
     if not pressure > 0.0:  # not-a-number too
         return None

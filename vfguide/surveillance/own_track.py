@@ -21,7 +21,7 @@ TRACK_BREAK_TIME = 1.5
 """Time without a sample after which the track begins anew [s]; chosen."""
 TRACK_BREAK_DISTANCE = 10.0
 """Distance of a sample from where the one before leads beyond which the track begins anew [m];
-chosen: the position that the autopilot tells was reset."""
+chosen: the position that the autopilot reports was reset."""
 POSITION_TOLERANCE = 12.0
 """Horizontal distance within which a report agrees with the track [m]; chosen for errors of 4 m in
 each of two receivers, and below the distance of aircraft in close formation."""
@@ -30,17 +30,17 @@ VELOCITY_TOLERANCE = 4.0
 is 0.2 s older than its position differs by that in a steep turn."""
 
 FASTEST_OWN = 150.0
-"""Speed over ground with which a report that may be of the track can be away from the ownship now
-[m/s]; chosen above any aircraft that is flown."""
+"""Largest speed over ground of the ownship, which bounds how far from it a report of its track can
+be [m/s]; chosen above any aircraft that is flown."""
 Planar = tuple[float, float, float, float]
-"""Horizontal position and velocity, each over what agrees."""
+"""Horizontal position and velocity, each in units of its tolerance."""
 
 
 class OwnTrack(NamedTuple):
     """Samples of the ownship, the oldest first."""
 
     samples: tuple[Ownship, ...] = ()
-    """SAMPLE_INTERVAL or more apart, and not older than TRACK_TIME and one more."""
+    """At least SAMPLE_INTERVAL apart; they reach back by TRACK_TIME and one sample more."""
 
 
 class Match(NamedTuple):
@@ -50,7 +50,7 @@ class Match(NamedTuple):
     """Time from there to the newest point of the track [s]."""
     miss: float
     """Root of the sum of the squares of the horizontal differences of position and velocity, each
-    over what agrees: up to 1 where the report can come from there."""
+    in units of its tolerance: up to 1 where the report can come from there."""
     own: Ownship
     """The ownship there."""
 
@@ -83,7 +83,7 @@ def extended(track: OwnTrack, ownship: Ownship) -> OwnTrack:
 def may_precede(track: OwnTrack, ownship: Ownship, p_n: Vec3) -> bool:
     """Whether the ownship may have been at `p_n` within TRACK_TIME, but before the track.
 
-    Then it is behind the oldest sample, or beside it within what agrees.
+    Then it is behind the oldest sample, or ahead of it by no more than POSITION_TOLERANCE.
     """
     first = track.samples[0] if track.samples else ownship
     if elapsed(first.time_ms, ownship.time_ms) >= TRACK_TIME:
@@ -145,7 +145,7 @@ def _on(one: Ownship, after: Ownship, said: Planar, now_ms: int) -> Match:
 
 
 def _planar(p_n: Vec3, v_n: Vec3) -> Planar:
-    """Horizontal position and velocity, each over what agrees."""
+    """Horizontal position and velocity, each in units of its tolerance."""
     return (
         p_n[0] / POSITION_TOLERANCE,
         p_n[1] / POSITION_TOLERANCE,

@@ -1,10 +1,10 @@
 """Recognition of the ownship's own transponder among the reports.
 
-An echo agrees with the ownship's track, late by a time that may change, in every report since the
-first. Two things tell it from another aircraft. At the age that it tells it is where the ownship
-was then: nothing else can be there. Or it is late, and a turn shows that it flies where the ownship
-has flown: on a straight an aircraft behind would report the same. An address that was ever seen
-elsewhere has to agree for much longer.
+Every report of an echo agrees with the ownship's track, late by a time that may change. Two things
+tell an echo from another aircraft. By the age that it reports, it is where the ownship was then,
+and nothing else can have been there. Or it is later than it says, and a turn shows that it flies
+where the ownship has flown: on a straight, an aircraft behind would report the same. An address
+that was ever seen elsewhere has to agree for much longer.
 """
 
 import math
@@ -35,14 +35,14 @@ CLIMB_TOLERANCE = 4.0
 """Difference of the vertical speeds within which reports agree [m/s]; chosen as that of the
 horizontal ones."""
 CLEAR_MISS = 1.5
-"""Miss of a match beyond which one report shows that it is another aircraft, as a ratio to what
-agrees; chosen: for an echo six standard deviations of errors of 3 m in each axis."""
+"""Miss of a match beyond which one report shows that it is another aircraft, as a ratio to the
+tolerances; chosen: for an echo six standard deviations of errors of 3 m in each axis."""
 
 
 def after_report(
     was: Recognition, report: Report, ownship: Ownship, track: OwnTrack
 ) -> Recognition:
-    """What is shown after one more report, that arrives while the ownship is at `ownship`."""
+    """What the reports have shown after one more; `ownship` is the state when it arrives."""
     if elapsed(report.time_ms, ownship.time_ms) > TRACK_TIME or not report.tells_velocity:
         return was
     found = match(track, ownship, report.intruder.p_n, report.intruder.v_n)
@@ -64,7 +64,7 @@ def is_level_with(report: Report, own: Ownship) -> bool:
 def _agreed(
     was: Recognition, report: Report, ownship: Ownship, track: OwnTrack, own: Ownship
 ) -> Recognition:
-    """After a report that agrees with the ownship as it was at `own`."""
+    """What the reports have shown after one that agrees with the ownship as it was at `own`."""
     seen, said = own.v_n, report.intruder.v_n
     course = was.course + math.remainder(math.atan2(seen[1], seen[0]) - was.course, math.tau)
     if not was.reports:
@@ -93,15 +93,15 @@ def angle_between(v_n: Vec3, w_n: Vec3) -> float:
 
 
 def is_where_told(report: Report, ownship: Ownship, track: OwnTrack) -> bool:
-    """Whether a report is where the ownship was at the age that it tells."""
+    """Whether a report is where the ownship was at the age that it reports."""
     there, own = report.intruder.p_n, own_at(track, ownship, report.time_ms).p_n
     return math.hypot(there[0] - own[0], there[1] - own[1]) <= POSITION_TOLERANCE
 
 
 def _missed(was: Recognition, clearly: bool) -> Recognition:
-    """After a report that disagrees.
+    """What the reports have shown after one that disagrees.
 
-    A recognised address is given up at the second one in a row, or where it disagrees clearly.
+    A recognised address is given up at the second one in a row, or at one that disagrees clearly.
     """
     if was.is_own and not clearly and not was.misses:
         return was._replace(misses=1)

@@ -20,7 +20,8 @@ OWN_REACH = 1000.0
 """Distance from the ownship beyond which a report with its own address is another aircraft's [m];
 chosen above what a report that is late can be away."""
 OWN_REACH_REPORTS = 5
-"""Number of such reports in a row that are told; chosen longer than positions glitch."""
+"""Number of reports in a row beyond the own reach after which the operator is told; chosen longer
+than positions glitch."""
 OWN_FOUND = "transponder {icao:06X} is this aircraft's own"
 """Note where a transponder is recognised as the ownship's."""
 OWN_LOST = "transponder {icao:06X} is not this aircraft's own: it counts as traffic"
@@ -49,7 +50,7 @@ class Picture:
         """
         self._origin, self._volume, self._own_icao = origin, volume, own_icao
         self._tracks: dict[int, Track] = {}
-        """By their numbers."""
+        """The tracks by their numbers."""
         self._number = 0
         self._track = OwnTrack()
         self._told: set[str] = set()
@@ -103,7 +104,7 @@ class Picture:
         return notes
 
     def _taken(self, report: Report) -> Track:
-        """The track of a report that can be true, with it."""
+        """The track that a plausible report belongs to, with the report."""
         of_address = [each for each in self._tracks.values() if each.report.icao == report.icao]
         track = nearest_fit(of_address, report)
         if track is not None:

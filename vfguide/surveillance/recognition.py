@@ -6,18 +6,19 @@ from vfguide.geometry.units import DEG
 from vfguide.link.boot_time import elapsed
 
 LEAST_REPORTS = 4
-"""Number of successive reports that have to agree; chosen."""
+"""Number of successive reports that have to agree with the ownship's track; chosen."""
 LEAST_TIME = 3.0
-"""Time from the first to the last of them [s]; chosen."""
+"""Least time from the first to the last report that agrees [s]; chosen."""
 LEAST_TURN = 45.0 * DEG
-"""Turn of the ownship on those parts of its track that late reports agree with [rad]; chosen: an
-aircraft that holds its place behind has left the track by then."""
+"""Least turn of the ownship over the part of its track that late reports agree with [rad]; chosen:
+an aircraft that holds its place behind has left the track by then."""
 LATE_TURN = 20.0 * DEG
-"""Turn of the ownship since it was where a report agrees with it, from which the report shows that
-it is late, and not of an aircraft that turns with the ownship [rad]; chosen: 5 m/s at 15 m/s."""
+"""Turn of the ownship since the point of its track that a report agrees with, from which on the
+report is late, and not of an aircraft that turns with the ownship [rad]; chosen: the velocities of
+the two differ by 5 m/s at 15 m/s."""
 LEAST_LATE_TURNS = 3
-"""Number of such reports that do as well as LEAST_TURN; chosen: an aircraft behind that flies
-straight on has left the track by then."""
+"""Number of reports that are late in a turn which show as much as LEAST_TURN; chosen: an aircraft
+behind that flies straight on has left the track by then."""
 LEAST_TIME_IF_SEEN_ELSEWHERE = 60.0
 """Time from the first to the last report for an address that was seen elsewhere before [s];
 chosen."""
@@ -25,11 +26,11 @@ LEAST_TURN_IF_SEEN_ELSEWHERE = 360.0 * DEG
 """Turn of the ownship over the reports of an address that was seen elsewhere before [rad]; chosen,
 a full circle."""
 SPEED_TOLERANCE = 0.6
-"""Mean difference of the speeds over ground within which reports agree [m/s]; chosen: one that
-overtakes, or follows outside in a turn, is faster."""
+"""Mean difference of the speeds over ground within which reports agree [m/s]; chosen: an aircraft
+that overtakes, or follows outside in a turn, is faster."""
 SPEED_SMOOTHING = 0.1
 """Weight of a report in the mean difference of the speeds, a share; chosen, ten reports. The first
-ones weigh the same."""
+ten all weigh the same."""
 
 
 class Recognition(NamedTuple):
@@ -40,7 +41,7 @@ class Recognition(NamedTuple):
     since_ms: int = 0
     """Arrival of the first of them, as time_boot_ms [ms]."""
     course: float = 0.0
-    """Course of the ownship where the last one agreed, without leaps [rad]."""
+    """Course of the ownship where the last one agreed, not wrapped [rad]."""
     least_course: float = 0.0
     """Least of those courses [rad]."""
     greatest_course: float = 0.0
@@ -50,13 +51,13 @@ class Recognition(NamedTuple):
     speed_error: float = 0.0
     """Mean of the reported speeds less those of the ownship [m/s]."""
     is_where_told: bool = True
-    """Whether each of them was where the ownship was at the age that it told."""
+    """Whether each of them was where the ownship was at the age that it reported."""
     misses: int = 0
     """Number of successive reports that did not agree."""
     always_agreed: bool = True
-    """Whether each report that was ever heard agreed."""
+    """Whether each report that was ever received agreed."""
     never_missed: bool = True
-    """Whether none has shown that it does not: it may have been of a time before the track."""
+    """Whether none has disagreed; one that may be from before the track does not count."""
     was_own: bool = False
     """Whether it was recognised before."""
     was_elsewhere: bool = False

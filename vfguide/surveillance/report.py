@@ -54,7 +54,7 @@ class Report(NamedTuple):
     """The newest report of one aircraft."""
 
     icao: int
-    """ICAO address of its transponder, 24 bits; or what else it is known by, 0 where by nothing."""
+    """ICAO address of its transponder, 24 bits, or another number in its reports; 0 for none."""
     name: str
     """Callsign, or the address in hexadecimal digits where none is reported."""
     time_ms: int
@@ -64,9 +64,9 @@ class Report(NamedTuple):
     height_doubt: float = 0.0
     """Doubt of the reported height, which the volume contains [m]."""
     tells_velocity: bool = True
-    """Whether it tells speed and course over ground."""
+    """Whether it has speed and course over ground."""
     tells_climb: bool = True
-    """Whether it tells its vertical speed."""
+    """Whether it has a vertical speed."""
 
 
 class Ownship(NamedTuple):

@@ -1,8 +1,9 @@
-"""A difference of heights that the autopilot tells, of which no single message is believed.
+"""A difference of heights that the autopilot reports, as the range of what it may be.
 
-The height of mean sea level above the ellipsoid changes by metres over tens of kilometres, and what
-weather makes of a pressure by metres in an hour. So one that changes fast is wrong before or after,
-and nothing tells which: for as long as it would take to change, both are allowed for.
+The height of mean sea level above the ellipsoid changes by metres over tens of kilometres, and the
+difference that weather makes to a pressure altitude by metres in an hour. One that changes faster
+was wrong before or is wrong now, and nothing shows which: both are allowed for, until it could have
+changed as far.
 """
 
 from typing import NamedTuple
@@ -11,16 +12,16 @@ from vfguide.link.boot_time import elapsed
 
 FOLLOWING_SPEED = 0.1
 """Speed with which a difference of heights is followed [m/s]; chosen, so that a change of 100 m is
-followed after a quarter of an hour, and what was told before is 6 m off after a minute."""
+followed after a quarter of an hour, and what was reported before is 6 m off after a minute."""
 
 
 class ToldHeight(NamedTuple):
     """What a difference of heights may be."""
 
     least: float
-    """Above mean sea level, or what else it is reckoned from [m]."""
+    """Least that the difference may be [m]."""
     greatest: float
-    """The same [m]."""
+    """Greatest that the difference may be [m]."""
     time_ms: int
     """Time of the newest message, as time_boot_ms [ms]."""
 
@@ -31,12 +32,12 @@ class ToldHeight(NamedTuple):
 
     @property
     def doubt(self) -> float:
-        """Half of what it may be [m]."""
+        """Half the range of what it may be [m]."""
         return 0.5 * (self.greatest - self.least)
 
 
 def told_again(before: ToldHeight | None, height: float, time_ms: int) -> ToldHeight:
-    """What it may be after one more message [m], at a time_boot_ms [ms]."""
+    """What the difference may be after a message of `height` [m] at a time_boot_ms [ms]."""
     if before is None:
         return ToldHeight(height, height, time_ms)
     followed = FOLLOWING_SPEED * max(0.0, elapsed(before.time_ms, time_ms))

@@ -1,9 +1,9 @@
 """The track of one aircraft: those reports of an address that can come from the same one.
 
-An address need not be of one aircraft: two are set to the same one by mistake, one without an
-address reports 0, and somebody may send what is not there. So reports are put together by where
-they are, as by the nearest neighbour in surveillance (Bar-Shalom and Fortmann, *Tracking and Data
-Association*, 1988), and a place that nothing confirms is not flown on.
+An address need not be of one aircraft: two may have the same one by mistake, those without one
+report 0, and somebody may send what is not there. So reports are associated by their positions, as
+nearest neighbours (Bar-Shalom and Fortmann, *Tracking and Data Association*, 1988), and a second
+place of an address is not avoided until another report confirms it.
 """
 
 from collections.abc import Iterable
@@ -19,7 +19,7 @@ JUMP_DISTANCE = 300.0
 """Distance from the prediction of the last report up to which a report can come from the same
 aircraft [m]; chosen."""
 JUMP_SPEED = 100.0
-"""Growth of that distance with the time between the reports [m/s]; chosen."""
+"""Growth of the jump distance with the time between the reports [m/s]; chosen."""
 
 
 class Track(NamedTuple):
@@ -30,7 +30,7 @@ class Track(NamedTuple):
     report: Report
     """The newest one."""
     is_confirmed: bool
-    """Whether it is flown on: two reports agree, or it was the first of its address."""
+    """Whether it is avoided: two reports agree, or it was the first of its address."""
     past: tuple[Report, ...] = ()
     """Those from which a velocity is derived."""
     recognition: Recognition = Recognition()
@@ -77,7 +77,7 @@ def fits(before: Report, after: Report) -> bool:
 def miss_of(before: Report, after: Report) -> float:
     """Distance of a report from the prediction of another one [m].
 
-    Heights differ by no more than what is beyond both doubts.
+    Of the difference of the heights, only what exceeds both doubts counts.
     """
     x, y, z = sub(placed_at(before, after.time_ms), after.intruder.p_n)
     return norm((x, y, max(0.0, abs(z) - before.height_doubt - after.height_doubt)))

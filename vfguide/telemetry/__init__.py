@@ -1,1 +1,1 @@
-"""Telemetry: what the autopilot tells, from when it is, and how long it takes to arrive."""
+"""Telemetry: what the autopilot reports, of which time it is, and how long it takes to arrive."""

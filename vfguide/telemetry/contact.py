@@ -40,7 +40,7 @@ class Contact:
         self._active = max(now, self._active)
 
     def goes_on(self, now: int) -> bool:
-        """Record that something came in or went out at `now` [us], where nothing is late.
+        """Record that something came in or went out at `now` [us]; returns whether all goes on.
 
         False where this program stood still or the link is silent: then nothing is recorded.
         """

@@ -1,7 +1,7 @@
-"""The date that an autopilot tells, held against its own counter.
+"""The date that an autopilot reports, checked against its own counter of the time since boot.
 
-SYSTEM_TIME has both, so that one can say what the other should be. A date that leaps, as after a
-wrong week of the GPS, is not believed until it has lasted.
+SYSTEM_TIME has both, and they must go on by the same time. A date that leaps, as after a wrong week
+of the GPS, is not believed until it has lasted.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,8 @@ FIRST_DATE = 946_684_800_000_000
 """Earliest date that counts as one, the year 2000 [us since 1970]; chosen, since clocks that were
 never set are earlier."""
 LAST_DATE = 7_258_118_400_000_000
-"""Date from which on it counts as none, the year 2200 [us since 1970]; chosen as in scenarios."""
+"""Date from which on a date counts as none, the year 2200 [us since 1970]; chosen as in
+scenarios."""
 TOLERANCE = SECOND
 """Largest difference between date and counter that is no leap [us]; chosen above leap seconds and
 what a clock that is set anew after its first fix is off."""
@@ -31,11 +32,11 @@ class Date(NamedTuple):
     time_ms: int
     """When it was so, on the clock of the autopilot [ms]."""
     boot_ms: int
-    """The time_boot_ms that it was told with [ms]."""
+    """The time_boot_ms in the same message [ms]."""
     leap: int = 0
-    """By how much the dates differ that are told now [us]; 0: they do not."""
+    """By how much the dates that are reported now differ from this one [us]; 0: they do not."""
     since: int = 0
-    """When such a date was told first [ms]."""
+    """When a date that differs so was first reported [ms]."""
 
     def at(self, time_ms: int, epoch: int) -> float:
         """Time from `epoch` [us since 1970] until a time of the autopilot [s]."""

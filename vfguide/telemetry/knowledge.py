@@ -62,10 +62,10 @@ class Knowledge(NamedTuple):
     place: GlobalPositionInt | None = None
     """Latitude and longitude of the vehicle."""
     undulation: ToldHeight | None = None
-    """Height of mean sea level above the ellipsoid here [m]; None: it was not told."""
+    """Height of mean sea level above the ellipsoid here [m]; None: it was not reported."""
     pressure_offset: ToldHeight | None = None
-    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot tells
-    no pressure that weather can make."""
+    """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot
+    reports no pressure that weather can make."""
 
     @property
     def datum(self) -> HeightDatum:
@@ -196,7 +196,7 @@ def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:
 
 @lru_cache(maxsize=4)
 def density_at(altitude: float) -> float:
-    """Air density at an altitude [m], which is told less often than the attitude [kg/m^3]."""
+    """Air density [kg/m^3] at an altitude [m]; kept, since altitudes come less often than steps."""
     return isa_density(altitude)
 
 

@@ -3,11 +3,13 @@
 A state that arrives is as old as the downlink took, and a setpoint that is sent arrives after the
 uplink: together they take a round trip, for which the clocks need not agree.
 
-Others ask the same autopilot, and a router brings the answers to everybody: only the stamp of a
-question of our own that is still open makes an answer, and each counts once.
+Others ask the same autopilot, and a router brings the answers to everybody: an answer counts only
+if it has the stamp of an open question of our own, and only once.
 
 Between two answers the states themselves show a downlink that becomes slower: they come later than
 the fastest one did. Where no answer comes though states do, the delay is unknown.
+
+F. Cristian, Probabilistic Clock Synchronization, 1989: what a round trip says of a remote clock.
 """
 
 from collections import deque
@@ -64,7 +66,7 @@ class RoundTrip:
         self._offset = 0
         """Our own clock less that of the newest state, when it arrived [us]."""
         self._least_offset: int | None = None
-        """The same of the fastest state [us]."""
+        """Our own clock less that of the fastest state, when it arrived [us]."""
 
     @property
     def lead(self) -> float:
@@ -78,7 +80,7 @@ class RoundTrip:
 
     @property
     def objection(self) -> str | None:
-        """Why it cannot; None: it can."""
+        """Why no setpoint can be made for the newest state; None: one can."""
         if self.is_known:
             return None
         return TOO_LATE.format(late=self.lateness) if self._latest else UNANSWERED
@@ -133,7 +135,7 @@ class RoundTrip:
         self.is_slow = self.delay > (FAST_LINK if self.is_slow else SLOW_LINK)
 
     def _bound_lateness(self, took: int) -> None:
-        """No state comes later than a whole round trip: so the two clocks may drift apart."""
+        """Bound the lateness by a whole round trip, so that the two clocks may drift apart."""
         if self._least_offset is not None:
             self._set_least(max(self._least_offset, self._offset - took))
 

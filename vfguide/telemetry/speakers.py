@@ -11,14 +11,15 @@ from vfguide.geometry.units import SECOND
 from vfguide.link.boot_time import BootClock
 
 RETURNS = 8
-"""Number of leaps of the counter back to where it went on before, within RETURN_TIME, after which
-two speak; chosen above what single wrong counters make."""
+"""Number of leaps of the counter back to where it was before, within RETURN_TIME, that show two
+autopilots; chosen above what single wrong counters make."""
 RETURN_TIME = SECOND
-"""Time within which they come [us]; chosen, attitudes come 10 times a second or more."""
+"""Time within which the leaps of the counter have to come [us]; chosen, attitudes come 10 times a
+second or more."""
 ALONE_AFTER = 10 * SECOND
-"""Time without such a leap after which one speaks alone again [us]; chosen."""
+"""Time since the counter last leapt so often after which one speaks alone again [us]; chosen."""
 TWO_SPEAK = "more than one autopilot speaks as vehicle {sysid}: their clocks differ"
-"""Reason for silence where it is unknown of which vehicle a message tells."""
+"""Reason for silence where it is unknown which of the autopilots sent a message."""
 
 
 class Speakers:

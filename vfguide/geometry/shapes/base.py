@@ -6,6 +6,11 @@ the origin, z down [m].
 
 A term |w|^(2p) above FAR goes on as its Taylor quadratic: still convex and twice differentiable,
 and finite at any distance that has a meaning.
+
+The functions `..._gauge` bound the distance of a point x outside from below. For a convex f that is
+1 on the surface, f(y) >= f(x) + grad f(x) . (y - x), so that the nearest point of the surface is at
+least (f(x) - 1) / |grad f(x)| away (R. T. Rockafellar, Convex Analysis, 1970). They take
+f = U^(1 / (2 p)), which is the gauge of the body or near it.
 """
 
 import math
@@ -23,9 +28,9 @@ FAR = 1e100
 finite."""
 LOG_FAR = math.log(FAR)
 """Natural logarithm of the value `FAR`."""
-BESIDE = 0.5
-"""Distance from the axis, as a share of the size, beyond which a lower bound of the distance
-neglects the rounding of an edge; chosen."""
+FAR_FROM_EDGES = 0.5
+"""Distance from the body with sharp edges, as a share of its largest semi-axis, beyond which the
+lower bound of the distance neglects the rounding of the edges; chosen."""
 
 
 class Kind(IntEnum):

@@ -3,8 +3,8 @@
 import math
 
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -70,9 +70,12 @@ def cone_rays(latitude: Array, longitude: Array) -> Rays:
 
 @compiled
 def cone_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """At most the distance from an upright cone of the level functions, in its axes [m]."""
+    """Lower bound of the distance of (x, y, z), in the cone's axes, from U = 1 [m].
+
+    It is negative inside. `radius` is that of the base [m].
+    """
     sharp = frustum_distance(x, y, z, radius, half_height)
-    if sharp > BESIDE * max(radius, half_height):
+    if sharp > FAR_FROM_EDGES * max(radius, half_height):
         return sharp
     return max(sharp, cone_gauge(x, y, z, radius, half_height))
 
@@ -97,9 +100,10 @@ def frustum_distance(x: float, y: float, z: float, radius: float, half_height: f
 
 @compiled
 def cone_gauge(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """The gauge's bound of a cone [m]; minus infinity inside.
+    """Lower bound of the distance from f = U^(1/8), as in `shapes.base` [m].
 
-    U of `cone_level` is u^8 + w^8; u and w are convex and not negative.
+    f is convex, since U of `cone_level` is u^8 + w^8 with u and w convex and not negative. Minus
+    infinity inside.
     """
     rho, down = 2.0 * math.sqrt(x * x + y * y) / radius, z / half_height
     s = math.sqrt(rho * rho + TIP * TIP)

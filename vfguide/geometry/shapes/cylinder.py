@@ -4,8 +4,8 @@ import math
 
 from vfguide.geometry.polygon import prism_distance
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -60,9 +60,12 @@ def cylinder_rays(latitude: Array, longitude: Array) -> Rays:
 
 @compiled
 def cylinder_bound(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """At most the distance from an upright cylinder of the level functions, in its axes [m]."""
+    """Lower bound of the distance of (x, y, z), in the cylinder's axes, from U = 1 [m].
+
+    It is negative inside.
+    """
     sharp = upright_distance(x, y, z, radius, half_height)
-    if sharp > BESIDE * max(radius, half_height):
+    if sharp > FAR_FROM_EDGES * max(radius, half_height):
         return sharp
     return max(sharp, cylinder_gauge(x, y, z, radius, half_height))
 
@@ -75,7 +78,10 @@ def upright_distance(x: float, y: float, z: float, radius: float, half_height: f
 
 @compiled
 def cylinder_gauge(x: float, y: float, z: float, radius: float, half_height: float) -> float:
-    """The gauge's bound of a cylinder [m]; no bound inside: minus infinity."""
+    """Lower bound of the distance from f = U^(1/8), as in `shapes.base` [m].
+
+    Minus infinity inside.
+    """
     u, w = (x * x + y * y) / (radius * radius), z / half_height
     w2 = w * w
     u4, w8 = u * u * u * u, w2 * w2 * w2 * w2

@@ -17,7 +17,7 @@ PRECISION = 1e-4
 """Ratio of the error to the distance from outside at which the iteration ends; chosen."""
 AT_CENTRE = 1e-200
 """Distance from the centre, as a share of the size, below which a point counts as the centre;
-chosen near the least number."""
+chosen near the smallest float."""
 MAX_ITERATIONS = 60
 """Largest number of Newton steps; chosen."""
 LEAST_STEP_SHARE = 1e-4
@@ -58,9 +58,9 @@ def distance_from(shape: Shape, x: Vec3, y: Vec3) -> float:
 
 @compiled
 def nearer_point(shape: Shape, x: Vec3, y: Vec3, step: Vec3) -> tuple[Vec3, float]:
-    """The first point on the surface along `step`, halved as often as needed, nearer to `x`.
+    """The surface point that a step from `y` leads to, and its distance from `x` [m].
 
-    Also its distance [m]; `y` itself if there is none.
+    The step is halved until the point is nearer to `x` than `y` is; if none is, `y` is returned.
     """
     distance = norm(sub(x, y))
     part = 1.0

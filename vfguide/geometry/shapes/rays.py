@@ -13,7 +13,7 @@ Rays = tuple[Array, Array, Array]
 
 
 def upright_rays(latitude: Array, longitude: Array, p: float) -> Rays:
-    """Those to a body round about the vertical: the p-th roots of cosine and sine of latitude."""
+    """Directions to a body of revolution about the vertical: p-th roots of cosine and sine."""
     beside = root(np.cos(latitude), p)
     return beside * np.cos(longitude), beside * np.sin(longitude), root(np.sin(latitude), p)
 

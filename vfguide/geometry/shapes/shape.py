@@ -71,7 +71,7 @@ def shape_level(shape: Shape, x: Vec3) -> Level:
 
 @compiled
 def shape_bound(shape: Shape, x: Vec3) -> float:
-    """At most the distance of `x` from the surface [m]; negative inside."""
+    """Lower bound of the distance of `x` from the surface [m]; negative inside."""
     a, _, c = shape.semi_axes
     if shape.kind == Kind.CYLINDER:
         return cylinder_bound(x[0], x[1], x[2], a, c)

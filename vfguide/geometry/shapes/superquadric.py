@@ -1,6 +1,7 @@
 """Superquadrics, the paper's second example: spheres, ellipsoids and boxes among them.
 
-U = |x / a|^(2p) + |y / b|^(2q) + |z / c|^(2r).
+U = |x / a|^(2p) + |y / b|^(2q) + |z / c|^(2r) (A. H. Barr, Superquadrics and Angle-Preserving
+Transformations, 1981).
 """
 
 import math
@@ -8,8 +9,8 @@ import math
 import numpy as np
 
 from vfguide.geometry.shapes.base import (
-    BESIDE,
     EDGED,
+    FAR_FROM_EDGES,
     Kind,
     Level,
     Section,
@@ -23,22 +24,22 @@ from vfguide.geometry.vector import Vec3
 from vfguide.kernels.compiled import compiled
 
 TOO_STEEP = 300.0
-"""Natural logarithm of the level, a number, above which only the bound of the box is used; chosen,
-since the powers would overflow."""
+"""Natural logarithm of a term of U, dimensionless, above which only the bound of the box is used;
+chosen, since the powers would overflow."""
 
 
 def sphere(radius: float) -> Shape:
-    """Sphere: U = (d / R)^2."""
+    """Sphere of a radius [m]: U = (d / R)^2."""
     return ellipsoid((radius, radius, radius))
 
 
 def ellipsoid(semi_axes: Vec3) -> Shape:
-    """Ellipsoid: U = sum (x_i / a_i)^2."""
+    """Ellipsoid of three semi-axes [m]: U = sum (x_i / a_i)^2."""
     return superquadric(semi_axes, (1.0, 1.0, 1.0))
 
 
 def box(size: Vec3) -> Shape:
-    """Box of the full edge lengths `size`: a superquadric of exponents 4."""
+    """Box with the full edge lengths `size` [m]: a superquadric of exponents 4."""
     length, width, height = size
     return superquadric((0.5 * length, 0.5 * width, 0.5 * height), (EDGED, EDGED, EDGED))
 
@@ -85,13 +86,16 @@ def superquadric_rays(shape: Shape, latitude: Array, longitude: Array) -> Rays:
 
 @compiled
 def superquadric_bound(x: Vec3, a: Vec3, exponents: Vec3) -> float:
-    """At most the distance of `x` from a superquadric, in its axes [m]."""
+    """Lower bound of the distance of `x`, in the superquadric's axes, from U = 1 [m].
+
+    It is negative inside.
+    """
     p, q, r = exponents
     if a[0] == a[1] == a[2] and p == q == r == 1.0:
         return math.sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - a[0]
     sharp = box_distance(x[0], x[1], x[2], a)
     if p == q == r == EDGED:
-        if sharp > BESIDE * max(a[0], a[1], a[2]):
+        if sharp > FAR_FROM_EDGES * max(a[0], a[1], a[2]):
             return sharp
         return max(sharp, edged_gauge(x[0] / a[0], x[1] / a[1], x[2] / a[2], a))
     if p == q == r == 1.0:
@@ -112,7 +116,10 @@ def box_distance(x: float, y: float, z: float, a: Vec3) -> float:
 
 @compiled
 def edged_gauge(u: float, v: float, w: float, a: Vec3) -> float:
-    """The gauge's bound of exponents 4 at (u, v, w) semi-axes [m]; minus infinity inside."""
+    """Lower bound of the distance from f = U^(1/8), as in `shapes.base` [m]; minus infinity inside.
+
+    For exponents 4, at the point (u, v, w) in semi-axes.
+    """
     u2, v2, w2 = u * u, v * v, w * w
     u6, v6, w6 = u2 * u2 * u2, v2 * v2 * v2, w2 * w2 * w2
     level = u6 * u2 + v6 * v2 + w6 * w2
@@ -124,7 +131,10 @@ def edged_gauge(u: float, v: float, w: float, a: Vec3) -> float:
 
 @compiled
 def smooth_gauge(x: Vec3, a: Vec3, exponents: Vec3) -> float:
-    """The gauge's bound of any superquadric at `x` [m]; minus infinity inside."""
+    """Lower bound of the distance of `x` from f = U^(1 / (2 p)) with the least exponent p [m].
+
+    Minus infinity inside, and where a power would overflow.
+    """
     least = min(exponents[0], exponents[1], exponents[2])
     level, steepness = 0.0, 0.0
     for k in range(3):
@@ -141,7 +151,10 @@ def smooth_gauge(x: Vec3, a: Vec3, exponents: Vec3) -> float:
 
 @compiled
 def ellipsoid_gauge(u: float, v: float, w: float, a: Vec3) -> float:
-    """The gauge's bound of an ellipsoid [m]; minus infinity inside."""
+    """Lower bound of the distance from an ellipsoid from f = U^(1/2) [m]; minus infinity inside.
+
+    At the point (u, v, w) in semi-axes.
+    """
     level = u * u + v * v + w * w
     if level <= 1.0:
         return -math.inf
