@@ -25,6 +25,7 @@ LONG = 250
 """Lines of a module above which it is probably two things."""
 ONE_THING = {
     "companion/companion.py": "one method for each message",
+    "companion/mode_control.py": "who flies: one method for each event of the engagement",
     "kernels/rows.py": "records as rows, and the functions that are written for them",
     "link/enums.py": "one class for each enumeration of the dialect",
     "link/messages.py": "one record for each message of the dialect",
