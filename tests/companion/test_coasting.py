@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from conversations import flying, heartbeat, setpoints, state
+from conversations import Conversation, flying, heartbeat, setpoints, state
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rate_body import Body, advance, level, load_factor
 
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
+from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.setpoints import COAST_AFTER, true_cruise
 from vfguide.control.coasting import coast
@@ -23,14 +24,14 @@ from vfguide.telemetry.knowledge import Knowledge
 OFFBOARD = Px4Mode.OFFBOARD
 
 
-def silence(talk, seconds):
+def silence(talk, seconds, mode=OFFBOARD):
     """The autopilot beats and says no state."""
     out = []
     for tick in range(round(seconds * 50)):
         talk.now += 20_000
         talk.boot_ms += 20
         if tick % 25 == 0:
-            out += talk.hear(heartbeat(OFFBOARD))
+            out += talk.hear(heartbeat(mode))
         out += talk.poll()
     return setpoints(out)
 
@@ -40,6 +41,18 @@ def test_one_setpoint_ends_the_roll_and_no_other_follows():
     assert not silence(talk, COAST_AFTER - 0.03)
     (coasting,) = silence(talk, 2.0)
     assert np.isfinite([coasting.body_roll_rate, coasting.body_pitch_rate]).all()
+
+
+@pytest.mark.parametrize("engage", [True, False])
+def test_the_autopilot_may_follow_before_it_is_heard_to(engage):
+    """60 degrees of bank: the first heartbeat in the new mode was lost with the attitudes."""
+    talk = Conversation(engage=engage)
+    assert setpoints(talk.fly(0.9))
+    assert talk.companion.phase in (Phase.ASKING, Phase.OFFERING)
+    before = talk.companion.phase
+    (coasting,) = silence(talk, 0.6, Px4Mode.HOLD)
+    assert coasting.body_roll_rate == pytest.approx(0.0, abs=1.0)
+    assert talk.companion.phase is before
 
 
 def test_where_attitudes_come_again_they_are_flown_on_and_it_may_happen_again():

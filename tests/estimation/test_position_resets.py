@@ -57,6 +57,30 @@ def test_a_jump_is_let_in_slowly(jump):
     assert jumps[-1].size == pytest.approx(math.hypot(*jump))
 
 
+@given(
+    st.tuples(*(st.floats(-4.0, 4.0),) * 3),
+    st.floats(0.0, 8.0),
+    st.integers(1, 60),
+    st.integers(0, 1000),
+)
+def test_jumps_without_end_do_not_hide_the_position(error, size, every, seed):
+    """The velocity is wrong by up to 7 m/s, and positions out of order leap all the time.
+
+    Each leap held the offset of all before it, so that the place was dead reckoning: 120 m were
+    lost in half a minute, though the position was right.
+    """
+    rng = np.random.default_rng(seed)
+    v_n = (25.0 + error[0], error[1], error[2])
+    jumps, here, farthest = no_resets(), (0.0, 0.0, -100.0), 0.0
+    for k in range(1, 1500):
+        right = np.array((25.0 * DT * k, 0.0, -100.0))
+        leap = rng.uniform(-size, size, 3) if k % every == 0 else np.zeros(3)
+        jumps = follow_resets(jumps, (here, v_n), at(right + leap, v_n=v_n), DT)
+        here = smoothed(at(right + leap), jumps).p_n
+        farthest = max(farthest, float(np.linalg.norm(here - right)))
+    assert farthest < 12.0 * size + 2.5 * math.hypot(*error) + RESET_DISTANCE
+
+
 @pytest.mark.parametrize("size", [0.5, 1.9, 2.1, 50.0])
 def test_what_an_aeroplane_can_fly_is_no_jump(size):
     _, jumps = flown({100: np.array((0.0, size, 0.0))}, 102)

@@ -137,15 +137,15 @@ class SetpointControl:
         return choice_note(self.mode.phase, self.mode.autopilot, self.mode.engage)
 
     def coast(self, now: int, known: Knowledge) -> list[Message]:
-        """The one setpoint that goes out at `now` [us] when attitudes have stopped in flight.
+        """The one setpoint that goes out at `now` [us] when attitudes have stopped.
 
-        After it the autopilot's own failsafe acts.
+        After it the autopilot's own failsafe acts. It goes out wherever setpoints do, since the
+        autopilot may have begun to follow unheard.
         """
         setpoint = self._setpoints.coast(now, known, self.flight.plan)
         if setpoint is None:
             return []
-        is_flown = self.mode.is_followed and self.mode.may_send
-        out = self._send(now, known, setpoint) if is_flown else []
+        out = self._send(now, known, setpoint) if self.mode.may_send else []
         self._setpoints.end()
         return out
 

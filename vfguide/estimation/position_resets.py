@@ -76,7 +76,7 @@ def follow_resets(
     size = norm(off)
     if not size > RESET_DISTANCE + RESET_ACCELERATION * dt * dt:
         return PositionResets(left, jumps.number, jumps.size, age)
-    return PositionResets(add(jumps.offset_n, off), jumps.number + 1, size, 0.0)
+    return PositionResets(add(left, off), jumps.number + 1, size, 0.0 if settled(jumps) else age)
 
 
 @compiled
