@@ -23,6 +23,7 @@ import numpy as np
 from scipy.signal import welch
 
 from vfguide.files.data import data_folder
+from vfguide.geometry.angles import wrap
 from vfguide.geometry.units import DEG, G0
 from vfguide.geometry.vector import Series, Vec3, Vectors
 from vfguide.sim.condition import Model, Start, Weather
@@ -71,17 +72,25 @@ def all_aircraft() -> list[Aircraft]:
     ]
 
 
-def wanted_rates(truth: Truth, pitch: float, altitude: float) -> Vec3:
-    """Body rates [rad/s] that keep the aircraft level, northbound and at its height."""
-    climb = max(-1.5, min(1.5, 0.3 * (altitude - truth.altitude)))
-    nose = pitch + (climb + truth.v_n[2]) / truth.airspeed
-    bank = max(-0.5, min(0.5, -0.7 * truth.yaw))
+def wanted_rates(truth: Truth, pitch: float, altitude: float, airspeed: float) -> Vec3:
+    """Body rates [rad/s] that keep the aircraft level, northbound and at its height.
+
+    Below its airspeed [m/s] the nose goes down, so that no gust stalls a slow aircraft.
+    """
+    climb = max(-1.0, min(1.0, 0.3 * (altitude - truth.altitude)))
+    slow = max(0.0, 1.0 - truth.airspeed / airspeed)
+    nose = pitch + (climb + truth.v_n[2]) / max(truth.airspeed, 0.5 * airspeed) - 1.5 * slow
+    bank = max(-0.5, min(0.5, -0.7 * wrap(truth.yaw)))
     turn = G0 * np.tan(truth.roll) / truth.airspeed
     return (2.0 * (bank - truth.roll), 2.0 * (nose - truth.pitch), float(turn))
 
 
 def air_met(case: Case, seconds: float, seed: int) -> Vectors:
-    """(n, 3) velocity of the air on one flight, NED [m/s]."""
+    """(n, 3) velocity of the air on one flight, NED [m/s].
+
+    Raises:
+        RuntimeError: it was flown farther from its height than half of it, in other air.
+    """
     aircraft, altitude = case.aircraft, GROUND + case.height
     each = identify(aircraft.model, aircraft.airspeed, altitude)
     start = Start(47.4 * DEG, 8.5 * DEG, altitude, 0.0, each.cruise)
@@ -91,8 +100,12 @@ def air_met(case: Case, seconds: float, seed: int) -> Vectors:
         if step % EVERY == 0:
             truth = plant.truth()
             winds.append(truth.wind_n)
-        thrust = each.cruise_thrust + 0.1 * (aircraft.airspeed - truth.airspeed)
-        setpoint = (*wanted_rates(truth, each.cruise.pitch, altitude), max(0.0, min(1.0, thrust)))
+        lower = altitude - truth.altitude
+        if abs(lower) > 0.5 * case.height:
+            raise RuntimeError(f"{case}, seed {seed}: {lower:.0f} m below its height")
+        thrust = each.cruise_thrust + 0.1 * (aircraft.airspeed - truth.airspeed) + 0.02 * lower
+        rates = wanted_rates(truth, each.cruise.pitch, altitude, aircraft.airspeed)
+        setpoint = (*rates, max(0.0, min(1.0, thrust)))
         controls, memory = inner_loop(each.tables, plant.inner(), setpoint, memory, STEP)
         plant.advance(controls)
     return np.array(winds)
