@@ -82,6 +82,7 @@ class SetpointControl:
         note, could_send = STOOD_STILL.format(gap=gap * US), self.mode.may_send
         if gap >= self.mode.autopilot.loss_time:
             self.mode.stand_still(now, note)
+            self._setpoints.end()
         if could_send and self.mode.may_send:
             self._notes.append(note)
 
