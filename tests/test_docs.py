@@ -53,6 +53,7 @@ PLACES = [
     (SCENARIO, "[autopilot]", simulation_entry.Autopilot),
     (SCENARIO, "[[autopilot.reset]]", simulation_entry.Reset),
     (SCENARIO, "[guidance]", scenario_file.Guidance),
+    (SCENARIO, "[guidance.remedies]", scenario_file.FieldRemedies),
     (SCENARIO, "[avoidance]", scenario_file.Avoidance),
     (SCENARIO, "[fence]", fence.Fence),
     (SCENARIO, "[[fence.zone]]", fence.ZoneEntry),

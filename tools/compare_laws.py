@@ -36,15 +36,24 @@ from rich.table import Table as RichTable
 from vfguide.field.swarm_control import fly_paper_law
 from vfguide.geometry.shapes.base import EDGED
 from vfguide.geometry.vector import Series
-from vfguide.guidance.laws import FLIGHT, PAPER, Law
+from vfguide.guidance.laws import FIELD_LAW, FLIGHT, PAPER, Law
 from vfguide.loop.rows import step_measured
 from vfguide.runs.steps import Steps
 
-PAPERS_PLANT, PRINTED, UNASSURED, OURS = LAWS = ("own plant", "printed", "unassured", "ours")
+PAPERS_PLANT, PRINTED, UNASSURED, OURS, BARE, LED = LAWS = (
+    "own plant",
+    "printed",
+    "unassured",
+    "ours",
+    "bare",
+    "led",
+)
 FLOWN: dict[str, Law] = {
     PRINTED: PAPER,
     UNASSURED: FLIGHT._replace(is_assured=False),
     OURS: FLIGHT,
+    BARE: FIELD_LAW._replace(is_assured=False),
+    LED: FIELD_LAW,
 }
 """The laws of the aeroplane."""
 HIGHEST = 1e6

@@ -14,15 +14,31 @@ from vfguide.airspace.detection import Airspace
 from vfguide.airspace.hazards import Intruder
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import NavState, known_state
-from vfguide.guidance import flight_law, laws, paper_law
+from vfguide.guidance import field_law, flight_law, laws, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
-from vfguide.guidance.laws import FLIGHT, LAWS, PAPER, FlightLaw, Law, PaperLaw, crossing, law_of
+from vfguide.guidance.laws import (
+    FIELD_LAW,
+    FLIGHT,
+    LAWS,
+    PAPER,
+    FieldLaw,
+    FlightLaw,
+    Law,
+    PaperLaw,
+    crossing,
+    law_of,
+)
 from vfguide.kernels.compiled import compiled
 from vfguide.planning import planning
 from vfguide.planning.objective import GuidanceTarget, Objective, objective_at
 from vfguide.planning.route import Route, fresh_route
 
-UPDATES = {FlightLaw: flight_law.update, PaperLaw: paper_law.update}
+
+def update_field(*given):
+    return field_law.update(FIELD_LAW.remedies, *given)
+
+
+UPDATES = {FlightLaw: flight_law.update, PaperLaw: paper_law.update, FieldLaw: update_field}
 CIRCLE = GOAL._replace(circle=1.0, radius=120.0)
 HERE = state((-300.0, 20.0, -140.0), 0.4, wind=(3.0, -4.0, 0.5), time=1.02)
 CROSSING = Intruder((-200.0, 150.0, -140.0), (0.0, -10.0, 0.0), 0.0, 50.0, 30.0, 1.0, 1.0)
@@ -46,12 +62,16 @@ def in_compiled_code(
 
 def arguments(law: Law, here: FlightState, target: GuidanceTarget, airspace: Airspace | None):
     """All that a law is given in the middle of a flight."""
-    nav, goal, s = known_state(here, 1.0), objective_at(target, here), GuidanceState(0.02, -1.0)
+    nav, goal, s = (
+        known_state(here, 1.0),
+        objective_at(target, here),
+        GuidanceState(0.02, -1.0, True, math.inf, 0.0),
+    )
     route = planning.update(nav, goal, None, law.plans, fresh_route(), s.slope, VEHICLE)
     return nav, goal, route, airspace, s, VEHICLE
 
 
-@pytest.mark.parametrize("law", [FLIGHT, PAPER], ids=["flight", "paper"])
+@pytest.mark.parametrize("law", [FLIGHT, PAPER, FIELD_LAW], ids=["flight", "paper", "field"])
 @pytest.mark.parametrize("target", [GOAL, CIRCLE], ids=["goal", "circle"])
 @pytest.mark.parametrize("airspace", [None, AMONG], ids=["free", "among"])
 def test_the_law_that_is_chosen_is_flown(law, target, airspace):
@@ -94,7 +114,7 @@ def crossed(law: Law | None) -> Law:
     return law_of(law)
 
 
-@pytest.mark.parametrize("law", [FLIGHT, PAPER])
+@pytest.mark.parametrize("law", [FLIGHT, PAPER, FIELD_LAW])
 @pytest.mark.parametrize("cross", [law_of, crossed])
 def test_a_law_crosses_as_itself(law, cross):
     assert type(cross(crossing(law))) is type(law)

@@ -157,6 +157,20 @@ def instead_of_goal(lines: str) -> str:
             'vehicle[0].goal[0].attempts = 2: law = "paper" passes a goal once, allowed 0 to 1',
         ),
         (
+            at_top('plant = "kinematic"\nlaw = "field"'),
+            'law = "field": only plant = "jsbsim" flies it, allowed here "flight", "paper"',
+        ),
+        (
+            at_top("[guidance.remedies]\nside = true"),
+            'guidance.remedies: only law = "field" has remedies, not law = "flight"',
+        ),
+        (
+            at_top('law = "field"\n[guidance.remedies]\nsides = true'),
+            "guidance.remedies.sides: unknown key, did you mean side?; allowed: "
+            "relative_velocity, reactive_range, lead, unit_sum, side, bounded_circles, approach, "
+            "search",
+        ),
+        (
             in_goal("tolerance_m = 0.0"),
             "vehicle[0].goal[0].tolerance_m = 0.0: too small, allowed above 0, up to 1000",
         ),

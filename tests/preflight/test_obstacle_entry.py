@@ -149,7 +149,10 @@ def test_what_moves_may_come_over_a_goal_and_start_over_it(tmp_path: Path) -> No
             PAPER.replace('"kinematic"', '"kinematics"'),
             'plant = "kinematics": unknown, did you mean kinematic?; allowed "jsbsim", "kinematic"',
         ),
-        (PAPER.replace('law = "paper"', "law = 3"), 'law = 3: unknown; allowed "flight", "paper"'),
+        (
+            PAPER.replace('law = "paper"', "law = 3"),
+            'law = 3: unknown; allowed "flight", "field", "paper"',
+        ),
         # Attitudes.
         (
             FLIGHT.replace("kinematic", "jsbsim").replace(

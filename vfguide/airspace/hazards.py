@@ -151,6 +151,17 @@ def traffic_zone(intruder: Intruder, band: Band, margin: float, t: float) -> Kee
 
 
 @compiled
+def hazard_velocity(hazards: Hazards, i: int) -> Vec3:
+    """Velocity of hazard `i`, NED [m/s]."""
+    if i < len(hazards.obstacles):
+        return read_obstacle(hazards.obstacles[i]).v_n
+    i -= len(hazards.obstacles) + len(hazards.fences.zones) + 1
+    if i >= 0:
+        return read_intruder(hazards.traffic[i]).v_n
+    return 0.0, 0.0, 0.0
+
+
+@compiled
 def hazard_speed(hazards: Hazards, i: int) -> float:
     """Largest closing speed of hazard `i` towards a fixed point [m/s]."""
     if i < len(hazards.obstacles):

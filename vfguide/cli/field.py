@@ -13,7 +13,7 @@ def field(
         Path, typer.Option(metavar="FILE.csv", help="Where: columns x,y,z,vx,vy,vz,t.")
     ],
     law: Annotated[
-        Literal["paper", "flight"] | None,
+        Literal["paper", "field", "flight"] | None,
         typer.Option(help="Whose directions. [default: the law of the scenario]"),
     ] = None,
 ) -> None:

@@ -50,20 +50,29 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     start = best_start(around, azimuth_of(point.v_n))
     if start.route.following.clearance < 0.0:
         raise NoPlanError("no route to the goal is found among the hazards known there")
-    return settled(around, start)
-
-
-def settled(around: Surroundings, start: Start) -> FieldPoint:
-    """The direction, attitude and body rates of a vehicle that has settled on a plan."""
-    airspeed = around.plan.vehicle.gains.airspeed
     gamma = settled_path_angle(around, start)
-    wind = around.wind_n[0], around.wind_n[1]
+    return settled(plan, start.course, start.course_rate, gamma, wind_n)
+
+
+def settled(
+    plan: Plan, course: float, course_rate: float, gamma: float, wind_n: Vec3
+) -> FieldPoint:
+    """The direction, attitude and body rates of a vehicle that has settled on a course.
+
+    Args:
+        plan: the plan of the vehicle.
+        course: over ground [rad].
+        course_rate: its rate [rad/s].
+        gamma: path angle through the air [rad].
+        wind_n: wind, blowing toward, NED [m/s].
+    """
+    aircraft, gains, _ = plan.vehicle
+    airspeed = gains.airspeed
     level = airspeed * math.cos(gamma)
-    heading = heading_for_course(start.course, start.course_rate, wind, level)
-    aircraft, gains, _ = around.plan.vehicle
+    heading = heading_for_course(course, course_rate, (wind_n[0], wind_n[1]), level)
     bank_max = usable_bank(aircraft, gains, airspeed)
     lift = lift_for_turn(level * heading.psi_rate, gamma, bank_max, aircraft.load_max)
-    R_a = attitude_of(around.plan, heading.psi, gamma, lift)
+    R_a = attitude_of(plan, heading.psi, gamma, lift)
     turn = (0.0, 0.0, turn_rate(lift.bank, airspeed))
     F = (
         math.cos(gamma) * math.cos(heading.psi),

@@ -56,7 +56,7 @@ def _after_1970(time: datetime) -> datetime:
 Name = Annotated[str, AfterValidator(_name)]
 Time = Annotated[AwareDatetime, AfterValidator(_after_1970)]
 Plant = Annotated[Literal["jsbsim", "kinematic"], word("jsbsim", "kinematic")]
-Law = Annotated[Literal["flight", "paper"], word("flight", "paper")]
+Law = Annotated[Literal["flight", "field", "paper"], word("flight", "field", "paper")]
 
 
 class Origin(Table):
@@ -68,6 +68,27 @@ class Origin(Table):
     """Above mean sea level; also the height of the flat ground."""
     undulation_m: Undulation = 0.0
     """Height of mean sea level above the WGS-84 ellipsoid."""
+
+
+class FieldRemedies(Table):
+    """What law `field` does beyond the paper's print, each on or off."""
+
+    relative_velocity: bool = True
+    """Hazards are passed by the velocity relative to them; else by their place alone."""
+    reactive_range: bool = True
+    """Hazards act from where a turn away still suffices; else within their `reactive_level`."""
+    lead: bool = True
+    """The turn rate of the field is fed forward."""
+    unit_sum: bool = True
+    """All terms of the sum over the hazards have the airspeed."""
+    side: bool = True
+    """What is dead ahead is passed on the side of the step before."""
+    bounded_circles: bool = True
+    """Ahead of the goal a point behind it is led to; else the circles of the print."""
+    approach: bool = True
+    """The last three turn radii are flown as by law `flight`; else the field leads to the goal."""
+    search: bool = True
+    """Where the field comes no nearer, a route around the hazards is flown."""
 
 
 class Guidance(Table):
@@ -90,6 +111,8 @@ class Guidance(Table):
     """Side of the circle after the last goal."""
     loiter_radius_m: Annotated[float, above(0, 10_000)] | None = None
     """Of that circle; None: each aircraft's own. It grows where wind and bank ask for more."""
+    remedies: FieldRemedies | None = None
+    """None: law `field` flies all of them."""
 
 
 class Avoidance(Table):

@@ -63,6 +63,19 @@ def plan_slope(
     up = airspeed_to_groundspeed(state.airspeed, groundspeed)
     steepest = steepest_path(wanted, radius_factor, target.slope, aircraft)
     wanted = max(-up * steepest, min(up * steepest, wanted))
+    return limited_slope(wanted, before, airspeed, dt)
+
+
+@compiled
+def limited_slope(wanted: float, before: float, airspeed: float, dt: float) -> float:
+    """The wanted slope dh/ds, its rate limited.
+
+    Args:
+        wanted: slope that is wanted.
+        before: slope of the step before.
+        airspeed: true airspeed to fly [m/s].
+        dt: time since the step before [s].
+    """
     change = SLOPE_RATE / airspeed * dt
     return max(before - change, min(before + change, wanted))
 

@@ -77,7 +77,7 @@ def update(
         route.leg.phase,
         route.leg.radius,
     )
-    return command, GuidanceState(slope, turning)
+    return command, GuidanceState(slope, turning, s.leads, s.nearest, s.since)
 
 
 @compiled

@@ -14,8 +14,9 @@ from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState
-from vfguide.guidance import flight_law, paper_law
+from vfguide.guidance import field_law, flight_law, paper_law
 from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.guidance.remedies import ALL_REMEDIES, Remedies
 from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
 
@@ -38,12 +39,25 @@ class PaperLaw(NamedTuple):
     """Whether the run-time assurance guards the law."""
 
 
-Law = FlightLaw | PaperLaw
+class FieldLaw(NamedTuple):
+    """Law `field`: the paper's avoidance field, made flyable."""
+
+    plans: bool = True
+    """Whether routes are planned."""
+    is_assured: bool = True
+    """Whether the run-time assurance guards the law."""
+    remedies: Remedies = ALL_REMEDIES
+    """What it does beyond the print."""
+
+
+Law = FlightLaw | PaperLaw | FieldLaw
 FLIGHT = FlightLaw()
 """Law `flight` with its default settings."""
 PAPER = PaperLaw()
 """Law `paper` with its default settings."""
-LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "paper": PAPER}
+FIELD_LAW = FieldLaw()
+"""Law `field` with its default settings."""
+LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "field": FIELD_LAW, "paper": PAPER}
 """The laws by the names that they have in scenario files."""
 
 LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
@@ -99,7 +113,27 @@ def update(
         s: state of guidance at the step before.
         vehicle: its aircraft and gains.
     """
+    if isinstance(law, FieldLaw):
+        return field_law.update(law.remedies, nav, goal, route, airspace, s, vehicle)
     return LAWS[type(law)](nav, goal, route, airspace, s, vehicle)
+
+
+def wants_route(law: Law, s: GuidanceState) -> bool:
+    """Whether the law follows a route at this step."""
+    return law.plans and not (isinstance(law, FieldLaw) and s.leads)
+
+
+@overload(wants_route)
+def _compiled_wants_route(law: Any, s: Any) -> Any:
+    """The same in compiled code."""
+
+    def field(law: Any, s: Any) -> Any:
+        return law.plans and not s.leads
+
+    def others(law: Any, s: Any) -> Any:
+        return law.plans
+
+    return field if law.instance_class is FieldLaw else others
 
 
 @overload(update)
@@ -107,9 +141,17 @@ def _compiled_update(
     law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
 ) -> Any:
     """The `update` of a law in compiled code, chosen by the type of its record."""
+    if law.instance_class is FieldLaw:
+        return _fly_field
     chosen: Any = LAWS[law.instance_class]
 
     def fly(law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any) -> Any:
         return chosen(nav, goal, route, airspace, s, vehicle)
 
     return fly
+
+
+def _fly_field(
+    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
+) -> Any:
+    return field_law.update(law.remedies, nav, goal, route, airspace, s, vehicle)

@@ -82,7 +82,7 @@ def update(
         route.leg.phase,
         route.leg.radius,
     )
-    return command, GuidanceState(slope, side)
+    return command, GuidanceState(slope, side, s.leads, s.nearest, s.since)
 
 
 @compiled

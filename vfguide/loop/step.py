@@ -63,7 +63,9 @@ def step(
     phase, slope = s.planning.leg.phase, s.guidance.slope
     objective, mission_state, passage = mission.update(nav, s.mission, phase, legs, vehicle)
     known, detection_state = detection.update(nav, airspace, s.detection)
-    route = planning.update(nav, objective, known, law.plans, s.planning, slope, vehicle)
+    route = planning.update(
+        nav, objective, known, laws.wants_route(law, s.guidance), s.planning, slope, vehicle
+    )
     wanted, guidance_state = laws.update(law, nav, objective, route, known, s.guidance, vehicle)
     command, assurance_state = assurance.update(
         nav, wanted, known, law.is_assured, route.following.clearance, s.assurance, vehicle

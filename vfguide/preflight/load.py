@@ -33,7 +33,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     loaded = resolved_from(entry, source)
     scenario = loaded.scenario
     source.check_distinct("vehicle", "id", [vehicle.id for vehicle in scenario.vehicles])
-    if scenario.law == "flight" or scenario.plant == "jsbsim":
+    if scenario.law != "paper" or scenario.plant == "jsbsim":
         checks.check_aircraft(scenario, entry, loaded.aircraft, source)
     if scenario.plant == "jsbsim":
         checks.check_ground(scenario, entry, source)

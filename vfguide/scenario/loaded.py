@@ -80,7 +80,7 @@ class LoadedScenario:
         Raises:
             InputError: it is not.
         """
-        if self.scenario.law != "flight":
+        if self.scenario.law == "paper":
             rule = 'only vfguide run flies it, allowed "flight"'
             raise InputError(f'{self.path}: law = "{self.scenario.law}": {rule}')
 

@@ -4,7 +4,8 @@ from vfguide.companion.plan import Plan
 from vfguide.field.goal_frame import GoalFrame, goal_frame
 from vfguide.files.errors import InputError
 from vfguide.geometry.units import DEG
-from vfguide.guidance.laws import LAWS_BY_NAME
+from vfguide.guidance.laws import FIELD_LAW, LAWS_BY_NAME, Law
+from vfguide.guidance.remedies import Remedies
 from vfguide.scenario.hazards import hazard_names, hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
 from vfguide.scenario.loaded import LoadedScenario
@@ -47,8 +48,16 @@ def plan_of(loaded: LoadedScenario, vehicle: Vehicle) -> Plan:
         loaded.scenario.duration_s,
         volume_from(loaded.scenario.avoidance),
         int(vehicle.icao or "0", 16),
-        LAWS_BY_NAME[loaded.scenario.law],
+        law_from(loaded.scenario),
     )
+
+
+def law_from(scenario: Scenario) -> Law:
+    """The law of a scenario, with its remedies."""
+    remedies = scenario.guidance.remedies
+    if scenario.law == "field" and remedies is not None:
+        return FIELD_LAW._replace(remedies=Remedies(**remedies.model_dump()))
+    return LAWS_BY_NAME[scenario.law]
 
 
 def frame_of(goal: ScenarioGoal) -> GoalFrame:

@@ -1,0 +1,105 @@
+"""Law field on plant jsbsim: it leads to the goals, is assured, and replays to the bit."""
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+from commands import vfguide
+
+from vfguide.field_points.field_law_points import led_field
+from vfguide.field_points.field_point import Point
+from vfguide.guidance.laws import FIELD_LAW
+from vfguide.guidance.remedies import Remedies
+from vfguide.loop.rows import step_measured
+from vfguide.loop.state import state_of_row
+from vfguide.preflight.load import load_scenario
+from vfguide.runs.lockstep import fly_scenario
+from vfguide.runs.steps import Steps
+from vfguide.scenario.plans import plan_of
+
+pytestmark = pytest.mark.slow
+
+
+class Watched:
+    """The steps of a flight: the states before them, and whether the field led."""
+
+    def __init__(self, name, *changes):
+        self.loaded = load_scenario(name, changes)
+        self.leads = []
+
+    def step(self, measured, origin, before, legs, airspace, law, vehicle):
+        out = step_measured(measured, origin, before, legs, airspace, law, vehicle)
+        _, _, _, after, _ = out
+        state = state_of_row(after)
+        self.leads.append(bool(state.guidance.leads))
+        return out
+
+    def fly(self, folder):
+        return fly_scenario(self.loaded, folder, steps=Steps(measured=self.step))
+
+
+@pytest.mark.parametrize("name", ["field/slalom", "field/crossing", "first-flight", "towers"])
+def test_it_reaches_the_goals_and_replays(name, tmp_path):
+    done = vfguide("run", name, "--set", "law=field", "--no-report", "--out", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    (vehicle,) = result["vehicles"]
+    assert all(goal["reached"] and goal["miss_m"] < 1.0 for goal in vehicle["goals"])
+    assert all(each["min_clearance_m"] > 6.0 for each in vehicle["obstacles"])
+    replayed = vfguide("replay", "out/vehicle-1.tlog", cwd=tmp_path)
+    assert replayed.returncode == 0, replayed.stdout
+
+
+def test_the_field_leads_and_not_the_search(tmp_path):
+    """Outside of the last three turn radii; 4 to 5 s of the flight are inside."""
+    watched = Watched("field/slalom")
+    watched.fly(tmp_path)
+    flown = np.array(watched.leads)
+    last = np.flatnonzero(flown)[-1]
+    assert flown[: last + 1].mean() > 0.99
+    assert last > 0.6 * len(flown)
+
+
+def test_other_remedies_are_flown_otherwise(tmp_path):
+    """Each of them reaches the law: without it the path among walls is another one."""
+    paths = {}
+    for name in ("", *Remedies._fields):
+        changes = [f"guidance.remedies.{name}=false"] if name else []
+        loaded = load_scenario("field/slalom", changes)
+        if name:
+            law = plan_of(loaded, loaded.scenario.vehicles[0]).law
+            assert law == FIELD_LAW._replace(remedies=Remedies()._replace(**{name: False}))
+        folder = tmp_path / (name or "all")
+        folder.mkdir()
+        record = fly_scenario(loaded, folder).records[0]
+        paths[name] = record.p_n
+    same = {name for name, p_n in paths.items() if name and np.array_equal(p_n, paths[""])}
+    assert same <= {"relative_velocity", "search", "side", "bounded_circles"}, (
+        "nothing moves here, the field comes nearer all the time, and the start is before the goal"
+    )
+
+
+@cache
+def slalom():
+    loaded = load_scenario("field/slalom")
+    return plan_of(loaded, loaded.scenario.vehicles[0])
+
+
+def test_the_field_at_points_is_that_of_the_plan():
+    at = led_field(slalom(), Point((-500.0, 20.0, -100.0), (25.0, 0.0, 0.0), 0.0), (0.0,) * 3)
+    assert len(at.chi) == 4
+    assert min(at.chi) < 1.0
+    R = np.array(at.R_a)
+    assert np.allclose(R.T @ R, np.eye(3), atol=1e-12)
+
+
+def test_the_command_prints_it(tmp_path):
+    (tmp_path / "points.csv").write_text("x,y,z,vx,vy,vz,t\n-700,0,-100,25,0,0,0\n")
+    options = ("--vehicle", "1", "--points", "points.csv", "--law", "field")
+    done = vfguide("field", "field/slalom", *options, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    (point,) = json.loads(done.stdout)
+    assert point["F"][0] > 0.0
+    assert point["G"] is None
+    assert len(point["chi"]) == 4
