@@ -8,15 +8,17 @@ from loop_legs import FAR, GOALS
 from loop_steps import step_told
 
 from vfguide.aircraft.state import FlightState
-from vfguide.annunciations.flight_notes import progress_notes
+from vfguide.annunciations.flight_notes import leader_notes, progress_notes
 from vfguide.annunciations.goal_announcement import announcement
 from vfguide.annunciations.goal_notes import passage_note
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.units import DEG
+from vfguide.guidance.guidance_state import FieldProgress, GuidanceState, Leader
 from vfguide.guidance.laws import FLIGHT
 from vfguide.kernels.rows import row_of
 from vfguide.loop.attempts import Attempts
+from vfguide.loop.loop_report import has_news
 from vfguide.loop.mission import MissionState
 from vfguide.loop.state import fresh_state, row_of_state
 from vfguide.planning.excess_wind import fresh_wind_hold
@@ -62,3 +64,24 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
     period = FULL_TURN * 80.0 / 25.0
     assert period < time < 3.0 * period
     assert note.startswith("no progress to goal 1: flown a full circle more than its path has")
+
+
+def led_by(leader, goal=0):
+    """The row of a state in which a leader of law field was followed to a goal."""
+    s = fresh_state()
+    progress = FieldProgress(leader, 100.0, 90.0, 3.0)
+    mission = s.mission._replace(goal=goal)
+    return row_of_state(s._replace(guidance=GuidanceState(0.0, 1.0, progress), mission=mission))
+
+
+def test_a_route_of_law_field_is_told_once():
+    field, approach, route = map(led_by, (Leader.FIELD, Leader.APPROACH, Leader.ROUTE))
+    assert leader_notes(field, route) == ["the field comes no nearer to goal 1: a route is flown"]
+    assert leader_notes(route, field) == ["the field leads again to goal 1"]
+    for before, after in ((field, field), (route, route), (field, approach), (approach, route)):
+        assert leader_notes(before, after) == []
+    assert leader_notes(route, led_by(Leader.FIELD, goal=1)) == []
+
+
+def test_who_leads_is_news():
+    assert has_news(led_by(Leader.FIELD), led_by(Leader.ROUTE))

@@ -10,7 +10,7 @@ from hazard_samples import ball, hazards
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import GuidanceCommand, unknown_rates
 from vfguide.aircraft.path_limits import ZOOM_RATIO
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace
@@ -33,7 +33,7 @@ from vfguide.estimation.estimation import known_state
 from vfguide.geometry.so3 import IDENTITY
 
 HERE = (0.0, 0.0, -150.0)
-WISH = GuidanceCommand(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0)
+WISH = GuidanceCommand(0.0, 0.0, 0.02, 0.02, 0.1, 1.0, 500.0, 1, 80.0, unknown_rates())
 NORTHWARD = FlightState(1.0, HERE, (25.0, 0.0, 0.0), IDENTITY, 25.0, (0.0, 0.0, 0.0))
 
 

@@ -7,7 +7,7 @@ from flight_states import VEHICLE
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import GuidanceCommand, unknown_rates
 from vfguide.aircraft.coordinated_turn import attitude_for_lift
 from vfguide.aircraft.state import FlightState
 from vfguide.control import control
@@ -30,7 +30,9 @@ def rates(azimuth, sideslip, bank, asked):
     zero = (0.0, 0.0, 0.0)
     nav = known_state(FlightState(0.0, zero, v_n, R_nb, SPEED, zero), -1.0)
     load = 1.0 / math.cos(asked)
-    command = GuidanceCommand(azimuth, azimuth, 0.0, 0.0, asked, load, 1e3, 0, 60.0)
+    command = GuidanceCommand(
+        azimuth, azimuth, 0.0, 0.0, asked, load, 1e3, 0, 60.0, unknown_rates()
+    )
     return control.update(nav, command, fresh_control(), VEHICLE)[0].omega_b
 
 

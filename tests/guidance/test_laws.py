@@ -15,7 +15,7 @@ from vfguide.airspace.hazards import Intruder
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import NavState, known_state
 from vfguide.guidance import field_law, flight_law, laws, paper_law
-from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.guidance.guidance_state import GuidanceState, leg_begins
 from vfguide.guidance.laws import (
     FIELD_LAW,
     FLIGHT,
@@ -65,7 +65,7 @@ def arguments(law: Law, here: FlightState, target: GuidanceTarget, airspace: Air
     nav, goal, s = (
         known_state(here, 1.0),
         objective_at(target, here),
-        GuidanceState(0.02, -1.0, True, math.inf, 0.0),
+        GuidanceState(0.02, -1.0, leg_begins(0.0)),
     )
     route = planning.update(nav, goal, None, law.plans, fresh_route(), s.slope, VEHICLE)
     return nav, goal, route, airspace, s, VEHICLE
@@ -80,7 +80,7 @@ def test_the_law_that_is_chosen_is_flown(law, target, airspace):
     assert laws.update(law, *given) == wanted
     assert in_compiled_code(law, *given) == wanted
     command, after = wanted
-    assert not any(map(math.isnan, (*command, *after)))
+    assert not any(map(math.isnan, (*command[:-1], *command.rates, *after[:-1], *after.progress)))
 
 
 def test_the_laws_differ_but_on_the_circle():
@@ -106,7 +106,7 @@ def test_settings_of_a_law_choose_no_other():
     assert in_compiled_code(plain, *arguments(plain, HERE, GOAL, None)) == in_compiled_code(
         FLIGHT, *arguments(FLIGHT, HERE, GOAL, None)
     )
-    assert set(LAWS) == {FlightLaw, PaperLaw}
+    assert set(LAWS) == {FlightLaw, FieldLaw, PaperLaw}
 
 
 @compiled

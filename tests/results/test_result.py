@@ -27,7 +27,7 @@ DOCUMENTED = json.loads(
  "vehicles": [{"id": 1, "goals": [{"reached": true, "time_s": 24.5, "miss_m": 0.03,
                                    "told_miss_m": null, "course_error_deg": 0.1,
                                    "climb_error_deg": 0.0}],
-   "obstacles": [], "fence_clearance_m": null, "assurance": null,
+   "obstacles": [], "fence_clearance_m": null, "assurance": null, "field": null,
    "max_bank_deg": 47.0, "load_factor": [0.95, 1.53], "airspeed_mps": [24.8, 25.2],
    "altitude_m": [148.0, 151.0], "setpoints": 1475, "setpoint_rate_hz": 50.0,
    "traffic": [], "identified": []}]}

@@ -9,6 +9,7 @@ from commands import vfguide
 
 from vfguide.field_points.field_law_points import led_field
 from vfguide.field_points.field_point import Point
+from vfguide.guidance.guidance_state import Leader
 from vfguide.guidance.laws import FIELD_LAW
 from vfguide.guidance.remedies import Remedies
 from vfguide.loop.rows import step_measured
@@ -32,7 +33,7 @@ class Watched:
         out = step_measured(measured, origin, before, legs, airspace, law, vehicle)
         _, _, _, after, _ = out
         state = state_of_row(after)
-        self.leads.append(bool(state.guidance.leads))
+        self.leads.append(state.guidance.progress.leader == Leader.FIELD)
         return out
 
     def fly(self, folder):

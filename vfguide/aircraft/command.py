@@ -2,6 +2,31 @@
 
 from typing import NamedTuple
 
+from vfguide.kernels.compiled import compiled
+
+
+class CommandRates(NamedTuple):
+    """How a command, and the air velocity that flies it, change along the motion."""
+
+    are_known: bool
+    """Whether the law gives them; else the others are zero."""
+    azimuth: float
+    """Of the azimuth of the air velocity [rad/s]."""
+    path: float
+    """Of its path angle [rad/s]."""
+    gamma: float
+    """Of the commanded path angle [rad/s]."""
+    bank: float
+    """Of the commanded bank [rad/s]."""
+    load: float
+    """Of the commanded load factor [1/s]."""
+
+
+@compiled
+def unknown_rates() -> CommandRates:
+    """The rates of a command whose law does not give them."""
+    return CommandRates(False, 0.0, 0.0, 0.0, 0.0, 0.0)
+
 
 class GuidanceCommand(NamedTuple):
     """What control flies at one step, and what displays and logs show of it."""
@@ -24,3 +49,5 @@ class GuidanceCommand(NamedTuple):
     """Phase of the leg, see `vfguide.paths.leg`."""
     radius: float
     """Turn radius of the approach [m]."""
+    rates: CommandRates
+    """How it changes along the motion."""

@@ -7,9 +7,9 @@ level flight (Beard and McLain, Small Unmanned Aircraft, 2012, chapter 5).
 import math
 from typing import NamedTuple
 
-from vfguide.geometry.so3 import from_euler
+from vfguide.geometry.so3 import body_rates, from_euler, rot_y
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3, matmul, matvec, transpose
+from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, transpose
 from vfguide.kernels.compiled import compiled
 
 
@@ -46,6 +46,23 @@ def angle_of_attack(R_nb: Mat3, air: Vec3) -> float:
     """Angle of attack atan2(w, u) [rad] of a velocity through the air, NED [m/s]."""
     u, _, w = matvec(transpose(R_nb), air)
     return math.atan2(w, u)
+
+
+@compiled
+def attitude_rate_for_lift(
+    elevation: float, bank: float, alpha: float, euler_rates: Vec3, alpha_rate: float
+) -> Vec3:
+    """Body rates [rad/s] of `attitude_for_lift` as its angles change.
+
+    Args:
+        elevation: of the air velocity [rad].
+        bank: about it [rad].
+        alpha: angle of attack [rad].
+        euler_rates: of bank, elevation and azimuth [rad/s].
+        alpha_rate: of the angle of attack [rad/s].
+    """
+    about_velocity = body_rates(bank, elevation, euler_rates)
+    return add(matvec(rot_y(-alpha), about_velocity), (0.0, alpha_rate, 0.0))
 
 
 @compiled

@@ -2,9 +2,10 @@
 
 from vfguide.annunciations.goal_notes import leg_note
 from vfguide.estimation.position_resets import settled
+from vfguide.guidance.guidance_state import Leader
 from vfguide.kernels.rows import Row
 from vfguide.link.messages import GpsGlobalOrigin
-from vfguide.loop.loop_report import is_alarmed, number_of_resets
+from vfguide.loop.loop_report import is_alarmed, leader_of_row, number_of_resets
 from vfguide.loop.state import LoopState, state_of_row
 
 JUMPED = "the position told by the autopilot has jumped by {size:.0f} m: let in slowly"
@@ -18,6 +19,11 @@ NO_PROGRESS = (
     "and no nearer than {least:.0f} m along it"
 )
 """Note on a leg without progress."""
+
+ROUTE_BEGINS = "the field comes no nearer to goal {goal}: a route is flown"
+"""Note where law `field` asks for a route."""
+FIELD_AGAIN = "the field leads again to goal {goal}"
+"""Note at the end of that route."""
 
 
 def origin_notes(before: GpsGlobalOrigin | None, after: GpsGlobalOrigin | None) -> list[str]:
@@ -34,6 +40,17 @@ def progress_notes(before: Row, after: Row) -> list[str]:
         return []
     s = state_of_row(after)
     return [NO_PROGRESS.format(goal=s.mission.goal + 1, least=s.progress.least)]
+
+
+def leader_notes(before: Row, after: Row) -> list[str]:
+    """Notes of a route that law `field` has begun or ended in a step on one leg."""
+    was, now = leader_of_row(before), leader_of_row(after)
+    goal = state_of_row(after).mission.goal
+    if was == now or state_of_row(before).mission.goal != goal:
+        return []
+    if (was, now) == (Leader.FIELD, Leader.ROUTE):
+        return [ROUTE_BEGINS.format(goal=goal + 1)]
+    return [FIELD_AGAIN.format(goal=goal + 1)] if now == Leader.FIELD else []
 
 
 def reset_notes(before: Row, after: Row) -> list[str]:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vfguide.annunciations.airspeed_notes import AirspeedAnnunciator
 from vfguide.annunciations.doubt_notes import doubt_notes, unfit
-from vfguide.annunciations.flight_notes import reset_notes, wind_notes
+from vfguide.annunciations.flight_notes import leader_notes, reset_notes, wind_notes
 from vfguide.annunciations.hazard_notes import HazardAnnunciator
 from vfguide.kernels.rows import Row
 from vfguide.loop.loop_report import changes, doubts_of_row, trusts_sensor_of_row
@@ -33,7 +33,7 @@ class StepAnnunciator:
         self.unfit: str | None = None
         """Why what the autopilot reports cannot be flown on; None where it can."""
         self.has_news = False
-        """Whether the last step changed anything of air, position, wind and progress."""
+        """Whether the last step changed anything of air, position, wind, progress and who leads."""
         self._airspeed = AirspeedAnnunciator()
         self._told_reset: int | None = None
         self.begin(plan)
@@ -56,7 +56,7 @@ class StepAnnunciator:
     def events(
         self, before: Row, after: Row, now_ms: int, t: float, calibrated: float
     ) -> list[str]:
-        """Notes of what a step that is flown has changed in air, position, wind and hazards.
+        """Notes of what a step that is flown has changed for the operator, doubts apart.
 
         Args:
             before: row of the `LoopState` before the step.
@@ -70,6 +70,7 @@ class StepAnnunciator:
             believes, hears = trusts_sensor_of_row(after), not math.isnan(calibrated)
             notes += self._airspeed.notes(believes, hears)
             notes += self._resets(before, after, now_ms)
+            notes += leader_notes(before, after)
             notes += wind_notes(before, after, self._plan.goals, self._plan.airspeed)
         if self._hazards is not None:
             notes += self._hazards.notes(after, t)

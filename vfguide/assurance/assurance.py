@@ -7,7 +7,7 @@ of the law that it guards: it sees the command, the known hazards and the motion
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import GuidanceCommand, unknown_rates
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import ZOOM_RATIO, allowed_path, path_limits
 from vfguide.aircraft.point_mass import Dynamics, PointMass
@@ -40,7 +40,7 @@ LASTING = 0.5
 """Share of the present vertical wind that is taken to last during an escape; tuned with
 `tools/measure_avoidance.py`: with all of it nothing improved."""
 
-with_flown = replacing(GuidanceCommand, "gamma", "climb", "bank", "load")
+with_flown = replacing(GuidanceCommand, "gamma", "climb", "bank", "load", "rates")
 with_margin = replacing(Assurance, "margin")
 with_dynamics = replacing(Assurance, "limits")
 with_paths = replacing(Dynamics, "climb_max", "descent_max")
@@ -169,4 +169,6 @@ def as_decided(
         return command
     bank = max(-bank_max, min(bank_max, decision.bank))
     gamma, climb = path
-    return with_flown(command, gamma, climb, bank, math.cos(gamma) / math.cos(bank))
+    return with_flown(
+        command, gamma, climb, bank, math.cos(gamma) / math.cos(bank), unknown_rates()
+    )

@@ -11,7 +11,7 @@ into a real one, which a roll turns into angle of attack.
 from typing import NamedTuple
 
 from vfguide.aircraft.command import GuidanceCommand
-from vfguide.aircraft.coordinated_turn import attitude_for_lift
+from vfguide.aircraft.coordinated_turn import attitude_for_lift, attitude_rate_for_lift
 from vfguide.aircraft.flight_model import flight_direction, sideslip_about_vertical
 from vfguide.aircraft.performance import Gains, alpha_of_load, nonzero_airspeed
 from vfguide.aircraft.state import RateSetpoint
@@ -78,7 +78,9 @@ def update(
     elevation = command.gamma + gains.k_elevation * climbing
     R_na = attitude_for_lift(azimuth_of(air), elevation, command.bank, alpha)
     omega_a = (0.0, 0.0, 0.0)
-    if not nav.is_first:
+    if command.rates.are_known:
+        omega_a = limited(commanded_rate(command, elevation, alpha, speed, vehicle))
+    elif not nav.is_first:
         omega_a = reference_rate(s, R_na, gains.smoothing, dt)
     sideslip = sideslip_about_vertical(air, flight_direction(state.R_nb, alpha, 0.0))
     beyond = sideslip - max(-MOST_SIDESLIP_ASKED, min(MOST_SIDESLIP_ASKED, sideslip))
@@ -127,8 +129,34 @@ def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> 
 
     `smoothing` is the time constant, `dt` the time since the last reference attitude [s].
     """
-    turned = scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na)))
-    size = norm(turned)
-    if size > MAX_REFERENCE_RATE:
-        turned = scale(MAX_REFERENCE_RATE / size, turned)
+    turned = limited(scale(1.0 / dt, log(matmul(transpose(s.R_na), R_na))))
     return add(s.omega_a, scale(low_pass_share(smoothing, dt), sub(turned, s.omega_a)))
+
+
+@compiled
+def commanded_rate(
+    command: GuidanceCommand, elevation: float, alpha: float, speed: float, vehicle: Vehicle
+) -> Vec3:
+    """Angular velocity of the reference attitude in its own axes by the command's rates [rad/s].
+
+    The learned correction of the angle of attack counts as constant.
+
+    Args:
+        command: the command; its rates are known.
+        elevation: of the reference attitude [rad].
+        alpha: its angle of attack [rad].
+        speed: true airspeed [m/s].
+        vehicle: its aircraft and gains.
+    """
+    rates, (aircraft, gains, _) = command.rates, vehicle
+    climbing = rates.gamma + gains.k_elevation * (rates.gamma - rates.path)
+    pitching = alpha_of_load(rates.load, speed, aircraft) - aircraft.alpha_zero
+    turning = (rates.bank, climbing, rates.azimuth)
+    return attitude_rate_for_lift(elevation, command.bank, alpha, turning, pitching)
+
+
+@compiled
+def limited(omega_a: Vec3) -> Vec3:
+    """An angular velocity [rad/s], at most MAX_REFERENCE_RATE."""
+    size = norm(omega_a)
+    return scale(MAX_REFERENCE_RATE / size, omega_a) if size > MAX_REFERENCE_RATE else omega_a

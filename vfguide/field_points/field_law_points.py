@@ -14,7 +14,7 @@ from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import Vec3
 from vfguide.geometry.velocity import azimuth_of
 from vfguide.guidance.field_barriers import barrier_of
-from vfguide.guidance.field_law import (
+from vfguide.guidance.field_direction import (
     free_velocity,
     led,
     slope_of,
@@ -47,7 +47,7 @@ def led_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     level = from_euler(0.0, 0.0, azimuth_of(point.v_n))
     state = FlightState(point.time, point.p_n, point.v_n, level, airspeed, wind_n)
     target = target_of(plan.legs, 0)
-    F, turning, _ = led(remedies, state, target, around.airspace, plan.vehicle)
+    F, turning = led(remedies, state, target, around.airspace, plan.vehicle)
     gamma = path_angle_of(around, state, F)
     flown = settled(plan, azimuth_of(F), turning, gamma, wind_n)
     return flown._replace(F=F, chi=transitions(around, state))

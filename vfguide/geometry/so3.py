@@ -110,6 +110,18 @@ def from_euler(roll: float, pitch: float, yaw: float) -> Mat3:
 
 
 @compiled
+def body_rates(roll: float, pitch: float, rates: Vec3) -> Vec3:
+    """Angular velocity in body axes [rad/s] where roll, pitch and yaw change at `rates` [rad/s].
+
+    It is that of `from_euler`.
+    """
+    c, s = math.cos(roll), math.sin(roll)
+    level = rates[2] * math.cos(pitch)
+    p = rates[0] - rates[2] * math.sin(pitch)
+    return p, c * rates[1] + s * level, c * level - s * rates[1]
+
+
+@compiled
 def to_euler(R_nb: Mat3) -> Vec3:
     """Roll, pitch and yaw of `R_nb`, the inverse of `from_euler`; pitch in [-pi/2, pi/2].
 

@@ -19,6 +19,13 @@ def horizontal_norm(a_n: Vec3) -> float:
 
 
 @compiled
+def velocity_along(azimuth: float, path: float, speed: float) -> Vec3:
+    """The velocity, NED, of an azimuth, a path angle, up positive [rad], and a speed [m/s]."""
+    level = speed * math.cos(path)
+    return level * math.cos(azimuth), level * math.sin(azimuth), -speed * math.sin(path)
+
+
+@compiled
 def path_of(air: Vec3, speed: float) -> float:
     """Path angle of an air velocity, NED, whose length is `speed` [m/s]: [rad], up positive."""
     return math.asin(max(-1.0, min(1.0, -air[2] / speed)))

@@ -1,61 +1,53 @@
 """Law `field`: an aeroplane led along the paper's avoidance field, with a remedy for what it lacks.
 
 The direction of F_OA is made good over ground by the wind triangle, in a coordinated turn, within
-the limits of the aircraft. The free field is the paper's in the horizontal plane of the goal, with
-the altitude profile of law `flight` as its slope; hazards deflect both. What the print lacks on an
-aeroplane has a remedy, each with its switch (`Remedies`). The last turn radii to the goal are
-flown as by law `flight`, and so is a route around hazards where the field comes no nearer.
+the limits of the aircraft. What the print lacks on an aeroplane has a remedy, each with its switch
+(`Remedies`). The last turn radii to the goal are flown as by law `flight`, and so is a route around
+hazards where the field comes no nearer.
+
+The rates of the command are its derivative along the motion of the point mass that follows it, so
+that the angular velocity of the reference attitude is not smoothed out of noisy differences.
 """
 
 import math
 from typing import NamedTuple
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import CommandRates, GuidanceCommand, unknown_rates
 from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
-from vfguide.aircraft.performance import Gains, turn_length
+from vfguide.aircraft.performance import nonzero_airspeed
+from vfguide.aircraft.point_mass import PointMass, advance, dynamics
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
-from vfguide.airspace.hazards import hazard_count
 from vfguide.estimation.estimation import NavState, step_time
 from vfguide.geometry.angles import wrap
-from vfguide.geometry.vector import Vec3, add, norm, scale, sub
-from vfguide.geometry.velocity import azimuth_of, horizontal_norm, path_of
+from vfguide.geometry.so3 import bank_angle
+from vfguide.geometry.vector import add, norm, sub
+from vfguide.geometry.velocity import azimuth_of, horizontal_norm, path_of, velocity_along
 from vfguide.guidance import flight_law
-from vfguide.guidance.altitude_profile import limited_slope, plan_slope
-from vfguide.guidance.field_barriers import FieldTask, barrier_of
-from vfguide.guidance.flown_avoidance import (
-    AircraftMotion,
-    FlownField,
-    flown_field,
-    no_barriers,
-    past_barrier,
-)
-from vfguide.guidance.free_line import free_course, line_length
-from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.guidance.altitude_profile import limited_slope
+from vfguide.guidance.field_direction import led, slope_of
+from vfguide.guidance.field_progress import next_progress
+from vfguide.guidance.free_line import line_length
+from vfguide.guidance.guidance_state import FieldProgress, GuidanceState, Leader, leg_begins
 from vfguide.guidance.lateral import plan_turn
 from vfguide.guidance.remedies import Remedies
 from vfguide.guidance.wind_triangle import heading_for_course
 from vfguide.kernels.compiled import compiled
-from vfguide.planning.leg_planning import predicted_state
-from vfguide.planning.objective import GuidanceTarget, Objective
+from vfguide.kernels.rows import replacing
+from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
 
 APPROACH_RADII = 3.0
 """Distance from the goal within which the approach is that of law `flight` [turn radii]; chosen."""
-DIFFERENCE_TIME = 0.02
-"""Time over which the field is differenced along the motion [s]; chosen."""
-PATIENCE = 12.0
-"""Time without coming nearer after which a route is asked for [turn lengths over airspeed]; chosen,
-nearly two full turns."""
-PROGRESS = 1.0
-"""By how much nearer counts as nearer [turn lengths]; chosen."""
-RESUME = 4.0
-"""By how much nearer a route has to come before the field leads again [turn radii]; chosen."""
-LARGEST_TURN_RATE = 1.0
-"""Largest rate of the course that is fed forward [rad/s]; chosen above every turn of the shipped
-aircraft."""
+RATE_TIME = 1e-3
+"""Half the time over which the command is differenced along the motion [s]; chosen, so that the
+difference is its derivative to 1e-6."""
+
+with_rates = replacing(GuidanceCommand, "rates")
+with_elapsed = replacing(NavState, "elapsed")
+with_time = replacing(Airspace, "time")
 
 
 @compiled
@@ -69,34 +61,52 @@ def update(
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
     """Bank, load factor and path angle that fly the field, and the next state of guidance."""
-    if goal.begins:
-        s = GuidanceState(s.slope, s.turning, True, math.inf, nav.state.time)
-    state, (aircraft, gains, _) = goal.state, vehicle
-    radius = flyable_radius(state, usable_bank(aircraft, gains, gains.airspeed), gains)
-    away = sub(state.p_n, goal.target.p_n)
-    is_near = remedies.approach and horizontal_norm(away) < APPROACH_RADII * radius
-    if s.leads and not is_near and goal.target.circle == 0.0:
-        return lead(remedies, nav, goal, route, airspace, s, vehicle)
-    command, after = flight_law.update(nav, goal, route, airspace, s, vehicle)
-    length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
-    leads = not is_near and length < s.nearest - RESUME * radius
-    nearest = length if leads or is_near else s.nearest
-    return command, GuidanceState(after.slope, after.turning, leads, nearest, nav.state.time)
-
-
-class Led(NamedTuple):
-    """Where the field leads from a state."""
-
-    F: Vec3
-    """F_OA as a velocity over ground, NED [m/s]; its length has no meaning."""
-    turning: float
-    """Rate of its course along the motion [rad/s]."""
-    length: float
-    """Length of the line of the free field to the goal [m]."""
+    progress = progress_of(remedies, nav.state.time, goal, s.progress, vehicle)
+    s = GuidanceState(s.slope, s.turning, progress)
+    command, after = commanded(remedies, nav, goal, route, airspace, s, vehicle)
+    if not remedies.lead:
+        return command, after
+    before = shifted(-RATE_TIME, command, remedies, nav, goal, route, airspace, s, vehicle)
+    later = shifted(RATE_TIME, command, remedies, nav, goal, route, airspace, s, vehicle)
+    return with_rates(command, rates_between(before, later)), after
 
 
 @compiled
-def lead(
+def progress_of(
+    remedies: Remedies, time: float, goal: Objective, s: FieldProgress, vehicle: Vehicle
+) -> FieldProgress:
+    """Who leads at this step; `time` is now [s]."""
+    state, (aircraft, gains, _) = goal.state, vehicle
+    if goal.begins:
+        s = leg_begins(time)
+    if goal.target.circle != 0.0:
+        return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time)
+    radius = flyable_radius(state, usable_bank(aircraft, gains, gains.airspeed), gains)
+    length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
+    distance = horizontal_norm(sub(state.p_n, goal.target.p_n))
+    if remedies.approach and distance < APPROACH_RADII * radius:
+        return FieldProgress(Leader.APPROACH.value, length, length, time)
+    return next_progress(remedies, s, length, radius, time, gains)
+
+
+@compiled
+def commanded(
+    remedies: Remedies,
+    nav: NavState,
+    goal: Objective,
+    route: Route,
+    airspace: Airspace | None,
+    s: GuidanceState,
+    vehicle: Vehicle,
+) -> tuple[GuidanceCommand, GuidanceState]:
+    """The command of who leads, without its rates, and the next state; arguments as of `update`."""
+    if s.progress.leader == Leader.FIELD.value:
+        return along_field(remedies, nav, goal, route, airspace, s, vehicle)
+    return flight_law.update(nav, goal, route, airspace, s, vehicle)
+
+
+@compiled
+def along_field(
     remedies: Remedies,
     nav: NavState,
     goal: Objective,
@@ -108,9 +118,9 @@ def lead(
     """The command that follows the field, and the next state; arguments as of `update`."""
     state, (aircraft, gains, _) = goal.state, vehicle
     air = sub(state.v_n, state.wind_n)
-    speed = max(state.airspeed, 0.5 * aircraft.airspeed_min)
+    speed = nonzero_airspeed(state.airspeed, aircraft)
     flown = path_of(air, speed)
-    F, turning, length = led(remedies, state, goal.target, airspace, vehicle)
+    F, turning = led(remedies, state, goal.target, airspace, vehicle)
     wind = (state.wind_n[0], state.wind_n[1])
     heading = heading_for_course(azimuth_of(F), turning, wind, speed * math.cos(flown))
     slope = limited_slope(slope_of(F), s.slope, gains.airspeed, step_time(nav))
@@ -130,111 +140,86 @@ def lead(
         climb,
         lift.bank,
         lift.load,
-        length,
+        s.progress.length,
         leg.phase,
         leg.radius,
+        unknown_rates(),
     )
-    leads, nearest, since = follow_progress(length, nav.state.time, s, gains)
-    leads |= not remedies.search
-    return command, GuidanceState(slope, side, leads, nearest, since)
+    return command, GuidanceState(slope, side, s.progress)
+
+
+class Commanded(NamedTuple):
+    """What the reference attitude is made of."""
+
+    azimuth: float
+    """Azimuth of the air velocity [rad]."""
+    path: float
+    """Its path angle [rad]."""
+    gamma: float
+    """Commanded path angle [rad]."""
+    bank: float
+    """Commanded bank [rad]."""
+    load: float
+    """Commanded load factor."""
 
 
 @compiled
-def follow_progress(
-    length: float, time: float, s: GuidanceState, gains: Gains
-) -> tuple[bool, float, float]:
-    """Whether the field still leads nearer; the least length of its line [m], and when [s].
-
-    Args:
-        length: of the line of the free field now [m].
-        time: now [s].
-        s: the state at the step before.
-        gains: the airspeed, to which distances and times are scaled.
-    """
-    unit_length = turn_length(gains.airspeed)
-    if length < s.nearest - PROGRESS * unit_length:
-        return True, length, time
-    if time - s.since < PATIENCE * unit_length / gains.airspeed:
-        return True, s.nearest, s.since
-    return False, length, s.since
-
-
-@compiled
-def slope_of(velocity: Vec3) -> float:
-    """Slope dh/ds of a velocity, NED."""
-    return -velocity[2] / max(1e-9, horizontal_norm(velocity))
-
-
-@compiled
-def led(
+def shifted(
+    dt: float,
+    command: GuidanceCommand,
     remedies: Remedies,
-    state: FlightState,
-    target: GuidanceTarget,
+    nav: NavState,
+    goal: Objective,
+    route: Route,
     airspace: Airspace | None,
+    s: GuidanceState,
     vehicle: Vehicle,
-) -> Led:
-    """Where the field leads from a state; nothing before it matters.
+) -> Commanded:
+    """What is commanded `dt` [s] later; `command` is the one now, the others are as of `update`.
 
-    Args:
-        remedies: what is done beyond the print.
-        state: state of the vehicle, in the frame in which the target stands.
-        target: the goal.
-        airspace: the known hazards; None: there are none.
-        vehicle: its aircraft and gains.
+    The aircraft moves as a point mass that follows the command, and so do the hazards by their own
+    velocities; what guidance keeps is that of the step before.
     """
-    gains = vehicle.gains
-    ahead = predicted_state(state, gains) if remedies.lead else state
-    task = task_of(remedies, ahead, target, vehicle)
-    t = 0.0 if airspace is None else airspace.time
-    F = field_velocity(ahead.p_n, t, task, airspace)
-    later = add(ahead.p_n, scale(DIFFERENCE_TIME, ahead.v_n))
-    F_later = field_velocity(later, t + DIFFERENCE_TIME, task, airspace)
-    turning = wrap(azimuth_of(F_later) - azimuth_of(F)) / DIFFERENCE_TIME
-    most = LARGEST_TURN_RATE if remedies.lead else 0.0
-    length = line_length(ahead.p_n, target, task.radius, remedies.bounded_circles)
-    return Led(F, max(-most, min(most, turning)), length)
+    state = moved(goal.state, command, vehicle, dt)
+    then = with_elapsed(nav, nav.elapsed + dt)
+    objective = Objective(goal.target, state, False, goal.is_goal)
+    around = airspace_later(airspace, dt)
+    there, _ = commanded(remedies, then, objective, route, around, s, vehicle)
+    air, speed = sub(state.v_n, state.wind_n), nonzero_airspeed(state.airspeed, vehicle.aircraft)
+    return Commanded(azimuth_of(air), path_of(air, speed), there.gamma, there.bank, there.load)
 
 
 @compiled
-def task_of(
-    remedies: Remedies, ahead: FlightState, target: GuidanceTarget, vehicle: Vehicle
-) -> FieldTask:
-    """What the field is asked for; `ahead` is the state for which the turn is planned."""
-    aircraft, gains, _ = vehicle
-    radius = flyable_radius(ahead, usable_bank(aircraft, gains, gains.airspeed), gains)
-    length = line_length(ahead.p_n, target, radius, remedies.bounded_circles)
-    speed = max(1e-3, horizontal_norm(ahead.v_n))
-    slope = plan_slope(ahead, target, aircraft, gains.airspeed, length, speed, 1.0, 0.0, math.inf)
-    motion = AircraftMotion(
-        ahead.v_n, ahead.wind_n, gains.airspeed, remedies.side, remedies.unit_sum
-    )
-    climb = math.tan(min(aircraft.climb_max, aircraft.descent_max))
-    return FieldTask(remedies, target, slope, motion, radius, climb)
-
-
-@compiled
-def field_velocity(p_n: Vec3, t: float, task: FieldTask, airspace: Airspace | None) -> Vec3:
-    """F_OA at a position, NED [m], and a time [s], as a velocity over ground, NED [m/s]."""
-    g = free_velocity(p_n, task)
+def airspace_later(airspace: Airspace | None, dt: float) -> Airspace | None:
+    """The hazards `dt` [s] later; None: there are none."""
     if airspace is None:
-        return g
-    F = flown_field(deflected(p_n, t, g, task, airspace), g)
-    return g if F[0] == 0.0 and F[1] == 0.0 else F
+        return None
+    return with_time(airspace, airspace.time + dt)
 
 
 @compiled
-def deflected(p_n: Vec3, t: float, g: Vec3, task: FieldTask, airspace: Airspace) -> FlownField:
-    """The composite of all hazards, for a wanted velocity `g` over ground, NED [m/s]."""
-    by = no_barriers()
-    for i in range(hazard_count(airspace.hazards)):
-        by = past_barrier(by, g, barrier_of(airspace.hazards, i, p_n, t, g, task), task.motion)
-    return by
+def moved(state: FlightState, command: GuidanceCommand, vehicle: Vehicle, dt: float) -> FlightState:
+    """The state of the point mass that follows the command, `dt` [s] later."""
+    aircraft, gains, _ = vehicle
+    air, wind_n = sub(state.v_n, state.wind_n), state.wind_n
+    speed = norm(air)
+    motion = PointMass(
+        state.p_n, azimuth_of(air), bank_angle(state.R_nb), path_of(air, speed), speed
+    )
+    after = advance(motion, command.bank, command.gamma, wind_n, dynamics(aircraft, gains), dt)
+    v_n = add(velocity_along(after.azimuth, after.gamma, speed), wind_n)
+    return FlightState(state.time + dt, after.p_n, v_n, state.R_nb, state.airspeed, wind_n)
 
 
 @compiled
-def free_velocity(p_n: Vec3, task: FieldTask) -> Vec3:
-    """The free field as the velocity over ground at the airspeed, NED [m/s]."""
-    course = free_course(p_n, task.target, task.radius, task.remedies.bounded_circles)
-    wind = (task.motion.wind_n[0], task.motion.wind_n[1])
-    speed = max(1e-3, heading_for_course(course, 0.0, wind, task.motion.airspeed).groundspeed)
-    return speed * math.cos(course), speed * math.sin(course), -speed * task.slope
+def rates_between(before: Commanded, later: Commanded) -> CommandRates:
+    """The rates of a command RATE_TIME after and before which it is that."""
+    per = 0.5 / RATE_TIME
+    return CommandRates(
+        True,
+        per * wrap(later.azimuth - before.azimuth),
+        per * (later.path - before.path),
+        per * (later.gamma - before.gamma),
+        per * (later.bank - before.bank),
+        per * (later.load - before.load),
+    )

@@ -2,7 +2,7 @@
 
 import math
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import GuidanceCommand, unknown_rates
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, floor_share, path_angle, path_limits
 from vfguide.aircraft.performance import nonzero_airspeed, turn_length
@@ -76,8 +76,9 @@ def update(
         course.remaining,
         route.leg.phase,
         route.leg.radius,
+        unknown_rates(),
     )
-    return command, GuidanceState(slope, turning, s.leads, s.nearest, s.since)
+    return command, GuidanceState(slope, turning, s.progress)
 
 
 @compiled

@@ -15,7 +15,7 @@ from vfguide.aircraft.vehicle import Vehicle
 from vfguide.airspace.detection import Airspace
 from vfguide.estimation.estimation import NavState
 from vfguide.guidance import field_law, flight_law, paper_law
-from vfguide.guidance.guidance_state import GuidanceState
+from vfguide.guidance.guidance_state import GuidanceState, Leader
 from vfguide.guidance.remedies import ALL_REMEDIES, Remedies
 from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
@@ -59,12 +59,6 @@ FIELD_LAW = FieldLaw()
 """Law `field` with its default settings."""
 LAWS_BY_NAME: dict[str, Law] = {"flight": FLIGHT, "field": FIELD_LAW, "paper": PAPER}
 """The laws by the names that they have in scenario files."""
-
-LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
-    FlightLaw: flight_law.update,
-    PaperLaw: paper_law.update,
-}
-"""The `update` of each law, by the type of its record."""
 
 
 def crossing(law: Law) -> Law | None:
@@ -113,14 +107,46 @@ def update(
         s: state of guidance at the step before.
         vehicle: its aircraft and gains.
     """
-    if isinstance(law, FieldLaw):
-        return field_law.update(law.remedies, nav, goal, route, airspace, s, vehicle)
-    return LAWS[type(law)](nav, goal, route, airspace, s, vehicle)
+    return LAWS[type(law)](law, nav, goal, route, airspace, s, vehicle)
+
+
+def _fly_flight(
+    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
+) -> Any:
+    return flight_law.update(nav, goal, route, airspace, s, vehicle)
+
+
+def _fly_field(
+    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
+) -> Any:
+    return field_law.update(law.remedies, nav, goal, route, airspace, s, vehicle)
+
+
+def _fly_paper(
+    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
+) -> Any:
+    return paper_law.update(nav, goal, route, airspace, s, vehicle)
+
+
+LAWS: dict[type, Callable[..., tuple[GuidanceCommand, GuidanceState]]] = {
+    FlightLaw: _fly_flight,
+    FieldLaw: _fly_field,
+    PaperLaw: _fly_paper,
+}
+"""How each law is flown, by the type of its record."""
+
+
+@overload(update)
+def _compiled_update(
+    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
+) -> Any:
+    """How a law is flown in compiled code, chosen by the type of its record."""
+    return LAWS[law.instance_class]
 
 
 def wants_route(law: Law, s: GuidanceState) -> bool:
     """Whether the law follows a route at this step."""
-    return law.plans and not (isinstance(law, FieldLaw) and s.leads)
+    return law.plans and not (isinstance(law, FieldLaw) and s.progress.leader == Leader.FIELD)
 
 
 @overload(wants_route)
@@ -128,30 +154,9 @@ def _compiled_wants_route(law: Any, s: Any) -> Any:
     """The same in compiled code."""
 
     def field(law: Any, s: Any) -> Any:
-        return law.plans and not s.leads
+        return law.plans and s.progress.leader != Leader.FIELD.value
 
     def others(law: Any, s: Any) -> Any:
         return law.plans
 
     return field if law.instance_class is FieldLaw else others
-
-
-@overload(update)
-def _compiled_update(
-    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
-) -> Any:
-    """The `update` of a law in compiled code, chosen by the type of its record."""
-    if law.instance_class is FieldLaw:
-        return _fly_field
-    chosen: Any = LAWS[law.instance_class]
-
-    def fly(law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any) -> Any:
-        return chosen(nav, goal, route, airspace, s, vehicle)
-
-    return fly
-
-
-def _fly_field(
-    law: Any, nav: Any, goal: Any, route: Any, airspace: Any, s: Any, vehicle: Any
-) -> Any:
-    return field_law.update(law.remedies, nav, goal, route, airspace, s, vehicle)

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.command import GuidanceCommand, unknown_rates
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
 from vfguide.aircraft.performance import nonzero_airspeed
@@ -81,8 +81,9 @@ def update(
         norm(sub(goal.target.p_n, state.p_n)),
         route.leg.phase,
         route.leg.radius,
+        unknown_rates(),
     )
-    return command, GuidanceState(slope, side, s.leads, s.nearest, s.since)
+    return command, GuidanceState(slope, side, s.progress)
 
 
 @compiled

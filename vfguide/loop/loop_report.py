@@ -21,6 +21,8 @@ looked_of_row = getter(LoopState, "planning.following.looked")
 """Time of the last check of the route [s]."""
 number_of_resets = getter(LoopState, "estimation.resets.number")
 """How often the position has jumped."""
+leader_of_row = getter(LoopState, "guidance.progress.leader")
+"""The `Leader` of the last step of law `field`."""
 is_alarmed = getter(LoopState, "progress.alarmed")
 """Whether there is no progress on the leg."""
 trusts_sensor_of_row = getter(LoopState, "estimation.air.sensor.trusted")
@@ -29,6 +31,7 @@ trusts_sensor_of_row = getter(LoopState, "estimation.air.sensor.trusted")
 _consistency = getter(LoopState, "estimation.consistency")
 _air = part_reader(LoopState, "estimation.air")
 _decision = part_reader(LoopState, "assurance.decision")
+_leader = part_reader(LoopState, "guidance.progress.leader")
 _resets = part_reader(LoopState, "estimation.resets.number")
 _holds = part_reader(LoopState, "mission.wind_hold.holds")
 _alarmed = part_reader(LoopState, "progress.alarmed")
@@ -62,6 +65,8 @@ class Noted(NamedTuple):
     """Time until the command, if held, would hit a hazard [s]; infinite if never."""
     hazard: float
     """Number of that hazard; -1 for none."""
+    leader: float
+    """The `Leader` of the step, in law `field`."""
 
 
 class Doubts(NamedTuple):
@@ -126,16 +131,18 @@ def noted_numbers(row: Row) -> tuple[float, ...]:
         decision.margin,
         decision.conflict,
         float(decision.hazard),
+        float(_leader(row)),
     )
 
 
 @compiled
 def has_news(before: Row, after: Row) -> bool:
-    """Whether a step changed what the operator reads of air, jumps and progress."""
+    """Whether a step changed what the operator reads of air, jumps, progress and who leads."""
     return (
         _air_time(before) < 0.0
         or _resets(after) != _resets(before)
         or _holds(after) != _holds(before)
         or _alarmed(after) != _alarmed(before)
+        or _leader(after) != _leader(before)
         or _trusts(after) != _trusts(before)
     )

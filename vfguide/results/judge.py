@@ -10,6 +10,7 @@ from vfguide.annunciations.goal_announcement import GoalAnnouncement
 from vfguide.geometry.units import DEG
 from vfguide.results.clearance import min_clearances, min_levels
 from vfguide.results.fence_distance import fence_clearance
+from vfguide.results.field_share import field_result
 from vfguide.results.goal_passages import Legs, Pass
 from vfguide.results.interventions import assurance_of
 from vfguide.results.record import Array, FlightRecord
@@ -71,6 +72,7 @@ def _vehicle(scenario: Scenario, record: FlightRecord, legs: Legs, sim_s: float)
         obstacles=_obstacles(scenario, record),
         fence_clearance_m=_rounded(fence_clearance(scenario, record.p_n)),
         assurance=assurance_of(scenario, record),
+        field=field_result(record),
         max_bank_deg=_rounded(float(np.abs(record.euler[:, 0]).max()) / DEG),
         load_factor=_range(record.load_factor),
         airspeed_mps=_range(record.airspeed),

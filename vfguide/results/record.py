@@ -110,6 +110,8 @@ class FlightRecord:
     """The companion's estimate of the air; None: there is no air."""
     decisions: Decisions | None = None
     """What the run-time assurance decided; None: nothing to keep clear of."""
+    leaders: Series | None = None
+    """(n,) the value of a `Leader`: what law `field` followed; None: another law."""
     goals_from: float = 0.0
     """The goals are flown to from this time on; a test flight goes before."""
     identified: Identified | None = None

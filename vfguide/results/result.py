@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Literal
 
 from vfguide.files.atomic import write_atomically
+from vfguide.results.field_share import FieldResult
 from vfguide.results.interventions import AssuranceResult
 from vfguide.results.traffic_results import TrafficResult
 
@@ -55,6 +56,8 @@ class VehicleResult:
     """None: there is no fence."""
     assurance: AssuranceResult | None
     """None: there is nothing to keep clear of."""
+    field: FieldResult | None
+    """None: another law than `field` was flown."""
     max_bank_deg: float | None
     load_factor: Range
     airspeed_mps: Range

@@ -12,6 +12,7 @@ from vfguide.companion.session import Record, Session
 from vfguide.earth.geodesy import place_in_plane
 from vfguide.geometry.units import G0, MS, US
 from vfguide.geometry.vector import Vec3, sub
+from vfguide.guidance.laws import FieldLaw
 from vfguide.kernels.rows import columns, flattener, width
 from vfguide.link.codec import Encoder
 from vfguide.link.delay_line import DelayLine
@@ -159,6 +160,7 @@ class JsbsimVehicle:
         table = np.array(self._noted).reshape(-1, width(Instant))
         flown: Any = columns(Instant, table)
         step: Any = flown.step
+        plan = self.companion.flight.plan
         decided = Decisions(step.reason, step.margin, step.conflict, step.hazard)
         return FlightRecord(
             vehicle=self.vehicle,
@@ -186,7 +188,8 @@ class JsbsimVehicle:
             goals_from=self._goals_from,
             announced=tuple(self.legs.announced),
             identified=self.companion.flight.identified,
-            decisions=decided if self.companion.flight.plan.is_assured else None,
+            decisions=decided if plan.is_assured else None,
+            leaders=step.leader if isinstance(plan.law, FieldLaw) else None,
         )
 
 

@@ -1,0 +1,41 @@
+"""Who leads in law `field`: the field, the approach to the goal, or a route around the hazards."""
+
+from vfguide.aircraft.performance import Gains, turn_length
+from vfguide.guidance.guidance_state import FieldProgress, Leader
+from vfguide.guidance.remedies import Remedies
+from vfguide.kernels.compiled import compiled
+
+PATIENCE = 12.0
+"""Time without coming nearer after which a route is asked for [turn lengths over airspeed]; chosen,
+nearly two full turns."""
+PROGRESS = 1.0
+"""By how much nearer counts as nearer [turn lengths]; chosen."""
+RESUME = 4.0
+"""By how much nearer a route has to come before the field leads again [turn radii]; chosen."""
+
+
+@compiled
+def next_progress(
+    remedies: Remedies, s: FieldProgress, length: float, radius: float, time: float, gains: Gains
+) -> FieldProgress:
+    """The progress of a step outside the approach.
+
+    Args:
+        remedies: whether a route is asked for where the field comes no nearer.
+        s: the progress of the step before.
+        length: of the field's line to the goal now [m].
+        radius: of a turn [m].
+        time: now [s].
+        gains: the airspeed, to which distances and times are scaled.
+    """
+    field, route = Leader.FIELD.value, Leader.ROUTE.value
+    if s.leader != field:
+        if length < s.nearest - RESUME * radius or not remedies.search:
+            return FieldProgress(field, length, length, time)
+        return FieldProgress(route, length, s.nearest, time)
+    unit_length = turn_length(gains.airspeed)
+    if length < s.nearest - PROGRESS * unit_length:
+        return FieldProgress(field, length, length, time)
+    is_patient = time - s.since < PATIENCE * unit_length / gains.airspeed
+    leader = field if is_patient or not remedies.search else route
+    return FieldProgress(leader, length, s.nearest, s.since)

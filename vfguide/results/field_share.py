@@ -1,0 +1,54 @@
+"""In how much of a flight the field of law `field` leads, and in how much other laws help it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vfguide.assurance.decision import Reason
+from vfguide.geometry.vector import Series
+from vfguide.guidance.guidance_state import Leader
+from vfguide.results.record import FlightRecord
+
+
+@dataclass(frozen=True)
+class FieldResult:
+    """What law `field` followed, by time, as result.json has it; None where no time was flown.
+
+    The field leads where its command was flown, and no escape of the assurance in its place. The
+    circle after the last goal is left out.
+    """
+
+    leading_share: float | None
+    """Of the time outside the approach in which the field led."""
+    leading_share_of_flight: float | None
+    """The same of all the time, the approach included."""
+    route_share: float | None
+    """Of the time outside the approach in which a route was flown."""
+    routes: int
+    """How often a route was begun because the field came no nearer."""
+
+
+def field_result(record: FlightRecord) -> FieldResult | None:
+    """What law `field` followed in a flight; None where another law was flown."""
+    if record.leaders is None:
+        return None
+    has_setpoint = ~np.isnan(record.thrust) & (record.time >= record.goals_from)
+    flown = has_setpoint & (record.leaders != Leader.CIRCLE)
+    leading = flown & (record.leaders == Leader.FIELD)
+    if record.decisions is not None:
+        leading &= record.decisions.reason == Reason.NOMINAL
+    outside = flown & (record.leaders != Leader.APPROACH)
+    on_route = flown & (record.leaders == Leader.ROUTE)
+    begun = on_route[1:] & (record.leaders[:-1] == Leader.FIELD)
+    return FieldResult(
+        leading_share=_share(leading, outside),
+        leading_share_of_flight=_share(leading, flown),
+        route_share=_share(on_route, outside),
+        routes=int(begun.sum()),
+    )
+
+
+def _share(part: Series, whole: Series) -> float | None:
+    """The part of the samples of the whole that are true; None where there are none."""
+    count = int(whole.sum())
+    return round(int(part.sum()) / count, 6) if count else None
