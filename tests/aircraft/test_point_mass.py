@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from aeroplanes import AEROSONDE, EASYSTAR
 from flight_states import motion
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
@@ -37,6 +37,16 @@ def by_integration(at, bank, gamma, wind_n, limits, dt):
 
     start = (*at.p_n, at.azimuth, at.bank, at.gamma)
     return solve_ivp(slope, (0.0, dt), start, rtol=1e-10, atol=1e-10, max_step=0.01).y[:, -1]
+
+
+@given(bank=angles, wanted=angles, dt=st.floats(1e-4, 0.05))
+def test_a_step_back_undoes_a_step_where_the_roll_rate_is_limited(bank, wanted, dt):
+    reach = FLOWN.roll_rate * FLOWN.bank_lag
+    assume(abs(bank - wanted) > reach + FLOWN.roll_rate * dt)
+    at = motion(azimuth=0.4, bank=bank, gamma=0.05)
+    back = advance(advance(at, wanted, 0.05, STILL, FLOWN, dt), wanted, 0.05, STILL, FLOWN, -dt)
+    assert back.bank == pytest.approx(bank, abs=1e-12)
+    assert back.azimuth == pytest.approx(0.4, abs=1e-9)
 
 
 @pytest.mark.parametrize("limits", [FLOWN, SMALL], ids=["aerosonde", "easystar"])

@@ -74,7 +74,7 @@ def dynamics(aircraft: Performance, gains: Gains) -> Dynamics:
 def advance(
     motion: PointMass, bank: float, gamma: float, wind_n: Vec3, limits: Dynamics, dt: float
 ) -> PointMass:
-    """The point mass `dt` [s] later, under a commanded bank and path angle [rad].
+    """The point mass `dt` [s] later, or earlier, under a commanded bank and path angle [rad].
 
     Bank and path angle are exact. The turn is integrated by Simpson's rule, the position with the
     direction in the middle of the step. `wind_n` blows toward, NED [m/s].
@@ -98,11 +98,11 @@ def advance(
 
 @compiled
 def lagged(value: float, wanted: float, lag: float, rate: float, dt: float) -> float:
-    """Solution after `dt` [s] of x' = (wanted - x) / lag with |x'| <= `rate`."""
+    """Solution `dt` [s] later, or earlier, of x' = (wanted - x) / lag with |x'| <= `rate`."""
     error, reach = value - wanted, rate * lag
     if abs(error) > reach:
         limited = (abs(error) - reach) / rate
         if limited >= dt:
-            return value - math.copysign(rate * dt, error)
+            return value - math.copysign(rate, error) * dt
         error, dt = math.copysign(reach, error), dt - limited
     return wanted + error * math.exp(-dt / lag)

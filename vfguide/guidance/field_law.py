@@ -41,9 +41,9 @@ from vfguide.planning.route import Route
 
 APPROACH_RADII = 3.0
 """Distance from the goal within which the approach is that of law `flight` [turn radii]; chosen."""
-RATE_TIME = 1e-3
+RATE_TIME = 2e-4
 """Half the time over which the command is differenced along the motion [s]; chosen, so that the
-difference is its derivative to 1e-6."""
+difference is its derivative to 1e-5 rad/s."""
 
 with_rates = replacing(GuidanceCommand, "rates")
 with_elapsed = replacing(NavState, "elapsed")
