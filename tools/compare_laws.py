@@ -2,14 +2,16 @@
 """The same random worlds by four laws, side by side, judged by the truth.
 
     python tools/compare_laws.py --runs 20
+    python tools/compare_laws.py --law "only lead" --law "only lead, unassured" --kind movers
     python tools/compare_laws.py --kind field --kind popup --csv laws.csv --markdown laws.md
 
 own plant   the paper's law as printed on the paper's rigid body: any turn, no wind, no gusts, speed
             k_v |p - p_d|, here 25 m/s at the start. Worlds without traffic and fence only.
 printed     the direction of the same field flown by the aeroplane of the other two, over MAVLink on
             JSBSim, at 25 m/s, in the wind. Traffic is robots with priority; it knows no fence.
-unassured   ours without the run-time assurance
-ours        ours
+unassured   law flight without the run-time assurance
+ours        law flight
+field       law field, with all its remedies; "no remedy", or "only" one of them: with fewer
 
 The paper leaves the reactive level of obstacles open: here the area of every obstacle reaches
 --reach-m beyond its surface where it is narrowest. Reached is who entered nothing and came within
@@ -20,6 +22,7 @@ processor time of one step.
 
 import argparse
 import csv
+import math
 import multiprocessing
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -36,26 +39,44 @@ from rich.table import Table as RichTable
 from vfguide.field.swarm_control import fly_paper_law
 from vfguide.geometry.shapes.base import EDGED
 from vfguide.geometry.vector import Series
-from vfguide.guidance.laws import FIELD_LAW, FLIGHT, PAPER, Law
+from vfguide.guidance.laws import FIELD_LAW, FLIGHT, PAPER, FieldLaw, Law
+from vfguide.guidance.remedies import Remedies
 from vfguide.loop.rows import step_measured
 from vfguide.runs.steps import Steps
 
-PAPERS_PLANT, PRINTED, UNASSURED, OURS, BARE, LED = LAWS = (
-    "own plant",
-    "printed",
-    "unassured",
-    "ours",
-    "bare",
-    "led",
-)
+PAPERS_PLANT, PRINTED, OURS, FIELD = "own plant", "printed", "ours", "field"
+UNASSURED = "unassured"
+"""Law flight without the run-time assurance; with a comma before it, of another law."""
+
+
+def remedied() -> dict[str, FieldLaw]:
+    """Law field with no remedy, and with each of them alone."""
+    none = Remedies(**dict.fromkeys(Remedies._fields, False))
+    alone = {f"only {name}": none._replace(**{name: True}) for name in Remedies._fields}
+    return {
+        name: FIELD_LAW._replace(remedies=remedies)
+        for name, remedies in {"no remedy": none, **alone}.items()
+    }
+
+
+def unassured(laws: dict[str, FieldLaw]) -> dict[str, FieldLaw]:
+    """The same without the run-time assurance."""
+    return {f"{name}, {UNASSURED}": law._replace(is_assured=False) for name, law in laws.items()}
+
+
+FIELDS = {FIELD: FIELD_LAW, **remedied()}
+"""Law field with all its remedies and with fewer."""
 FLOWN: dict[str, Law] = {
     PRINTED: PAPER,
     UNASSURED: FLIGHT._replace(is_assured=False),
     OURS: FLIGHT,
-    BARE: FIELD_LAW._replace(is_assured=False),
-    LED: FIELD_LAW,
+    **FIELDS,
+    **unassured(FIELDS),
 }
 """The laws of the aeroplane."""
+LAWS = (PAPERS_PLANT, *FLOWN)
+USUAL = (PAPERS_PLANT, PRINTED, UNASSURED, OURS, f"{FIELD}, {UNASSURED}", FIELD)
+"""The laws that are flown where none is named."""
 HIGHEST = 1e6
 """Reactive level that a scenario may have."""
 SLOW = 1000.0
@@ -82,6 +103,12 @@ class Row:
     step_99_us: float
     acting_percent: float
     """Setpoints that the assurance chose."""
+    leading_percent: float
+    """Time outside the approach in which the field led, in law field."""
+    least_leading_percent: float
+    """The same of the flight with the least."""
+    route_percent: float
+    """Time outside the approach in which law field flew a route."""
 
 
 class Flown(NamedTuple):
@@ -153,7 +180,12 @@ def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> Flo
         steps = Steps(paper=timed(fly_paper_law, took))
         return Flown(fly_table(on_papers_plant(table), number, args, steps), np.array(took))
     steps = Steps(measured=timed(step_by(FLOWN[law]), took))
-    return Flown(fly_table(table, number, args, steps), np.array(took))
+    return Flown(fly_table(under(FLOWN[law], table), number, args, steps), np.array(took))
+
+
+def under(law: Law, table: Table) -> Table:
+    """The world with its law named, so that who led in law field is noted."""
+    return {**table, "law": "field"} if isinstance(law, FieldLaw) else table
 
 
 def step_by(law: Law) -> Callable[..., Any]:
@@ -219,7 +251,17 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, Flown]]) -> Row:
         *(np.quantile(over, (0.5, 0.9)) if over else (np.nan, np.nan)),
         *np.quantile(took, (0.5, 0.99)),
         100.0 * float(np.mean([o.acting for o in outcomes])),
+        *shares(outcomes),
     )
+
+
+def shares(outcomes: Sequence[Outcome]) -> tuple[float, float, float]:
+    """How long the field led, at least, and how long a route was flown [%]; NaN in other laws."""
+    led = [o.field.leading_share or 0.0 for o in outcomes if o.field is not None]
+    routed = [o.field.route_share or 0.0 for o in outcomes if o.field is not None]
+    if not led:
+        return math.nan, math.nan, math.nan
+    return 100.0 * float(np.mean(led)), 100.0 * min(led), 100.0 * float(np.mean(routed))
 
 
 def shortest(flown: dict[str, Flown]) -> float:
@@ -240,6 +282,7 @@ HEADS = (
     "length, 90 %",
     "step, 99 % [us]",
     "acting [%]",
+    "field leads, least, route [%]",
 )
 WIDTH = 120
 """Of the table where there is no terminal."""
@@ -258,7 +301,14 @@ def cells(row: Row) -> list[str]:
         f"{row.length_median:.2f}, {row.length_90:.2f}" if row.reached else "-",
         f"{row.step_median_us:.0f}, {row.step_99_us:.0f}",
         f"{row.acting_percent:.2f}",
+        "-" if math.isnan(row.leading_percent) else led_cell(row),
     ]
+
+
+def led_cell(row: Row) -> str:
+    """Who led in law field."""
+    led, least, route = row.leading_percent, row.least_leading_percent, row.route_percent
+    return f"{led:.1f}, {least:.0f}, {route:.1f}"
 
 
 def rich_table(rows: Sequence[Row]) -> RichTable:
@@ -317,7 +367,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--csv", type=Path, help="file for the table")
     parser.add_argument("--markdown", type=Path, help="file for the table")
     args = parser.parse_args(arguments)
-    args.kinds, args.laws = args.kinds or list(DRAWN), args.laws or list(LAWS)
+    args.kinds, args.laws = args.kinds or list(DRAWN), args.laws or list(USUAL)
     args.out, args.set = None, []
     return args
 

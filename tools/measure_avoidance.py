@@ -34,6 +34,7 @@ from vfguide.geometry.se2 import Pose
 from vfguide.kernels.rows import place
 from vfguide.preflight.load import load_scenario
 from vfguide.results.fence_distance import fence_clearance
+from vfguide.results.field_share import FieldResult
 from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
 from vfguide.results.verdict import TOUCH
@@ -71,6 +72,8 @@ class Outcome:
     best_m: float
     """Least clearance that the tree finds to be possible; NaN where it was not asked."""
     reasons: tuple[str, ...]
+    field: FieldResult | None = None
+    """Who led, in law field."""
 
     @property
     def meets(self) -> bool:
@@ -127,6 +130,7 @@ def fly_table(table: Table, number: int, args: argparse.Namespace, steps: Steps 
         free_length(loaded),
         best_possible(loaded, record) if asks else np.nan,
         result.reasons,
+        result.vehicles[0].field,
     )
 
 

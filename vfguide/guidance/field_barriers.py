@@ -2,7 +2,11 @@
 
 from typing import NamedTuple
 
-from vfguide.aircraft.performance import turn_length
+import numpy as np
+
+from vfguide.aircraft.performance import Gains, turn_length
+from vfguide.aircraft.state import FlightState
+from vfguide.airspace.detection import Airspace
 from vfguide.airspace.hazard_normal import outward_normal
 from vfguide.airspace.hazards import Hazards, hazard_count, hazard_distance, hazard_velocity
 from vfguide.field.obstacle import obstacle_surface, read_obstacle
@@ -13,6 +17,7 @@ from vfguide.guidance.flown_avoidance import AircraftMotion, MovingBarrier
 from vfguide.guidance.paper_law import DETECTION_RANGE
 from vfguide.guidance.remedies import Remedies
 from vfguide.kernels.compiled import compiled
+from vfguide.kernels.rows import replacing
 from vfguide.planning.objective import GuidanceTarget
 
 FIELD_MARGIN = 0.24
@@ -22,6 +27,13 @@ REACTION_TIME = 1.5
 """Part of the reactive range that grows with the closing speed [s]; chosen."""
 REACTION_RADII = 1.5
 """Part of the reactive range that a turn away takes [turn radii]; chosen."""
+
+SHORT_TIME = 0.1
+"""Time beyond the response lag by which the field is asked for ahead, at most [s]; chosen above all
+times over which it is differenced."""
+
+with_obstacles = replacing(Hazards, "obstacles")
+with_hazards = replacing(Airspace, "hazards")
 
 
 class FieldTask(NamedTuple):
@@ -36,6 +48,37 @@ class FieldTask(NamedTuple):
     """Turn radius over ground [m]."""
     climb: float
     """Tangent of the steepest path."""
+
+
+@compiled
+def with_near_obstacles(
+    remedies: Remedies, airspace: Airspace | None, state: FlightState, radius: float, gains: Gains
+) -> Airspace | None:
+    """The airspace without the obstacles that do not act on the field about a position.
+
+    Most obstacles of a world are far away, and the field is asked for several times a step.
+
+    Args:
+        remedies: which range an obstacle has.
+        airspace: the known hazards; None: there are none.
+        state: state of the vehicle.
+        radius: of a turn [m].
+        gains: the airspeed, and the time by which the field is asked for ahead.
+    """
+    if airspace is None:
+        return None
+    hazards = airspace.hazards
+    obstacles = hazards.obstacles
+    acts = np.empty(len(obstacles), np.bool_)
+    speed, margin = gains.airspeed + norm(state.wind_n), FIELD_MARGIN * turn_length(gains.airspeed)
+    ahead = gains.response_lag + SHORT_TIME
+    for i in range(len(obstacles)):
+        closing = speed + norm(hazard_velocity(hazards, i))
+        reach = margin + reactive_range(closing, radius)
+        reach = reach if remedies.reactive_range else written_range(hazards, i)
+        near = reach + closing * ahead
+        acts[i] = hazard_distance(hazards, i, state.p_n, airspace.time) < near
+    return with_hazards(airspace, with_obstacles(hazards, obstacles[acts]))
 
 
 @compiled

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from vfguide.aircraft.command import CommandRates, GuidanceCommand, unknown_rates
 from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
-from vfguide.aircraft.performance import nonzero_airspeed
+from vfguide.aircraft.performance import Gains, nonzero_airspeed
 from vfguide.aircraft.point_mass import PointMass, advance, dynamics
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
@@ -27,6 +27,7 @@ from vfguide.geometry.vector import add, norm, sub
 from vfguide.geometry.velocity import azimuth_of, horizontal_norm, path_of, velocity_along
 from vfguide.guidance import flight_law
 from vfguide.guidance.altitude_profile import limited_slope
+from vfguide.guidance.field_barriers import with_near_obstacles
 from vfguide.guidance.field_direction import led, slope_of
 from vfguide.guidance.field_progress import next_progress
 from vfguide.guidance.free_line import line_length
@@ -61,27 +62,31 @@ def update(
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
     """Bank, load factor and path angle that fly the field, and the next state of guidance."""
-    progress = progress_of(remedies, nav.state.time, goal, s.progress, vehicle)
+    aircraft, gains, _ = vehicle
+    radius = flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
+    progress = progress_of(remedies, nav.state.time, goal, s.progress, radius, gains)
     s = GuidanceState(s.slope, s.turning, progress)
-    command, after = commanded(remedies, nav, goal, route, airspace, s, vehicle)
+    near = airspace
+    if progress.leader == Leader.FIELD.value:
+        near = with_near_obstacles(remedies, airspace, goal.state, radius, gains)
+    command, after = commanded(remedies, nav, goal, route, near, s, vehicle)
     if not remedies.lead:
         return command, after
-    before = shifted(-RATE_TIME, command, remedies, nav, goal, route, airspace, s, vehicle)
-    later = shifted(RATE_TIME, command, remedies, nav, goal, route, airspace, s, vehicle)
+    before = shifted(-RATE_TIME, command, remedies, nav, goal, route, near, s, vehicle)
+    later = shifted(RATE_TIME, command, remedies, nav, goal, route, near, s, vehicle)
     return with_rates(command, rates_between(before, later)), after
 
 
 @compiled
 def progress_of(
-    remedies: Remedies, time: float, goal: Objective, s: FieldProgress, vehicle: Vehicle
+    remedies: Remedies, time: float, goal: Objective, s: FieldProgress, radius: float, gains: Gains
 ) -> FieldProgress:
-    """Who leads at this step; `time` is now [s]."""
-    state, (aircraft, gains, _) = goal.state, vehicle
+    """Who leads at this step; `time` is now [s], `radius` that of a turn [m]."""
+    state = goal.state
     if goal.begins:
         s = leg_begins(time)
     if goal.target.circle != 0.0:
         return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time)
-    radius = flyable_radius(state, usable_bank(aircraft, gains, gains.airspeed), gains)
     length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
     distance = horizontal_norm(sub(state.p_n, goal.target.p_n))
     if remedies.approach and distance < APPROACH_RADII * radius:
