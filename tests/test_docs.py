@@ -25,7 +25,7 @@ from vfguide.files import (
 )
 from vfguide.files.toml_types import Table
 from vfguide.link.messages import RECORDS
-from vfguide.results import interventions, result
+from vfguide.results import field_share, interventions, result
 from vfguide.runs.bench import Bench
 from vfguide.sim.autopilot.mavlink_channel import GROUND, ONBOARD
 from vfguide.sim.autopilot.parameters import Parameters
@@ -187,6 +187,7 @@ RESULT_TABLES = (
     result.VehicleResult,
     result.GoalResult,
     result.ObstacleResult,
+    field_share.FieldResult,
     interventions.AssuranceResult,
     interventions.Intervention,
 )

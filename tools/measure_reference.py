@@ -40,13 +40,13 @@ from vfguide.estimation.estimation import Inputs, NavState
 from vfguide.estimation.local_frame import Measurement, measured_in, place_in
 from vfguide.geometry.so3 import log
 from vfguide.geometry.units import DEG
-from vfguide.geometry.vector import Mat3, Vector, matmul, norm, transpose
+from vfguide.geometry.vector import Mat3, Vec3, Vector, matmul, norm, transpose
 from vfguide.guidance import laws
 from vfguide.guidance.field_law import airspace_later, commanded, moved
 from vfguide.guidance.guidance_state import GuidanceState, Leader
 from vfguide.guidance.laws import FIELD_LAW, FieldLaw
 from vfguide.kernels.compiled import compiled
-from vfguide.kernels.rows import replacing
+from vfguide.kernels.rows import Row, replacing
 from vfguide.loop import mission
 from vfguide.loop.rows import step_measured
 from vfguide.loop.state import LoopState, read_state, state_of_row
@@ -79,21 +79,23 @@ with_bias = replacing(ControlState, "alpha_bias")
 without_learning = replacing(Gains, "k_alpha")
 
 
-@compiled
-def references(
-    bias: float,
-    measured: Any,
-    origin: Any,
-    before: Any,
-    legs: Any,
-    airspace: Any,
-    law: FieldLaw,
-    vehicle: Any,
-) -> tuple[Mat3, Mat3, Mat3, Mat3]:
-    """The attitude of a step, and the reference attitude STEP before, at and after it.
+class Guided(NamedTuple):
+    """What the law was given at a step, and what it gave."""
 
-    `bias` is the learned correction of the angle of attack [rad]; the others are as of the step.
-    """
+    nav: NavState
+    objective: Objective
+    route: Route
+    known: Airspace | None
+    vehicle: Vehicle
+    command: GuidanceCommand
+    after: GuidanceState
+
+
+@compiled
+def guided(
+    measured: Any, origin: Vec3, before: Row, legs: Any, airspace: Any, law: FieldLaw, vehicle: Row
+) -> Guided:
+    """The stages of a step up to the law; arguments as of `step_measured`."""
     measurement = Measurement(*measured)
     plane = tangent_plane(origin[0], origin[1], origin[2])
     inputs = Inputs(
@@ -113,8 +115,30 @@ def references(
     wants = laws.wants_route(law, s.guidance)
     route = planning.update(nav, objective, known, wants, s.planning, s.guidance.slope, flown)
     command, after = laws.update(law, nav, objective, route, known, s.guidance, flown)
+    return Guided(nav, objective, route, known, flown, command, after)
+
+
+@compiled
+def references(
+    bias: float,
+    measured: Any,
+    origin: Any,
+    before: Any,
+    legs: Any,
+    airspace: Any,
+    law: FieldLaw,
+    vehicle: Any,
+) -> tuple[Mat3, Mat3, Mat3, Mat3]:
+    """The attitude of a step, and the reference attitude STEP before, at and after it.
+
+    `bias` is the learned correction of the angle of attack [rad]; the others are as of the step.
+    """
+    nav, goal, route, known, flown, command, after = guided(
+        measured, origin, before, legs, airspace, law, vehicle
+    )
+    s = read_state(before)
     kept = GuidanceState(s.guidance.slope, s.guidance.turning, after.progress)
-    same = command, law, nav, objective, route, known, kept, with_bias(s.control, bias), flown
+    same = command, law, nav, goal, route, known, kept, with_bias(s.control, bias), flown
     return (
         nav.state.R_nb,
         reference(-STEP, *same),
@@ -163,7 +187,8 @@ class Watch:
         _, vehicle = rest
         known = origin, before, legs, airspace, FIELD_LAW, vehicle
         out = step_measured(measured, *known)
-        after = state_of_row(out[3])
+        _, _, _, row, _ = out
+        after = state_of_row(row)
         R_nb, *three = references(after.control.alpha_bias, measured, *known)
         self.seen.append(seen(after, R_nb, *three))
         return out

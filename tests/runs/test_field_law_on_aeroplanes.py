@@ -6,9 +6,15 @@ from functools import cache
 import numpy as np
 import pytest
 from commands import vfguide
+from measure_reference import guided
 
 from vfguide.field_points.field_law_points import led_field
 from vfguide.field_points.field_point import Point
+from vfguide.geometry.angles import wrap
+from vfguide.geometry.so3 import log
+from vfguide.geometry.units import DEG
+from vfguide.geometry.vector import matmul, norm, transpose
+from vfguide.geometry.velocity import azimuth_of
 from vfguide.guidance.guidance_state import Leader
 from vfguide.guidance.laws import FIELD_LAW
 from vfguide.guidance.remedies import Remedies
@@ -87,12 +93,38 @@ def slalom():
     return plan_of(loaded, loaded.scenario.vehicles[0])
 
 
-def test_the_field_at_points_is_that_of_the_plan():
-    at = led_field(slalom(), Point((-500.0, 20.0, -100.0), (25.0, 0.0, 0.0), 0.0), (0.0,) * 3)
-    assert len(at.chi) == 4
-    assert min(at.chi) < 1.0
-    R = np.array(at.R_a)
-    assert np.allclose(R.T @ R, np.eye(3), atol=1e-12)
+class Points:
+    """The steps of a flight: what the law was given and gave at each of them."""
+
+    def __init__(self):
+        self.seen = []
+
+    def step(self, measured, origin, before, legs, airspace, law, vehicle):
+        out = step_measured(measured, origin, before, legs, airspace, law, vehicle)
+        given = guided(measured, origin, before, legs, airspace, law, vehicle)
+        self.seen.append((given, state_of_row(out[3])))
+        return out
+
+
+@pytest.mark.parametrize("name", ["field/slalom", "field/crossing"])
+def test_the_field_at_flown_points_is_what_was_flown_there(name, tmp_path):
+    """The direction to 1e-9 rad.
+
+    The attitude is as near as a point can tell: slope, side of the turn, airspeed and the learned
+    angle of attack are what was before.
+    """
+    loaded, watch = load_scenario(name, []), Points()
+    fly_scenario(loaded, tmp_path, steps=Steps(measured=watch.step))
+    plan, off, turned = plan_of(loaded, loaded.scenario.vehicles[0]), [], []
+    led = [each for each in watch.seen if each[1].guidance.progress.leader == Leader.FIELD]
+    for given, after in led[:: max(1, len(led) // 600)]:
+        state, known = given.nav.state, given.known
+        at = led_field(plan, Point(state.p_n, state.v_n, known.time), state.wind_n)
+        off.append(abs(wrap(azimuth_of(at.F) - given.command.course)))
+        turned.append(norm(log(matmul(transpose(at.R_a), after.control.R_na))))
+    assert len(off) >= 500
+    assert max(off) < 1e-9
+    assert np.median(turned) < 0.5 * DEG
 
 
 def test_the_command_prints_it(tmp_path):

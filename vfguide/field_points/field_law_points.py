@@ -1,66 +1,100 @@
-"""Law `field` at points of a scenario: where it leads from there, and how that is flown."""
+"""Law `field` at points of a scenario: where it leads, and the attitude that flies it."""
 
 from dataclasses import replace
 
 from vfguide.aircraft.air_density import in_air
-from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
+from vfguide.aircraft.command import GuidanceCommand
+from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.companion.plan import Plan
+from vfguide.control import control
+from vfguide.control.control import fresh_control
 from vfguide.earth.atmosphere import isa_density
+from vfguide.estimation.estimation import known_state
 from vfguide.field_points.field_point import FieldPoint, Point
-from vfguide.field_points.flight_points import settled
+from vfguide.field_points.flight_points import flight_field
 from vfguide.field_points.shortest_plan import Surroundings, surroundings_at
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.vector import Vec3
+from vfguide.geometry.vector import Mat3, Vec3, norm, sub
 from vfguide.geometry.velocity import azimuth_of
+from vfguide.guidance import field_law
 from vfguide.guidance.field_barriers import barrier_of
-from vfguide.guidance.field_direction import (
-    free_velocity,
-    led,
-    slope_of,
-    task_of,
-)
-from vfguide.guidance.flight_law import height_above_floor
+from vfguide.guidance.field_direction import free_velocity, led, slope_of, task_of
+from vfguide.guidance.field_law import progress_of
+from vfguide.guidance.guidance_state import GuidanceState, Leader, leg_begins
 from vfguide.guidance.laws import FieldLaw
-from vfguide.guidance.remedies import ALL_REMEDIES
-from vfguide.guidance.wind_triangle import heading_for_course
+from vfguide.guidance.remedies import ALL_REMEDIES, Remedies
 from vfguide.loop.legs import target_of
 from vfguide.planning.leg_planning import predicted_state
+from vfguide.planning.objective import Objective, objective_at
+from vfguide.planning.route import fresh_route
 
 
 def led_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     """The direction of F_OA to the first goal from a point, and the attitude that flies it.
 
+    The approach to the goal is that of law `flight`, see `flight_field`. The slope is flown at
+    once, not rate limited, and nothing was learned of the angle of attack.
+
     Args:
         plan: the plan of the vehicle.
-        point: the point; its velocity says on which side something dead ahead is passed.
+        point: the point; its velocity is flown there.
         wind_n: wind, blowing toward, NED [m/s].
 
     Raises:
-        NoPlanError: it is inside an obstacle.
+        NoPlanError: it is inside an obstacle, or there is no plan from there in the approach.
     """
     density = isa_density(plan.origin[2] - point.p_n[2])
     plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
     around = surroundings_at(plan, point, wind_n)
-    remedies = plan.law.remedies if isinstance(plan.law, FieldLaw) else ALL_REMEDIES
-    airspeed = plan.vehicle.gains.airspeed
-    level = from_euler(0.0, 0.0, azimuth_of(point.v_n))
-    state = FlightState(point.time, point.p_n, point.v_n, level, airspeed, wind_n)
-    target = target_of(plan.legs, 0)
-    F, turning = led(remedies, state, target, around.airspace, plan.vehicle)
-    gamma = path_angle_of(around, state, F)
-    flown = settled(plan, azimuth_of(F), turning, gamma, wind_n)
-    return flown._replace(F=F, chi=transitions(around, state))
+    goal = objective_at(target_of(plan.legs, 0), flown_state(point, wind_n, 0.0))
+    if leader_at(plan, goal) != Leader.FIELD:
+        return flight_field(plan, point, wind_n)
+    remedies = remedies_of(plan)
+    F, _ = led(remedies, goal.state, goal.target, around.airspace, plan.vehicle)
+    level = command_at(around, goal, slope_of(F))
+    banked = goal._replace(state=flown_state(point, wind_n, level.bank))
+    reference = reference_at(plan, banked, command_at(around, banked, slope_of(F)))
+    return FieldPoint(F, None, None, *reference, transitions(around, goal.state))
 
 
-def path_angle_of(around: Surroundings, state: FlightState, F: Vec3) -> float:
-    """The path angle through the air that makes good the slope of the field [rad]."""
-    aircraft, gains, _ = around.plan.vehicle
-    wind, airspeed = (around.wind_n[0], around.wind_n[1]), gains.airspeed
-    heading = heading_for_course(azimuth_of(F), 0.0, wind, airspeed)
-    limits = path_limits(airspeed, airspeed, height_above_floor(state, around.airspace), aircraft)
-    asked = path_angle(slope_of(F), heading.groundspeed, around.wind_n[2], airspeed)
-    return allowed_path(asked, limits)[0]
+def flown_state(point: Point, wind_n: Vec3, bank: float) -> FlightState:
+    """The state of an aircraft that flies through the point with a bank [rad]."""
+    air = sub(point.v_n, wind_n)
+    R_nb = from_euler(bank, 0.0, azimuth_of(air))
+    return FlightState(point.time, point.p_n, point.v_n, R_nb, norm(air), wind_n)
+
+
+def leader_at(plan: Plan, goal: Objective) -> int:
+    """The `Leader` of a vehicle that has just begun the leg."""
+    aircraft, gains, _ = plan.vehicle
+    radius = flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
+    start = leg_begins(goal.state.time)
+    return progress_of(remedies_of(plan), goal.state.time, goal, start, radius, gains).leader
+
+
+def command_at(around: Surroundings, goal: Objective, slope: float) -> GuidanceCommand:
+    """The command of the field, where `slope` was wanted at the step before."""
+    remedies, nav = remedies_of(around.plan), known_state(goal.state, -1.0)
+    s = GuidanceState(slope, 1.0, leg_begins(goal.state.time))
+    command, _ = field_law.update(
+        remedies, nav, goal, fresh_route(), around.airspace, s, around.plan.vehicle
+    )
+    return command
+
+
+def reference_at(plan: Plan, goal: Objective, command: GuidanceCommand) -> tuple[Mat3, Vec3]:
+    """The reference attitude of a command, to NED, and its body rates [rad/s]."""
+    vehicle = plan.vehicle
+    unlearning = vehicle._replace(gains=vehicle.gains._replace(k_alpha=0.0))
+    nav = known_state(goal.state, -1.0)
+    _, left = control.update(nav, command, fresh_control(), unlearning)
+    return left.R_na, left.omega_a
+
+
+def remedies_of(plan: Plan) -> Remedies:
+    """The remedies of the plan's law; all, where it is another one."""
+    return plan.law.remedies if isinstance(plan.law, FieldLaw) else ALL_REMEDIES
 
 
 def transitions(around: Surroundings, state: FlightState) -> tuple[float, ...]:
@@ -68,7 +102,7 @@ def transitions(around: Surroundings, state: FlightState) -> tuple[float, ...]:
     airspace, plan = around.airspace, around.plan
     if airspace is None:
         return ()
-    remedies = plan.law.remedies if isinstance(plan.law, FieldLaw) else ALL_REMEDIES
+    remedies = remedies_of(plan)
     ahead = predicted_state(state, plan.vehicle.gains) if remedies.lead else state
     task = task_of(remedies, ahead, target_of(plan.legs, 0), plan.vehicle)
     g = free_velocity(ahead.p_n, task)

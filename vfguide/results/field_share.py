@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vfguide.assurance.decision import Reason
 from vfguide.geometry.vector import Series
@@ -25,7 +26,7 @@ class FieldResult:
     route_share: float | None
     """Of the time outside the approach in which a route was flown."""
     routes: int
-    """How often a route was begun because the field came no nearer."""
+    """How often a route started because the field came no nearer."""
 
 
 def field_result(record: FlightRecord) -> FieldResult | None:
@@ -38,13 +39,13 @@ def field_result(record: FlightRecord) -> FieldResult | None:
     if record.decisions is not None:
         leading &= record.decisions.reason == Reason.NOMINAL
     outside = flown & (record.leaders != Leader.APPROACH)
-    on_route = flown & (record.leaders == Leader.ROUTE)
-    begun = on_route[1:] & (record.leaders[:-1] == Leader.FIELD)
+    on_route: NDArray[np.bool_] = flown & (record.leaders == Leader.ROUTE)
+    starts = on_route[1:] & (record.leaders[:-1] == Leader.FIELD)
     return FieldResult(
         leading_share=_share(leading, outside),
         leading_share_of_flight=_share(leading, flown),
         route_share=_share(on_route, outside),
-        routes=int(begun.sum()),
+        routes=int(starts.sum()),
     )
 
 
