@@ -44,8 +44,7 @@ def led_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     Raises:
         NoPlanError: it is inside an obstacle, or there is no plan from there in the approach.
     """
-    density = isa_density(plan.origin[2] - point.p_n[2])
-    plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
+    plan = plan_in_air(plan, point.p_n[2])
     around = surroundings_at(plan, point, wind_n)
     goal = objective_at(target_of(plan.legs, 0), flown_state(point, wind_n, 0.0))
     if leader_at(plan, goal) != Leader.FIELD:
@@ -56,6 +55,12 @@ def led_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     banked = goal._replace(state=flown_state(point, wind_n, level.bank))
     reference = reference_at(plan, banked, command_at(around, banked, slope_of(F)))
     return FieldPoint(F, None, None, *reference, transitions(around, goal.state))
+
+
+def plan_in_air(plan: Plan, down: float) -> Plan:
+    """The plan in the standard air at a place of the scenario, `down` being its z of NED [m]."""
+    density = isa_density(plan.origin[2] - down)
+    return replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
 
 
 def flown_state(point: Point, wind_n: Vec3, bank: float) -> FlightState:

@@ -22,6 +22,8 @@ from vfguide.scenario.resolved import Vehicle
 from vfguide.scenario.wind import blowing
 
 LawName = Literal["paper", "field", "flight"]
+LAW_NAMES: tuple[LawName, ...] = ("paper", "field", "flight")
+"""Names of the laws whose field is evaluated."""
 
 
 def fields_at(

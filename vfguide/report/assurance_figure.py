@@ -9,9 +9,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from vfguide.assurance.decision import assurance
-from vfguide.report.distance_axis import make_near_large
 from vfguide.report.drawing import GOAL_COLOUR, Flights, line_of
-from vfguide.report.panels import LIMIT_LINE, lay_out, name_axis
+from vfguide.report.panels import LIMIT_LINE, lay_out, make_near_large, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.fence_distance import fence_distances
 from vfguide.results.interventions import interventions_of

@@ -10,10 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from vfguide.geometry.vector import Matrices
-from vfguide.report.distance_axis import make_near_large
 from vfguide.report.drawing import Flights, line_of, vehicle_lines
 from vfguide.report.obstacle_drawing import short
-from vfguide.report.panels import LIMIT_LINE, lay_out, name_axis
+from vfguide.report.panels import LIMIT_LINE, lay_out, make_near_large, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.record import Array
 from vfguide.scenario.obstacles import rows_of

@@ -70,6 +70,11 @@ class Flights:
         return self.loaded.scenario.plant == "kinematic"
 
     @property
+    def follow_field(self) -> bool:
+        """The vehicles were led by law `field`."""
+        return self.loaded.scenario.law == "field"
+
+    @property
     def assured(self) -> bool:
         """The run-time assurance had something to keep clear of."""
         return any(record.decisions is not None for record in self.records)

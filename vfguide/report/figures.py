@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from vfguide.report.assurance_figure import draw_assurance
 from vfguide.report.distance_figures import draw_clearance, draw_separation
 from vfguide.report.drawing import Flights, to_png
+from vfguide.report.field_figure import draw_field
 from vfguide.report.path_figures import draw_plan, draw_side, draw_space
 from vfguide.report.time_figures import (
     draw_air,
@@ -44,6 +45,13 @@ _PATHS = (
     ),
     Drawing("path-plan", "The path from above: north is up, both axes have one scale.", draw_plan),
     Drawing("path-side", "The path from the side: both axes have one scale.", draw_side),
+)
+_FIELD = Drawing(
+    "field",
+    "Law field in the horizontal plane of a goal, all hazards known: arrows are directions of "
+    "F_OA, and shaded is where hazards that are approached bend it, the darker the less the free "
+    "field counts. Paths may lie above or below the plane.",
+    draw_field,
 )
 _CLEARANCE = Drawing(
     "clearance",
@@ -83,6 +91,7 @@ def draw_figures(flights: Flights) -> list[Picture]:
     """All the figures that there is something to draw in, as PNG."""
     drawings = (
         *_PATHS,
+        *((_FIELD,) if flights.follow_field else ()),
         *((_CLEARANCE,) if flights.loaded.scenario.obstacles else ()),
         *((_ASSURANCE,) if flights.assured else ()),
         *((_SEPARATION,) if flights.several else ()),

@@ -10,6 +10,7 @@ from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.distance import onto_surface
 from vfguide.geometry.shapes.shape import surface_rays
 from vfguide.geometry.so3 import rot_z
+from vfguide.geometry.vector import Vectors
 
 Array = NDArray[np.float64]
 
@@ -44,6 +45,18 @@ def outline(points: Array) -> Array:
     """Corners of the convex hull of `points` (..., 2) in the plane, in order, (k, 2)."""
     flat: list[list[float]] = np.unique(points.reshape(-1, 2), axis=0).tolist()
     return np.array(_chain(flat) + _chain(flat[::-1]))
+
+
+def section(surface: Array, down: float) -> Vectors:
+    """Corners of the horizontal section of a surface mesh at the height of `down`, NED [m], (k, 2).
+
+    North and east, in order; none where the surface does not reach that height.
+    """
+    north, east, below = np.moveaxis(surface, -1, 0)
+    if not below.min() < down < below.max():
+        return np.empty((0, 2))
+    meridians = zip(north.T, east.T, below.T, strict=True)
+    return np.array([(np.interp(down, z, x), np.interp(down, z, y)) for x, y, z in meridians])
 
 
 def _chain(points: list[list[float]]) -> list[list[float]]:

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 
 from vfguide.geometry.vector import Series, Vector, Vectors
-from vfguide.report.meshes import Array, outline, surface_mesh
+from vfguide.report.meshes import Array, outline, section, surface_mesh
 from vfguide.scenario.obstacles import obstacle_of
 from vfguide.scenario.resolved import Obstacle
 
@@ -19,6 +19,8 @@ OBSTACLE_COLOUR = "#b8c2cf"
 """Colour of the surfaces of obstacles."""
 EDGE_COLOUR = "#7d8a9b"
 """Colour of the edges of obstacles."""
+NAME_COLOUR = "#374151"
+"""Colour of the names of obstacles."""
 EARLIER_OPACITY = 0.35
 """Ratio of the opacity of a moving obstacle at earlier times to that at the end."""
 SHOWN_TIMES = 5
@@ -27,6 +29,7 @@ LONGEST_NAME = 20
 """Largest number of characters of a name in a figure."""
 MAX_NAMES = 20
 """Largest number of obstacles that are named in a figure."""
+_SECTION: Any = {"facecolor": OBSTACLE_COLOUR, "edgecolor": EDGE_COLOUR, "linewidth": 0.8}
 _TRACK: Any = {"color": EDGE_COLOUR, "linestyle": (0, (5, 3)), "linewidth": 1.1}
 
 
@@ -78,10 +81,25 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
             axes.plot(*(body.track @ onto).T, zorder=1.3, **_TRACK)
 
 
+def draw_sections(axes: Axes, bodies: Sequence[Body], down: float) -> None:
+    """Their horizontal sections at a height, z of NED [m], where they are at the end, and names.
+
+    The names of moving ones, which are small, stand beside them.
+    """
+    for body in bodies:
+        corners = section(body.surface + body.track[1] - body.track[0], down)
+        if len(corners):
+            north, east = corners.T
+            axes.fill(east, north, zorder=1.2, **_SECTION)
+            at = np.array((east.mean(), north.max() if body.moves else north.mean()))
+            if len(bodies) <= MAX_NAMES:
+                write_name(axes, body.name, at, NAME_COLOUR, above=body.moves)
+
+
 def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
     """Their names where they are at the end, unless there are too many."""
     for body in bodies if len(bodies) <= MAX_NAMES else ():
-        write_name(axes, body.name, body.track[1] @ onto, "#374151")
+        write_name(axes, body.name, body.track[1] @ onto, NAME_COLOUR)
 
 
 def write_name(axes: Axes, name: str, at: Vector, color: str, *, above: bool = False) -> None:
@@ -132,3 +150,8 @@ def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
         label="Obstacle, before",
     )
     return [here, before, Line2D([], [], **_TRACK, label="Path of its centre")]
+
+
+def section_mark() -> Patch:
+    """Entry of a legend for what `draw_sections` draws."""
+    return Patch(label="Obstacle", **_SECTION)

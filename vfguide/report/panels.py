@@ -5,9 +5,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator, StrMethodFormatter
 
 from vfguide.report.drawing import (
     GOAL_COLOUR,
@@ -27,6 +29,8 @@ FIGURE_WIDTH = 8.6
 """Width of the figures [inch]."""
 PANEL_HEIGHT = 1.75
 """Height of one of several panels [inch]."""
+TICK_SPACING = 0.25
+"""Least distance between two numbers on the axis [inch]."""
 
 
 @dataclass(frozen=True)
@@ -105,3 +109,22 @@ def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
     show_no_less_than(axes, panel.span)
     if panel.around:
         axes.set(ylim=(-10.0, 370.0), yticks=range(0, 361, 90))
+
+
+def make_near_large(axes: Axes, scale: float) -> None:
+    """Make the axis even near zero, and logarithmic above about `scale` [m].
+
+    Everything is drawn and the limits are set before: they say how many numbers there is room for.
+    """
+    even = scale / 4.0
+    axes.set_yscale("asinh", linear_width=even)
+    figure: Any = axes.figure
+    height = axes.get_position().height * figure.get_figheight()
+    low, high = np.arcsinh(np.array(axes.get_ylim()) / even)
+    apart = TICK_SPACING * (high - low) / height
+    powers = 10.0 ** np.arange(math.floor(math.log10(even)), 10)
+    values = np.outer(powers, (1, 2, 5) if apart < math.log(2.0) else (1,)).ravel()
+    values = values[np.arcsinh(values / even) >= apart]
+    axes.yaxis.set_major_locator(FixedLocator([*-values, 0.0, *values]))
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))

@@ -12,7 +12,7 @@ from vfguide.report.fence_figure import draw_heights, draw_zones, height_marks, 
 from vfguide.report.meshes import outline
 from vfguide.report.obstacle_drawing import draw_outlines, draw_surfaces, east_north_up, write_names
 from vfguide.report.traffic_drawing import draw_traffic, draw_traffic_in_space, name_traffic
-from vfguide.report.view import draw_legend, numbered, view_of
+from vfguide.report.view import draw_goal, draw_legend, numbered, view_of
 from vfguide.report.wind_arrow import draw_wind
 from vfguide.results.record import Array
 from vfguide.scenario.resolved import Goal
@@ -102,16 +102,8 @@ def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:
         for label, goal in numbered(record.vehicle.goals):
             at = np.array(goal.position_m) @ onto
             tip = at + view.arrow * np.array(goal_axis(goal.heading_deg, goal.climb_deg)) @ onto
-            _arrow(axes, at, tip, label)
+            draw_goal(axes, at, tip, label)
     axes.set(xlim=view.limits[0], ylim=view.limits[1], aspect="equal")
-
-
-def _arrow(axes: Axes, at: Array, tip: Array, label: str) -> None:
-    (x, y), (to_x, to_y) = at, tip
-    look = {"arrowstyle": "-|>", "color": GOAL_COLOUR, "lw": 1.8, "shrinkA": 0}
-    axes.plot(x, y, "o", color=GOAL_COLOUR, markersize=5, zorder=5)
-    axes.annotate("", (to_x, to_y), (x, y), arrowprops=look)
-    axes.annotate(label, (x, y), (-8, 6), textcoords="offset points", ha="right", color=GOAL_COLOUR)
 
 
 def _arrow_in_space(axes: Any, goal: Goal, floor: float, length: float) -> None:

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from vfguide.geometry.vector import Vectors
+from vfguide.geometry.vector import Vector, Vectors
 from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR, Flights, goal_axis, vehicle_lines
 from vfguide.report.fence_figure import places_of
 from vfguide.report.obstacle_drawing import body_marks
@@ -36,7 +37,7 @@ WIDE_LEGEND = 5
 """Largest number of entries of a legend in one row."""
 NARROW_LEGEND = 4
 """Number of entries in each row of a legend of several rows."""
-_MARKS = [
+PATH_MARKS = (
     Line2D([], [], color=MUTED_COLOUR, marker="o", linestyle="none", markersize=6, label="Start"),
     Line2D(
         [],
@@ -47,7 +48,8 @@ _MARKS = [
         markersize=6,
         label="Goal and its course",
     ),
-]
+)
+"""Entries of a legend for start and goal."""
 
 
 @dataclass(frozen=True)
@@ -105,9 +107,22 @@ def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
     return [(str(number), goal) for number, goal in enumerate(goals, start=1)]
 
 
+def draw_goal(axes: Axes, at: Vector, tip: Vector, label: str) -> None:
+    """The arrow of a goal, from where it is, (2,), to `tip`, and its number."""
+    look = {"arrowstyle": "-|>", "color": GOAL_COLOUR, "lw": 1.8, "shrinkA": 0}
+    (x, y), (to_x, to_y) = at, tip
+    axes.plot(x, y, "o", color=GOAL_COLOUR, markersize=5, zorder=5)
+    axes.annotate("", (to_x, to_y), (x, y), arrowprops=look)
+    axes.annotate(label, (x, y), (-8, 6), textcoords="offset points", ha="right", color=GOAL_COLOUR)
+
+
 def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
     """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
-    handles = [*vehicle_lines(flights), *_MARKS, *body_marks(flights.bodies)]
-    handles += [*traffic_marks(flights.traffic), *more]
+    bodies, traffic = body_marks(flights.bodies), traffic_marks(flights.traffic)
+    place_legend(figure, [*vehicle_lines(flights), *PATH_MARKS, *bodies, *traffic, *more])
+
+
+def place_legend(figure: Figure, handles: Sequence[Artist]) -> None:
+    """A legend below the figure."""
     columns = len(handles) if len(handles) <= WIDE_LEGEND else NARROW_LEGEND
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)

@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 
 from vfguide.daemon.warm_up import warm_up as warm_up_companion
 from vfguide.field_points.field_point import Point
-from vfguide.field_points.field_points import fields_at
+from vfguide.field_points.field_points import LAW_NAMES, fields_at
 from vfguide.files.data import shipped_scenarios
 from vfguide.geometry.vector import ZERO
 from vfguide.kernels.rows import table_of
@@ -22,10 +22,18 @@ from vfguide.scenario.plans import plan_of
 from vfguide.sim.realtime import warm_up as warm_up_simulator
 
 FIELD_SCENARIOS = ("first-flight", "towers")
-"""The shipped scenarios whose field is evaluated in both laws: one without obstacles, one with."""
-DRAWN = ("avoidance/fence-corner", "paper/example-2", "towers", "traffic")
-"""The shipped scenarios that are drawn: each kind of thing that a figure shows is in one of them.
-A drawing takes longer than the flight, and the next of the same kind compiles nothing."""
+"""The shipped scenarios whose field is evaluated in all laws: one without obstacles, one with."""
+DRAWN = (
+    "avoidance/fence-corner",
+    "field/example-1",
+    "field/slalom",
+    "paper/example-2",
+    "towers",
+    "traffic",
+)
+"""The shipped scenarios that are drawn: each kind of thing that a figure shows is in one of them,
+and law field without hazards and with. A drawing takes longer than the flight, and the next of the
+same kind compiles nothing."""
 
 
 @dataclass(frozen=True)
@@ -67,10 +75,10 @@ def _predict() -> None:
 
 
 def _evaluate() -> None:
-    """The field of vehicles at their starts, in both laws."""
+    """The field of vehicles at their starts, in all laws."""
     for name in FIELD_SCENARIOS:
         loaded = load_scenario(name)
         vehicle = loaded.scenario.vehicles[0]
         points = table_of(Point, [Point(vehicle.position_m, ZERO, 0.0)])
-        for law in ("paper", "flight"):
+        for law in LAW_NAMES:
             fields_at(loaded, vehicle, points, law)

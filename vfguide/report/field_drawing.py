@@ -1,0 +1,119 @@
+"""Drawing of law `field` in the horizontal plane of a goal: its arrows and reactive areas.
+
+Arrows are directions of F_OA. Shaded is where hazards that are approached bend it: chi is 1 where
+the free field leads alone, and 0 where a hazard leads.
+"""
+
+from dataclasses import dataclass
+from itertools import compress
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch
+
+from vfguide.aircraft.envelope import radius_in, usable_bank
+from vfguide.companion.plan import Plan
+from vfguide.field_points.field_law_points import plan_in_air, remedies_of
+from vfguide.field_points.field_plane import FieldPlane, field_plane
+from vfguide.geometry.vector import Vec3, Vectors
+from vfguide.geometry.velocity import horizontal_norm
+from vfguide.guidance.field_law import APPROACH_RADII
+from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR
+from vfguide.scenario.resolved import Goal
+
+CELL_POINTS = 5
+"""Number of points from one arrow to the next at which chi is evaluated; chosen, for smooth edges
+of reactive areas."""
+ARROW_SHARE = 0.62
+"""Length of an arrow, as a ratio to the distance of two of them; chosen."""
+LEVELS = (0.02, 0.2, 0.4, 0.6, 0.8, 1.001)
+"""Values of 1 - chi between the shades of reactive areas, dimensionless; chosen."""
+AREA_COLOURS = ("#fdf3e0", "#fbe7c1", "#f8daa1", "#f6cd80", "#f3c05f")
+"""Colours of reactive areas, from the edge inward: an amber of the palette, lightened."""
+
+_ARROW: Any = {
+    "color": MUTED_COLOUR,
+    "pivot": "mid",
+    "angles": "xy",
+    "scale_units": "xy",
+    "scale": 1.0,
+    "units": "inches",
+    "width": 0.012,
+    "headwidth": 4.0,
+    "headlength": 4.5,
+    "headaxislength": 4.0,
+}
+_APPROACH: Any = {"color": GOAL_COLOUR, "linestyle": (0, (1, 1.5)), "linewidth": 1.2}
+
+
+@dataclass(frozen=True)
+class GoalPlane:
+    """The horizontal plane of a goal, and what the field in it depends on."""
+
+    plan: Plan
+    number: int
+    """Of the goal in the plan, from 0."""
+    goal: Goal
+    time: float
+    """On the clock of the obstacles [s]."""
+    wind_n: Vec3
+    """Wind, blowing toward, NED [m/s]."""
+
+    @property
+    def down(self) -> float:
+        """Its height, z of NED [m]."""
+        return self.goal.position_m[2]
+
+    @property
+    def approach(self) -> float:
+        """Radius round the goal within which law `flight` leads [m]; 0: nowhere."""
+        aircraft, gains, _ = plan_in_air(self.plan, self.down).vehicle
+        bank = usable_bank(aircraft, gains, gains.airspeed)
+        radius = APPROACH_RADII * radius_in(horizontal_norm(self.wind_n), bank, gains)
+        return radius if remedies_of(self.plan).approach else 0.0
+
+
+def draw_field_in(axes: Axes, plane: GoalPlane, limits: Vectors, arrows: int) -> None:
+    """Reactive areas, arrows, and the circle of the approach.
+
+    Args:
+        axes: east to the right, north up [m].
+        plane: what is drawn.
+        limits: (2, 2) least and most to the east and to the north [m].
+        arrows: number of arrows along the longer side.
+    """
+    spacing = float(np.ptp(limits, axis=1).max()) / arrows
+    east, north = (np.arange(low, high, spacing / CELL_POINTS) for low, high in limits)
+    grid = np.stack(np.meshgrid(north, east, plane.down, indexing="ij"), axis=-1)
+    field = field_plane(plane.plan, plane.number, grid.reshape(-1, 3), plane.time, plane.wind_n)
+    near = field.distance > -spacing / CELL_POINTS
+    led_by_hazards = np.where(near, 1.0 - field.chi, np.nan).reshape(grid.shape[:2])
+    axes.contourf(east, north, led_by_hazards, LEVELS, colors=AREA_COLOURS, zorder=0.3)
+    axes.grid(visible=False)
+    draw_arrows(axes, grid.reshape(len(north), len(east), 3), field, spacing)
+    at = (plane.goal.position_m[1], plane.goal.position_m[0])
+    axes.add_patch(Circle(at, plane.approach, fill=False, zorder=1.4, **_APPROACH))
+
+
+def draw_arrows(axes: Axes, grid: Vectors, field: FieldPlane, spacing: float) -> None:
+    """Directions of F_OA at every few points of a grid (n, m, 3), none inside hazards."""
+    few = slice(CELL_POINTS // 2, None, CELL_POINTS)
+    north, east, _ = np.moveaxis(field.F.reshape(grid.shape)[few, few], -1, 0)
+    speed = np.hypot(north, east)
+    shown = (field.distance.reshape(grid.shape[:2])[few, few] > 0.0) & (speed > 0.0)
+    y, x, _ = grid[few, few][shown].T
+    length = ARROW_SHARE * spacing / speed[shown]
+    axes.quiver(x, y, length * east[shown], length * north[shown], zorder=1.1, **_ARROW)
+
+
+def field_marks(plane: GoalPlane) -> list[Artist]:
+    """Entries of a legend for what `draw_field_in` draws."""
+    arrow = Line2D([], [], color=MUTED_COLOUR, marker=r"$\rightarrow$", markersize=15, ls="none")
+    arrow.set_label(r"Direction of $F_\mathrm{OA}$")
+    area = Patch(facecolor=AREA_COLOURS[-2], label="Reactive area, χ < 1")
+    circle = Line2D([], [], label="Approach by law flight", **_APPROACH)
+    shown = (True, plane.plan.hazards is not None, plane.approach > 0.0)
+    return list(compress((arrow, area, circle), shown))

@@ -1,0 +1,102 @@
+"""The figure of law `field`: where it leads in the plane of each goal, and what was flown.
+
+It is the field of the first vehicle with all hazards known; vehicles with the same goal share it.
+"""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from vfguide.report.drawing import Flights, goal_axis, line_of, vehicle_lines
+from vfguide.report.fence_figure import draw_zones, zone_marks
+from vfguide.report.field_drawing import GoalPlane, draw_field_in, field_marks
+from vfguide.report.obstacle_drawing import body_of, draw_sections, section_mark
+from vfguide.report.path_figures import EAST_AXIS, NORTH_AXIS
+from vfguide.report.view import PATH_MARKS, View, draw_goal, numbered, place_legend, view_of
+from vfguide.results.clearance import clearances
+from vfguide.results.record import FlightRecord
+from vfguide.scenario.obstacles import rows_of
+from vfguide.scenario.plans import plan_of
+from vfguide.scenario.wind import blowing
+
+MAX_GOALS = 4
+"""Largest number of goals whose planes are drawn, each in a panel of its own; chosen."""
+ARROWS = 40
+"""Number of arrows along the longer side of the only panel; chosen, so that each is seen."""
+PANEL_ARROWS = 24
+"""Number of arrows along the longer side of one of several panels; chosen likewise."""
+
+
+def draw_field(figure: Figure, flights: Flights) -> None:
+    """A panel for each of the first goals of the first vehicle."""
+    planes = goal_planes(flights)
+    columns = min(2, len(planes))
+    rows = -(-len(planes) // columns)
+    figure.set_size_inches(8.0 if columns == 1 else 10.0, 7.4 if rows == 1 else 10.0)
+    figure.set_layout_engine("constrained")
+    view = view_of(flights, np.array((EAST_AXIS, NORTH_AXIS)))
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes, plane in zip(grid, planes, strict=False):
+        draw_plane(axes, flights, plane, view)
+    for axes in grid[len(planes) :]:
+        axes.set_axis_off()
+    scenario = flights.loaded.scenario
+    bodies = [section_mark()] if scenario.obstacles else []
+    marks = [*vehicle_lines(flights), *PATH_MARKS, *bodies, *zone_marks(scenario.fence)]
+    place_legend(figure, [*marks, *field_marks(planes[0])])
+
+
+def goal_planes(flights: Flights) -> list[GoalPlane]:
+    """The planes of the first goals of the first vehicle."""
+    scenario, vehicle = flights.loaded.scenario, flights.records[0].vehicle
+    plan, time = plan_of(flights.loaded, vehicle), time_shown(flights)
+    wind_n = blowing(scenario.wind.speed_mps, scenario.wind.from_deg)
+    goals = enumerate(vehicle.goals[:MAX_GOALS])
+    return [GoalPlane(plan, number, goal, time, wind_n) for number, goal in goals]
+
+
+def time_shown(flights: Flights) -> float:
+    """When the first vehicle was nearest to an obstacle, if one moves, else the start [s]."""
+    record, obstacles = flights.records[0], flights.loaded.scenario.obstacles
+    if not any(body.moves for body in flights.bodies):
+        return 0.0
+    nearest = np.nanmin(clearances(record, rows_of(obstacles)), axis=1)
+    return float(record.time[np.nanargmin(nearest)])
+
+
+def draw_plane(axes: Axes, flights: Flights, plane: GoalPlane, view: View) -> None:
+    """The field, the obstacles as they are then, the fence, the paths and the goal."""
+    scenario = flights.loaded.scenario
+    arrows = ARROWS if len(flights.records[0].vehicle.goals) == 1 else PANEL_ARROWS
+    draw_field_in(axes, plane, view.limits, arrows)
+    draw_sections(axes, [body_of(each, plane.time) for each in scenario.obstacles], plane.down)
+    draw_zones(axes, scenario.fence)
+    for index, record in enumerate(flights.records):
+        if plane.goal in record.vehicle.goals:
+            draw_path(axes, record, index, plane.time)
+    label, goal = numbered(flights.records[0].vehicle.goals)[plane.number]
+    at = np.array(goal.position_m)
+    tip = at + view.arrow * np.array(goal_axis(goal.heading_deg, goal.climb_deg))
+    draw_goal(axes, at[[1, 0]], tip[[1, 0]], label)
+    east, north = view.limits
+    axes.set(xlim=east, ylim=north, aspect="equal")
+    axes.set(xlabel="East of the origin [m]", ylabel="North of the origin [m]")
+    axes.set_title(title_of(plane, label))
+
+
+def draw_path(axes: Axes, record: FlightRecord, index: int, time: float) -> None:
+    """The path of the vehicle at a place in the scenario, and where it is at a time [s]."""
+    x, y = record.p_n[:, [1, 0]].T
+    line = line_of(index)
+    now = np.searchsorted(record.time, time)
+    axes.plot(x, y, **line)
+    axes.plot(x[:1], y[:1], "o", color=line["color"], markersize=7, zorder=4)
+    if time > 0.0:
+        axes.plot(x[now], y[now], "o", mec=line["color"], mfc="white", mew=1.8, zorder=4)
+
+
+def title_of(plane: GoalPlane, label: str) -> str:
+    """What a panel shows, `label` being the number of the goal, or nothing where it is the only."""
+    goal = f"goal {label}" if label else "the goal"
+    when = f", after {plane.time:.0f} s" if plane.time > 0.0 else ""
+    return f"Field to {goal}, {-plane.down:g} m above the origin{when}"
