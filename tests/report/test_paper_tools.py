@@ -7,6 +7,7 @@ from pathlib import Path
 import matplotlib.image
 import numpy as np
 import pytest
+from drawings import drawn
 
 from vfguide.report.drawing import to_png
 
@@ -40,3 +41,24 @@ def test_drawings_of_the_field(name):
     assert min(picture.shape[:2]) > 400
     dark = np.mean(picture[..., :3].min(axis=2) < 0.8)
     assert 0.003 < dark < 0.5
+
+
+def test_paths_beside_that_of_law_field():
+    """The paper's rigid body stays before the first wall, as the page says."""
+    figures = tool("field_figures")
+    aeroplane, rigid_body = figures.paths_beside()
+    assert aeroplane[:, 0].max() > 850.0
+    assert rigid_body[:, 0].max() < -460.0
+    assert np.abs(rigid_body[:, 1]).max() < 1.0
+
+
+def test_the_drawing_of_law_field_holds_all_paths():
+    figures = tool("field_figures")
+    figure = drawn(figures.draw, figures.fly(figures.NAME))
+    (axes,) = figure.axes
+    longest = [line for line in axes.lines if len(line.get_xdata()) > 1000]
+    assert len(longest) == 3
+    (legend,) = figure.legends
+    assert {*figures.BESIDE, "Aeroplane, law field"} < {
+        text.get_text() for text in legend.get_texts()
+    }
