@@ -27,7 +27,7 @@ from vfguide.geometry.vector import Vectors
 from vfguide.preflight.load import load_scenario
 from vfguide.report.drawing import COLOURS, Flights, line_of, to_png
 from vfguide.report.field_drawing import field_marks
-from vfguide.report.field_figure import draw_plane, goal_planes
+from vfguide.report.field_figure import draw_plane, goal_planes, led_elsewhere_marks
 from vfguide.report.obstacle_drawing import section_mark
 from vfguide.report.path_figures import EAST_AXIS, NORTH_AXIS
 from vfguide.report.view import PATH_MARKS, view_of
@@ -90,6 +90,7 @@ def draw(figure: Figure, flights: Flights) -> None:
     led = Line2D([], [], **line_of(0), label="Aeroplane, law field")
     others = [Line2D([0], [0], label=name, **line) for name, line in BESIDE.items()]
     marks = [led, *others, *PATH_MARKS, section_mark(), *field_marks(plane)]
+    marks += led_elsewhere_marks(flights)
     figure.legend(handles=marks, loc="outside right center", labelspacing=0.9)
 
 

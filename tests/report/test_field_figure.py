@@ -1,5 +1,6 @@
 """What the report shows of law field."""
 
+from dataclasses import replace
 from itertools import pairwise
 from unittest import mock
 
@@ -12,13 +13,16 @@ from matplotlib.quiver import Quiver
 from scenario_samples import loaded_from
 from scenario_texts import MINIMAL, SECOND
 
+from vfguide.assurance.decision import Reason
 from vfguide.field_points.field_plane import field_plane
+from vfguide.guidance.guidance_state import Leader
 from vfguide.report.drawing import Flights, to_png
 from vfguide.report.field_drawing import AREA_COLOURS
 from vfguide.report.field_figure import MAX_GOALS, draw_field
 from vfguide.report.figures import draw_figures
 from vfguide.report.meshes import section
 from vfguide.report.obstacle_drawing import body_of
+from vfguide.results.record import Decisions
 
 pytestmark = pytest.mark.slow
 
@@ -112,6 +116,22 @@ def test_what_moves_is_shown_when_it_was_nearest(tmp_path):
     assert axes.get_title() == "Field to the goal, 100 m above the origin, after 12 s"
     hollow = [line for line in axes.lines if line.get_markerfacecolor() == "white"]
     assert [line.get_ydata()[0] for line in hollow] == pytest.approx([-190.0], abs=25.0)
+
+
+def test_a_path_is_hollow_where_the_field_did_not_lead(tmp_path):
+    flights = flights_of(tmp_path, MINIMAL + TOWER)
+    (record,) = flights.records
+    leaders, reason = np.zeros((2, len(record.time)))
+    leaders[100:200], reason[300:350] = Leader.ROUTE, Reason.RECOVERY
+    other = replace(record, leaders=leaders, decisions=Decisions(reason, *np.zeros((3, 1))))
+    figure = drawn(draw_field, Flights(flights.loaded, [other]))
+    (hollow,) = [line for line in figure.axes[0].lines if line.get_color() == "white"]
+    assert np.flatnonzero(np.isfinite(hollow.get_xdata())).tolist() == [
+        *range(100, 200),
+        *range(300, 350),
+    ]
+    assert "Escape or route" in labels(figure)
+    assert "Escape or route" not in labels(drawn(draw_field, flights))
 
 
 def test_without_the_approach_there_is_no_circle(tmp_path):

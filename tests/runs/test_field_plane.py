@@ -11,7 +11,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace
 from vfguide.field_points.field_plane import field_plane
 from vfguide.geometry.so3 import from_euler
-from vfguide.guidance.field_law import led
+from vfguide.guidance.field_direction import led
 from vfguide.guidance.remedies import Remedies
 from vfguide.loop.legs import target_of
 from vfguide.scenario.plans import plan_of

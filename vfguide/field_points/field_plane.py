@@ -14,7 +14,7 @@ from vfguide.companion.plan import Plan
 from vfguide.field_points.field_law_points import plan_in_air, remedies_of
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import ZERO, Series, Vec3, Vectors, vec3
-from vfguide.guidance.field_law import deflected, field_velocity, free_velocity, task_of
+from vfguide.guidance.field_direction import deflected, field_velocity, free_velocity, task_of
 from vfguide.guidance.remedies import Remedies
 from vfguide.kernels.compiled import compiled
 from vfguide.loop.legs import target_of

@@ -3,11 +3,18 @@
 It is the field of the first vehicle with all hazards known; vehicles with the same goal share it.
 """
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
-from vfguide.report.drawing import Flights, goal_axis, line_of, vehicle_lines
+from vfguide.assurance.decision import Reason
+from vfguide.geometry.vector import Mask
+from vfguide.guidance.guidance_state import Leader
+from vfguide.report.drawing import MUTED_COLOUR, Flights, goal_axis, line_of, vehicle_lines
 from vfguide.report.fence_figure import draw_zones, zone_marks
 from vfguide.report.field_drawing import GoalPlane, draw_field_in, field_marks
 from vfguide.report.obstacle_drawing import body_of, draw_sections, section_mark
@@ -25,6 +32,7 @@ ARROWS = 40
 """Number of arrows along the longer side of the only panel; chosen, so that each is seen."""
 PANEL_ARROWS = 24
 """Number of arrows along the longer side of one of several panels; chosen likewise."""
+_HOLLOW: Any = {"color": "white", "linewidth": 0.9, "zorder": 2.3}
 
 
 def draw_field(figure: Figure, flights: Flights) -> None:
@@ -43,7 +51,7 @@ def draw_field(figure: Figure, flights: Flights) -> None:
     scenario = flights.loaded.scenario
     bodies = [section_mark()] if scenario.obstacles else []
     marks = [*vehicle_lines(flights), *PATH_MARKS, *bodies, *zone_marks(scenario.fence)]
-    place_legend(figure, [*marks, *field_marks(planes[0])])
+    place_legend(figure, [*marks, *field_marks(planes[0]), *led_elsewhere_marks(flights)])
 
 
 def goal_planes(flights: Flights) -> list[GoalPlane]:
@@ -85,14 +93,37 @@ def draw_plane(axes: Axes, flights: Flights, plane: GoalPlane, view: View) -> No
 
 
 def draw_path(axes: Axes, record: FlightRecord, index: int, time: float) -> None:
-    """The path of the vehicle at a place in the scenario, and where it is at a time [s]."""
+    """The path of a vehicle, by its place in the scenario, and where it is at a time [s].
+
+    It is hollow where an escape or a route was flown, and not the field.
+    """
     x, y = record.p_n[:, [1, 0]].T
     line = line_of(index)
     now = np.searchsorted(record.time, time)
     axes.plot(x, y, **line)
     axes.plot(x[:1], y[:1], "o", color=line["color"], markersize=7, zorder=4)
+    elsewhere = is_led_elsewhere(record)
+    axes.plot(np.where(elsewhere, x, np.nan), np.where(elsewhere, y, np.nan), **_HOLLOW)
     if time > 0.0:
         axes.plot(x[now], y[now], "o", mec=line["color"], mfc="white", mew=1.8, zorder=4)
+
+
+def is_led_elsewhere(record: FlightRecord) -> Mask:
+    """Where an escape of the assurance or a route of law `flight` was flown, (n,)."""
+    elsewhere = np.zeros(len(record.time), bool)
+    if record.leaders is not None:
+        elsewhere |= record.leaders == Leader.ROUTE
+    if record.decisions is not None:
+        elsewhere |= record.decisions.reason != Reason.NOMINAL
+    return elsewhere
+
+
+def led_elsewhere_marks(flights: Flights) -> list[Line2D]:
+    """The entry of a legend for hollow parts of a path, where there are any."""
+    if not any(is_led_elsewhere(record).any() for record in flights.records):
+        return []
+    around = [withStroke(linewidth=2.6, foreground=MUTED_COLOUR)]
+    return [Line2D([], [], **_HOLLOW, path_effects=around, label="Escape or route")]
 
 
 def title_of(plane: GoalPlane, label: str) -> str:

@@ -50,7 +50,8 @@ _FIELD = Drawing(
     "field",
     "Law field in the horizontal plane of a goal, all hazards known: arrows are directions of "
     "F_OA, and shaded is where hazards that are approached bend it, the darker the less the free "
-    "field counts. Paths may lie above or below the plane.",
+    "field counts. Paths may lie above or below the plane; they are hollow where an escape or a "
+    "route was flown.",
     draw_field,
 )
 _CLEARANCE = Drawing(
