@@ -103,7 +103,8 @@ def draw_path(axes: Axes, record: FlightRecord, index: int, time: float) -> None
     axes.plot(x, y, **line)
     axes.plot(x[:1], y[:1], "o", color=line["color"], markersize=7, zorder=4)
     elsewhere = is_led_elsewhere(record)
-    axes.plot(np.where(elsewhere, x, np.nan), np.where(elsewhere, y, np.nan), **_HOLLOW)
+    if elsewhere.any():
+        axes.plot(np.where(elsewhere, x, np.nan), np.where(elsewhere, y, np.nan), **_HOLLOW)
     if time > 0.0:
         axes.plot(x[now], y[now], "o", mec=line["color"], mfc="white", mew=1.8, zorder=4)
 
