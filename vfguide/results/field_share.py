@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from vfguide.assurance.decision import Reason
 from vfguide.geometry.vector import Series
@@ -39,8 +38,8 @@ def field_result(record: FlightRecord) -> FieldResult | None:
     if record.decisions is not None:
         leading &= record.decisions.reason == Reason.NOMINAL
     outside = flown & (record.leaders != Leader.APPROACH)
-    on_route: NDArray[np.bool_] = flown & (record.leaders == Leader.ROUTE)
-    starts = on_route[1:] & (record.leaders[:-1] == Leader.FIELD)
+    on_route = flown & (record.leaders == Leader.ROUTE)
+    starts = on_route & (np.roll(record.leaders, 1) == Leader.FIELD)
     return FieldResult(
         leading_share=_share(leading, outside),
         leading_share_of_flight=_share(leading, flown),
