@@ -50,7 +50,7 @@ def test_it_is_not_for_a_real_aircraft(tmp_path):
     path.write_text(load_scenario("first-flight", ["law=paper"]).scenario.to_toml())
     done = vfguide("fly", path, "--vehicle", "1", "--connect", url, cwd=tmp_path)
     assert done.returncode == 2
-    assert 'law = "paper": only vfguide run flies it, allowed "flight"' in done.stderr
+    assert 'law = "paper": only vfguide run flies it, allowed "flight", "field"' in done.stderr
 
 
 def test_a_test_flight_is_law_flights_alone(tmp_path):

@@ -50,7 +50,7 @@ def fly(
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
     loaded.require_mavlink()
-    loaded.require_flight_law()
+    loaded.require_assured_law()
     warn(loaded.warnings)
     plan = plan_of(loaded, vehicle_of(loaded.scenario, vehicle))
     with ExitStack() as stack:

@@ -29,6 +29,8 @@ def next_progress(
         gains: the airspeed, to which distances and times are scaled.
     """
     field, route = Leader.FIELD.value, Leader.ROUTE.value
+    if s.leader == Leader.CIRCLE.value:
+        return FieldProgress(field, length, length, time)
     if s.leader != field:
         if length < s.nearest - RESUME * radius or not remedies.search:
             return FieldProgress(field, length, length, time)

@@ -74,14 +74,14 @@ class LoadedScenario:
             rule = 'it has no autopilot and no MAVLink, only vfguide run flies it; allowed "jsbsim"'
             raise InputError(f'{self.path}: plant = "{plant}": {rule}')
 
-    def require_flight_law(self) -> None:
+    def require_assured_law(self) -> None:
         """Make sure that its law is one for a real aircraft.
 
         Raises:
             InputError: it is not.
         """
         if self.scenario.law == "paper":
-            rule = 'only vfguide run flies it, allowed "flight"'
+            rule = 'only vfguide run flies it, allowed "flight", "field"'
             raise InputError(f'{self.path}: law = "{self.scenario.law}": {rule}')
 
     def write_resolved(self, path: Path) -> None:
