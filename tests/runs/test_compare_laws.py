@@ -9,6 +9,9 @@ from flown_worlds import scenario_of
 from outcomes import flight
 from world_tables import loaded_from
 
+from vfguide.guidance.remedies import Remedies
+from vfguide.results.field_share import FieldResult
+
 
 def test_laws_side_by_side_as_a_table(tmp_path):
 
@@ -25,10 +28,28 @@ def test_laws_side_by_side_as_a_table(tmp_path):
     assert (ours.entered, ours.reached, ours.length_median) == (0, 1, 1.1)
     assert ours.step_median_us == 20.0
     text = compare_laws.markdown(rows)
-    assert "| field | printed | 2 | 1 | 0 | -2.0 | 0 | - | 20, 30 | 10.00 |" in text
+    assert "| field | printed | 2 | 1 | 0 | -2.0 | 0 | - | 20, 30 | 10.00 | - |" in text
     compare_laws.write_csv(rows, tmp_path / "laws.csv")
     with (tmp_path / "laws.csv").open() as file:
         assert [line["law"] for line in csv.DictReader(file)] == ["printed", "ours"]
+
+
+def test_who_led_is_in_the_table():
+    led = [FieldResult(0.9, 0.8, 0.0, 0), FieldResult(0.5, 0.4, 0.3, 2)]
+    flown = [{"field": compare_laws.Flown(flight(field=each), np.array([10.0]))} for each in led]
+    row = compare_laws.row_of("dead-end", "field", flown)
+    assert (row.leading_percent, row.least_leading_percent, row.route_percent) == (70.0, 50.0, 15.0)
+    assert compare_laws.cells(row)[-1] == "70.0, 50, 15.0"
+
+
+def test_each_remedy_has_a_law_with_it_alone():
+    for name in Remedies._fields:
+        remedies = compare_laws.FLOWN[f"only {name}"].remedies
+        assert [each for each, on in remedies._asdict().items() if on] == [name]
+        bare = compare_laws.FLOWN[f"only {name}, unassured"]
+        assert (bare.remedies, bare.is_assured) == (remedies, False)
+    assert not any(compare_laws.FLOWN["no remedy"].remedies)
+    assert all(compare_laws.FLOWN["field"].remedies)
 
 
 def test_the_worlds_can_be_flown_on_the_papers_plant(tmp_path):

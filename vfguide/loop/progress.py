@@ -3,12 +3,13 @@
 import math
 from typing import NamedTuple
 
+from vfguide.aircraft.command import GuidanceCommand
 from vfguide.estimation.estimation import NavState
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.vector import sub
 from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.leg import OUTBOUND, Leg
+from vfguide.paths.leg import OUTBOUND
 from vfguide.planning.objective import Objective
 
 PROGRESS_MARGIN = 5.0
@@ -35,14 +36,13 @@ def fresh_progress() -> Progress:
 
 
 @compiled
-def update(nav: NavState, goal: Objective, leg: Leg, remaining: float, s: Progress) -> Progress:
+def update(nav: NavState, goal: Objective, command: GuidanceCommand, s: Progress) -> Progress:
     """Progress after one step; an alarm stays until the leg is over.
 
     Args:
         nav: state of the vehicle, and its position at the step before.
         goal: objective of the mission.
-        leg: the present leg.
-        remaining: length of the path to the goal [m].
+        command: the command that is flown.
         s: progress after the step before.
     """
     if goal.begins:
@@ -50,24 +50,24 @@ def update(nav: NavState, goal: Objective, leg: Leg, remaining: float, s: Progre
     if not goal.is_goal or not nav.is_continuous:
         return s
     flown = horizontal_norm(sub(nav.state.p_n, nav.p_n_before))
-    return after_step(s, remaining, leg, flown)
+    return after_step(s, command, flown)
 
 
 @compiled
-def after_step(progress: Progress, remaining: float, leg: Leg, flown: float) -> Progress:
+def after_step(progress: Progress, command: GuidanceCommand, flown: float) -> Progress:
     """Progress on a leg that goes on.
 
     Args:
         progress: after the step before.
-        remaining: length of the path to the goal [m]; without meaning in phase OUTBOUND.
-        leg: the present leg.
+        command: the command that is flown; its `remaining` has no meaning in phase OUTBOUND.
         flown: distance over ground in the step [m].
     """
-    if leg.phase != OUTBOUND and remaining < progress.least - PROGRESS_MARGIN:
+    remaining, counts = command.remaining, command.phase != OUTBOUND
+    if counts and remaining < progress.least - PROGRESS_MARGIN:
         return Progress(remaining, remaining, 0.0, progress.alarmed)
     longest = progress.longest
-    if leg.phase != OUTBOUND:
+    if counts:
         longest = max(longest, remaining)
     flown += progress.flown
-    enough = FULL_TURN * leg.radius + longest - progress.least
+    enough = FULL_TURN * command.radius + longest - progress.least
     return Progress(progress.least, longest, flown, progress.alarmed or flown > enough > 0.0)

@@ -72,7 +72,7 @@ def step(
     )
     asked, control_state = control.update(nav, command, s.control, vehicle)
     setpoint = limits.apply(asked, vehicle)
-    progress_state = progress.update(nav, objective, route.leg, command.remaining, s.progress)
+    progress_state = progress.update(nav, objective, command, s.progress)
     after = LoopState(
         estimation_state,
         mission_state,
