@@ -38,6 +38,7 @@ def test_what_is_reported_is_taken_from_its_place():
     assert noted_numbers(row) == (
         *(air.wind_north, air.wind_east, air.wind_sigma, air.airspeed, air.airspeed_sigma),
         *(decision.reason, decision.margin, decision.conflict, decision.hazard),
+        s.guidance.progress.leader,
     )
 
 
@@ -45,6 +46,7 @@ NEWS = {
     "estimation.resets.number",
     "mission.wind_hold.holds",
     "progress.alarmed",
+    "guidance.progress.leader",
     "estimation.air.sensor.trusted",
 }
 

@@ -115,13 +115,17 @@ STAGES = {
     "vfguide.control.limits.apply",
     "vfguide.loop.progress.update",
 }
-LAWS = {"vfguide.guidance.flight_law.update", "vfguide.guidance.paper_law.update"}
+LAWS = {f"vfguide.guidance.{name}_law.update" for name in ("flight", "field", "paper")}
 LONGEST = 30
 """Lines that the spine may have."""
 PACKAGE = Path(vfguide.__file__).parent
 USED_BY = {
     "loop/step.py": STAGES,
     "guidance/laws.py": LAWS,
+    # At a point there is no step.
+    "field_points/field_law_points.py": {"vfguide.guidance.field_law.update"},
+    # The approach and the routes are those of law flight.
+    "guidance/field_law.py": {"vfguide.guidance.flight_law.update"},
     # The paper says nothing of the circle after the last goal.
     "guidance/paper_law.py": {"vfguide.guidance.flight_law.update"},
 }

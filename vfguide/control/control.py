@@ -14,7 +14,7 @@ from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.coordinated_turn import attitude_for_lift, attitude_rate_for_lift
 from vfguide.aircraft.flight_model import flight_direction, sideslip_about_vertical
 from vfguide.aircraft.performance import Gains, alpha_of_load, nonzero_airspeed
-from vfguide.aircraft.state import RateSetpoint
+from vfguide.aircraft.state import FlightState, RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle
 from vfguide.control.airspeed_control import integrate_error, thrust_for
 from vfguide.control.envelope_protection import load_of, within_envelope
@@ -50,6 +50,17 @@ class ControlState(NamedTuple):
     """Learned correction of the angle of attack [rad]."""
 
 
+class Reference(NamedTuple):
+    """The reference attitude, and two of the angles that make it."""
+
+    R_na: Mat3
+    """To NED."""
+    alpha: float
+    """Angle of attack [rad]."""
+    elevation: float
+    """Elevation of the air velocity that it asks for [rad]."""
+
+
 @compiled
 def fresh_control() -> ControlState:
     """The state of control before the first step."""
@@ -74,12 +85,11 @@ def update(
     speed = nonzero_airspeed(state.airspeed, aircraft)
     climbing = command.gamma - path_of(air, speed)
     alpha_bias = learn_alpha(s.alpha_bias, climbing, gains, dt)
-    alpha = alpha_of_load(command.load, speed, aircraft) + alpha_bias
-    elevation = command.gamma + gains.k_elevation * climbing
-    R_na = attitude_for_lift(azimuth_of(air), elevation, command.bank, alpha)
+    reference = reference_of(state, command, alpha_bias, vehicle)
+    R_na, alpha, _ = reference
     omega_a = (0.0, 0.0, 0.0)
     if command.rates.are_known:
-        omega_a = limited(commanded_rate(command, elevation, alpha, speed, vehicle))
+        omega_a = commanded_rate(command, reference, speed, vehicle)
     elif not nav.is_first:
         omega_a = reference_rate(s, R_na, gains.smoothing, dt)
     sideslip = sideslip_about_vertical(air, flight_direction(state.R_nb, alpha, 0.0))
@@ -93,6 +103,19 @@ def update(
     integral = integrate_error(aircraft, error, thrust, s.thrust_integral, dt)
     setpoint = RateSetpoint(omega, thrust, to_quaternion(R_na))
     return setpoint, ControlState(R_na, omega_a, integral, alpha_bias)
+
+
+@compiled
+def reference_of(
+    state: FlightState, command: GuidanceCommand, alpha_bias: float, vehicle: Vehicle
+) -> Reference:
+    """The reference attitude of a command; `alpha_bias` corrects the angle of attack [rad]."""
+    aircraft, gains, _ = vehicle
+    air, speed = sub(state.v_n, state.wind_n), nonzero_airspeed(state.airspeed, aircraft)
+    alpha = alpha_of_load(command.load, speed, aircraft) + alpha_bias
+    elevation = command.gamma + gains.k_elevation * (command.gamma - path_of(air, speed))
+    R_na = attitude_for_lift(azimuth_of(air), elevation, command.bank, alpha)
+    return Reference(R_na, alpha, elevation)
 
 
 @compiled
@@ -135,16 +158,15 @@ def reference_rate(s: ControlState, R_na: Mat3, smoothing: float, dt: float) -> 
 
 @compiled
 def commanded_rate(
-    command: GuidanceCommand, elevation: float, alpha: float, speed: float, vehicle: Vehicle
+    command: GuidanceCommand, reference: Reference, speed: float, vehicle: Vehicle
 ) -> Vec3:
     """Angular velocity of the reference attitude in its own axes by the command's rates [rad/s].
 
-    The learned correction of the angle of attack counts as constant.
+    The learned correction of the angle of attack counts as constant. At most MAX_REFERENCE_RATE.
 
     Args:
         command: the command; its rates are known.
-        elevation: of the reference attitude [rad].
-        alpha: its angle of attack [rad].
+        reference: its reference attitude.
         speed: true airspeed [m/s].
         vehicle: its aircraft and gains.
     """
@@ -152,7 +174,8 @@ def commanded_rate(
     climbing = rates.gamma + gains.k_elevation * (rates.gamma - rates.path)
     pitching = alpha_of_load(rates.load, speed, aircraft) - aircraft.alpha_zero
     turning = (rates.bank, climbing, rates.azimuth)
-    return attitude_rate_for_lift(elevation, command.bank, alpha, turning, pitching)
+    _, alpha, elevation = reference
+    return limited(attitude_rate_for_lift(elevation, command.bank, alpha, turning, pitching))
 
 
 @compiled

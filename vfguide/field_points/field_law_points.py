@@ -7,15 +7,14 @@ from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.companion.plan import Plan
-from vfguide.control import control
-from vfguide.control.control import fresh_control
+from vfguide.control.control import commanded_rate, reference_of
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import known_state
 from vfguide.field_points.field_point import FieldPoint, Point
 from vfguide.field_points.flight_points import flight_field
 from vfguide.field_points.shortest_plan import Surroundings, surroundings_at
 from vfguide.geometry.so3 import from_euler
-from vfguide.geometry.vector import Mat3, Vec3, norm, sub
+from vfguide.geometry.vector import ZERO, Mat3, Vec3, norm, sub
 from vfguide.geometry.velocity import azimuth_of
 from vfguide.guidance import field_law
 from vfguide.guidance.field_barriers import barrier_of
@@ -90,11 +89,11 @@ def command_at(around: Surroundings, goal: Objective, slope: float) -> GuidanceC
 
 def reference_at(plan: Plan, goal: Objective, command: GuidanceCommand) -> tuple[Mat3, Vec3]:
     """The reference attitude of a command, to NED, and its body rates [rad/s]."""
-    vehicle = plan.vehicle
-    unlearning = vehicle._replace(gains=vehicle.gains._replace(k_alpha=0.0))
-    nav = known_state(goal.state, -1.0)
-    _, left = control.update(nav, command, fresh_control(), unlearning)
-    return left.R_na, left.omega_a
+    reference = reference_of(goal.state, command, 0.0, plan.vehicle)
+    if not command.rates.are_known:
+        return reference.R_na, ZERO
+    rates = commanded_rate(command, reference, goal.state.airspeed, plan.vehicle)
+    return reference.R_na, rates
 
 
 def remedies_of(plan: Plan) -> Remedies:
