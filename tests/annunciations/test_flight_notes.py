@@ -69,7 +69,7 @@ def test_a_vehicle_that_circles_for_ever_is_told_of_once():
 def led_by(leader, goal=0):
     """The row of a state in which a leader of law field was followed to a goal."""
     s = fresh_state()
-    progress = FieldProgress(leader, 100.0, 90.0, 3.0)
+    progress = FieldProgress(leader, 100.0, 90.0, 3.0, 2.0)
     mission = s.mission._replace(goal=goal)
     return row_of_state(s._replace(guidance=GuidanceState(0.0, 1.0, progress), mission=mission))
 

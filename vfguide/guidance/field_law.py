@@ -29,7 +29,8 @@ from vfguide.guidance import flight_law
 from vfguide.guidance.altitude_profile import limited_slope
 from vfguide.guidance.field_barriers import with_near_obstacles
 from vfguide.guidance.field_direction import led, slope_of
-from vfguide.guidance.field_progress import next_progress
+from vfguide.guidance.field_lookahead import is_blocked
+from vfguide.guidance.field_progress import APPROACH_RADII, next_progress
 from vfguide.guidance.free_line import line_length
 from vfguide.guidance.guidance_state import FieldProgress, GuidanceState, Leader, leg_begins
 from vfguide.guidance.lateral import plan_turn
@@ -40,8 +41,9 @@ from vfguide.kernels.rows import replacing
 from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
 
-APPROACH_RADII = 3.0
-"""Distance from the goal within which the approach is that of law `flight` [turn radii]; chosen."""
+LOOK_INTERVAL = 2.5
+"""Time between two predictions of the path along the field [s]; chosen, since one takes as long as
+several steps."""
 RATE_TIME = 2e-4
 """Half the time over which the command is differenced along the motion [s]; chosen, so that the
 difference is its derivative to 1e-5 rad/s."""
@@ -65,6 +67,7 @@ def update(
     aircraft, gains, _ = vehicle
     radius = flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
     progress = progress_of(remedies, nav.state.time, goal, s.progress, radius, gains)
+    progress = looking_ahead(remedies, nav.state.time, goal, airspace, progress, vehicle)
     s = GuidanceState(s.slope, s.turning, progress)
     near = airspace
     if progress.leader == Leader.FIELD.value:
@@ -86,12 +89,32 @@ def progress_of(
     if goal.begins:
         s = leg_begins(time)
     if goal.target.circle != 0.0:
-        return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time)
+        return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time, s.looked)
     length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
     distance = horizontal_norm(sub(state.p_n, goal.target.p_n))
     if remedies.approach and distance < APPROACH_RADII * radius:
-        return FieldProgress(Leader.APPROACH.value, length, length, time)
+        return FieldProgress(Leader.APPROACH.value, length, length, time, s.looked)
     return next_progress(remedies, s, length, radius, time, gains)
+
+
+@compiled
+def looking_ahead(
+    remedies: Remedies,
+    time: float,
+    goal: Objective,
+    airspace: Airspace | None,
+    s: FieldProgress,
+    vehicle: Vehicle,
+) -> FieldProgress:
+    """Who leads at this step once the path along the field was predicted, where that is due.
+
+    A route is asked for where that path is blocked.
+    """
+    if s.leader != Leader.FIELD.value or not remedies.search or time - s.looked < LOOK_INTERVAL:
+        return s
+    if is_blocked(remedies, goal.state, goal.target, airspace, vehicle):
+        return FieldProgress(Leader.ROUTE.value, s.length, s.length, time, time)
+    return FieldProgress(s.leader, s.length, s.nearest, s.since, time)
 
 
 @compiled

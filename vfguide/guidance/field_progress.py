@@ -5,6 +5,8 @@ from vfguide.guidance.guidance_state import FieldProgress, Leader
 from vfguide.guidance.remedies import Remedies
 from vfguide.kernels.compiled import compiled
 
+APPROACH_RADII = 3.0
+"""Distance from the goal within which the approach is that of law `flight` [turn radii]; chosen."""
 PATIENCE = 12.0
 """Time without coming nearer after which a route is asked for [turn lengths over airspeed]; chosen,
 nearly two full turns."""
@@ -30,14 +32,14 @@ def next_progress(
     """
     field, route = Leader.FIELD.value, Leader.ROUTE.value
     if s.leader == Leader.CIRCLE.value:
-        return FieldProgress(field, length, length, time)
+        return FieldProgress(field, length, length, time, s.looked)
     if s.leader != field:
         if length < s.nearest - RESUME * radius or not remedies.search:
-            return FieldProgress(field, length, length, time)
-        return FieldProgress(route, length, s.nearest, time)
+            return FieldProgress(field, length, length, time, s.looked)
+        return FieldProgress(route, length, s.nearest, time, s.looked)
     unit_length = turn_length(gains.airspeed)
     if length < s.nearest - PROGRESS * unit_length:
-        return FieldProgress(field, length, length, time)
+        return FieldProgress(field, length, length, time, s.looked)
     is_patient = time - s.since < PATIENCE * unit_length / gains.airspeed
     leader = field if is_patient or not remedies.search else route
-    return FieldProgress(leader, length, s.nearest, s.since)
+    return FieldProgress(leader, length, s.nearest, s.since, s.looked)

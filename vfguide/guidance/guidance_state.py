@@ -31,6 +31,8 @@ class FieldProgress(NamedTuple):
     """Least length of the field's line to the goal on this leg [m]."""
     since: float
     """When it was least [s]."""
+    looked: float
+    """When the path along the field was last predicted [s]."""
 
 
 class GuidanceState(NamedTuple):
@@ -47,7 +49,7 @@ class GuidanceState(NamedTuple):
 @compiled
 def leg_begins(time: float) -> FieldProgress:
     """The progress at the start of a leg; `time` is now [s]."""
-    return FieldProgress(Leader.FIELD.value, math.inf, math.inf, time)
+    return FieldProgress(Leader.FIELD.value, math.inf, math.inf, time, -math.inf)
 
 
 @compiled
