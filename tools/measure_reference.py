@@ -42,7 +42,7 @@ from vfguide.geometry.so3 import log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, Vector, matmul, norm, transpose
 from vfguide.guidance import laws
-from vfguide.guidance.field_law import airspace_later, commanded, moved
+from vfguide.guidance.field_law import airspace_later, commanded, leader_now, moved
 from vfguide.guidance.guidance_state import GuidanceState, Leader
 from vfguide.guidance.laws import FIELD_LAW, FieldLaw
 from vfguide.kernels.compiled import compiled
@@ -89,6 +89,8 @@ class Guided(NamedTuple):
     vehicle: Vehicle
     command: GuidanceCommand
     after: GuidanceState
+    leader: int
+    """Who led."""
 
 
 @compiled
@@ -115,7 +117,8 @@ def guided(
     wants = laws.wants_route(law, s.guidance)
     route = planning.update(nav, objective, known, wants, s.planning, s.guidance.slope, flown)
     command, after = laws.update(law, nav, objective, route, known, s.guidance, flown)
-    return Guided(nav, objective, route, known, flown, command, after)
+    leader = leader_now(objective, s.guidance.progress)
+    return Guided(nav, objective, route, known, flown, command, after, leader)
 
 
 @compiled
@@ -133,12 +136,12 @@ def references(
 
     `bias` is the learned correction of the angle of attack [rad]; the others are as of the step.
     """
-    nav, goal, route, known, flown, command, after = guided(
+    nav, goal, route, known, flown, command, after, leader = guided(
         measured, origin, before, legs, airspace, law, vehicle
     )
     s = read_state(before)
     kept = GuidanceState(s.guidance.slope, s.guidance.turning, after.progress)
-    same = command, law, nav, goal, route, known, kept, with_bias(s.control, bias), flown
+    same = command, leader, law, nav, goal, route, known, kept, with_bias(s.control, bias), flown
     return (
         nav.state.R_nb,
         reference(-STEP, *same),
@@ -151,6 +154,7 @@ def references(
 def reference(
     dt: float,
     command: GuidanceCommand,
+    leader: int,
     law: FieldLaw,
     nav: NavState,
     goal: Objective,
@@ -165,7 +169,7 @@ def reference(
     then = moved_nav(nav, state, nav.elapsed + dt)
     objective = Objective(goal.target, state, False, goal.is_goal)
     there, _ = commanded(
-        law.remedies, then, objective, route, airspace_later(airspace, dt), s, vehicle
+        leader, law.remedies, then, objective, route, airspace_later(airspace, dt), s, vehicle
     )
     aircraft, gains, is_point = vehicle
     held = Vehicle(aircraft, without_learning(gains, 0.0), is_point)

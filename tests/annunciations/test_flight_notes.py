@@ -76,9 +76,12 @@ def led_by(leader, goal=0):
 
 def test_a_route_of_law_field_is_told_once():
     field, approach, route = map(led_by, (Leader.FIELD, Leader.APPROACH, Leader.ROUTE))
-    assert leader_notes(field, route) == ["the field comes no nearer to goal 1: a route is flown"]
+    assert leader_notes(field, route) == ["the field does not lead to goal 1: a route is flown"]
+    assert leader_notes(approach, route) == [
+        "the approach leads away from goal 1: a route is flown"
+    ]
     assert leader_notes(route, field) == ["the field leads again to goal 1"]
-    for before, after in ((field, field), (route, route), (field, approach), (approach, route)):
+    for before, after in ((field, field), (route, route), (field, approach), (route, approach)):
         assert leader_notes(before, after) == []
     assert leader_notes(route, led_by(Leader.FIELD, goal=1)) == []
 

@@ -122,7 +122,8 @@ NOTES = (
     Said("flying to goal .*|loitering", FLYING),
     Said("goal .* (reached|missed).*", FLYING, is_event=True),
     Said("no progress to goal .*", FLYING),
-    Said(r"the field comes no nearer to goal \d+: a route is flown", FLYING),
+    Said(r"the field does not lead to goal \d+: a route is flown", FLYING),
+    Said(r"the approach leads away from goal \d+: a route is flown", FLYING),
     Said(r"the field leads again to goal \d+", FLYING),
     Said(
         "(no airspeed is heard|the airspeed sensor is not believed): .*", FLYING, begins="estimated"

@@ -33,13 +33,14 @@ class Watched:
 
     def __init__(self, name, *changes):
         self.loaded = load_scenario(name, changes)
-        self.leads = []
+        self.leads, self.alarmed = [], False
 
     def step(self, measured, origin, before, legs, airspace, law, vehicle):
         out = step_measured(measured, origin, before, legs, airspace, law, vehicle)
         _, _, _, after, _ = out
         state = state_of_row(after)
         self.leads.append(state.guidance.progress.leader == Leader.FIELD)
+        self.alarmed |= bool(state.progress.alarmed)
         return out
 
     def fly(self, folder):
@@ -58,6 +59,22 @@ def test_it_reaches_the_goals_and_replays(name, tmp_path):
     assert replayed.returncode == 0, replayed.stdout
 
 
+def test_points_of_every_law_in_a_scenario_of_law_field(tmp_path):
+    """At the goal, in the approach and far away, at rest, and where there is no air."""
+    head = "x,y,z,vx,vy,vz,t\n"
+    points = ("850,0,-100,25,0,0,0", "840,0,-100,25,0,0,0", "-700,0,-100,25,0,0,0")
+    (tmp_path / "points.csv").write_text(head + "\n".join((*points, "-700,0,-100,0,0,0,0\n")))
+    (tmp_path / "high.csv").write_text(head + "0,0,-1e5,25,0,0,0\n")
+    for law in ("flight", "field"):
+        options = ("field", "field/slalom", "--vehicle", "1", "--law", law, "--points")
+        done = vfguide(*options, "points.csv", cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+        assert all(each["R_a"] for each in json.loads(done.stdout))
+        high = vfguide(*options, "high.csv", cwd=tmp_path)
+        assert high.returncode in (0, 2), high.stderr
+        assert "Traceback" not in high.stderr
+
+
 def test_the_field_leads_and_not_the_search(tmp_path):
     """Outside of the last three turn radii; 4 to 5 s of the flight are inside."""
     watched = Watched("field/slalom")
@@ -66,17 +83,18 @@ def test_the_field_leads_and_not_the_search(tmp_path):
     last = np.flatnonzero(flown)[-1]
     assert flown[: last + 1].mean() > 0.99
     assert last > 0.6 * len(flown)
+    assert not watched.alarmed, "it goes round, and comes nearer"
 
 
 def test_other_remedies_are_flown_otherwise(tmp_path):
     """Each of them reaches the law: without it the path among walls is another one."""
-    paths = {}
+    paths, alone = {}, Remedies(search=False)  # as the scenario has them
     for name in ("", *Remedies._fields):
         changes = [f"guidance.remedies.{name}=false"] if name else []
         loaded = load_scenario("field/slalom", changes)
         if name:
             law = plan_of(loaded, loaded.scenario.vehicles[0]).law
-            assert law == FIELD_LAW._replace(remedies=Remedies()._replace(**{name: False}))
+            assert law == FIELD_LAW._replace(remedies=alone._replace(**{name: False}))
         folder = tmp_path / (name or "all")
         folder.mkdir()
         record = fly_scenario(loaded, folder).records[0]
@@ -116,7 +134,11 @@ def test_the_field_at_flown_points_is_what_was_flown_there(name, tmp_path):
     loaded, watch = load_scenario(name, []), Points()
     fly_scenario(loaded, tmp_path, steps=Steps(measured=watch.step))
     plan, off, turned = plan_of(loaded, loaded.scenario.vehicles[0]), [], []
-    led = [each for each in watch.seen if each[1].guidance.progress.leader == Leader.FIELD]
+    led = [
+        (given, after)
+        for given, after in watch.seen
+        if given.leader == after.guidance.progress.leader == Leader.FIELD
+    ]
     for given, after in led[:: max(1, len(led) // 600)]:
         state, known = given.nav.state, given.known
         at = led_field(plan, Point(state.p_n, state.v_n, known.time), state.wind_n)

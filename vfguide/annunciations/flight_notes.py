@@ -20,8 +20,10 @@ NO_PROGRESS = (
 )
 """Note on a leg without progress."""
 
-ROUTE_BEGINS = "the field comes no nearer to goal {goal}: a route is flown"
+ROUTE_BEGINS = "the field does not lead to goal {goal}: a route is flown"
 """Note where law `field` asks for a route."""
+APPROACH_LEFT = "the approach leads away from goal {goal}: a route is flown"
+"""Note where an approach leaves the last turn radii."""
 FIELD_AGAIN = "the field leads again to goal {goal}"
 """Note at the end of that route."""
 
@@ -50,7 +52,10 @@ def leader_notes(before: Row, after: Row) -> list[str]:
         return []
     if (was, now) == (Leader.FIELD, Leader.ROUTE):
         return [ROUTE_BEGINS.format(goal=goal + 1)]
-    return [FIELD_AGAIN.format(goal=goal + 1)] if now == Leader.FIELD else []
+    if (was, now) == (Leader.APPROACH, Leader.ROUTE):
+        return [APPROACH_LEFT.format(goal=goal + 1)]
+    ends = (was, now) == (Leader.ROUTE, Leader.FIELD)
+    return [FIELD_AGAIN.format(goal=goal + 1)] if ends else []
 
 
 def reset_notes(before: Row, after: Row) -> list[str]:

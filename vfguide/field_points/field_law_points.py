@@ -1,18 +1,14 @@
 """Law `field` at points of a scenario: where it leads, and the attitude that flies it."""
 
-from dataclasses import replace
-
-from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.command import GuidanceCommand
 from vfguide.aircraft.envelope import flyable_radius, usable_bank
 from vfguide.aircraft.state import FlightState
 from vfguide.companion.plan import Plan
 from vfguide.control.control import commanded_rate, reference_of
-from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import known_state
 from vfguide.field_points.field_point import FieldPoint, Point
 from vfguide.field_points.flight_points import flight_field
-from vfguide.field_points.shortest_plan import Surroundings, surroundings_at
+from vfguide.field_points.shortest_plan import Surroundings, plan_in_air, surroundings_at
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import ZERO, Mat3, Vec3, norm, sub
 from vfguide.geometry.velocity import azimuth_of
@@ -54,12 +50,6 @@ def led_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     banked = goal._replace(state=flown_state(point, wind_n, level.bank))
     reference = reference_at(plan, banked, command_at(around, banked, slope_of(F)))
     return FieldPoint(F, None, None, *reference, transitions(around, goal.state))
-
-
-def plan_in_air(plan: Plan, down: float) -> Plan:
-    """The plan in the standard air at a place of the scenario, `down` being its z of NED [m]."""
-    density = isa_density(plan.origin[2] - down)
-    return replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
 
 
 def flown_state(point: Point, wind_n: Vec3, bank: float) -> FlightState:

@@ -11,7 +11,8 @@ from vfguide.airspace.detection import Airspace
 from vfguide.airspace.hazards import hazard_count, hazard_distance
 from vfguide.companion.guided_flight import ASSUMED_GUST
 from vfguide.companion.plan import Plan
-from vfguide.field_points.field_law_points import plan_in_air, remedies_of
+from vfguide.field_points.field_law_points import remedies_of
+from vfguide.field_points.shortest_plan import plan_in_air
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import ZERO, Series, Vec3, Vectors, vec3
 from vfguide.guidance.field_direction import deflected, field_velocity, free_velocity, task_of

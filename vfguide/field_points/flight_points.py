@@ -1,15 +1,12 @@
 """Law `flight` at points of a scenario: where the plan leads from there, and how that is flown."""
 
 import math
-from dataclasses import replace
 
-from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.coordinated_turn import Lift, attitude_for_lift, lift_for_turn, turn_rate
 from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
 from vfguide.aircraft.performance import alpha_of_load
 from vfguide.companion.plan import Plan
-from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import known_state
 from vfguide.field_points.field_point import FieldPoint, Point
 from vfguide.field_points.shortest_plan import (
@@ -17,6 +14,7 @@ from vfguide.field_points.shortest_plan import (
     Start,
     Surroundings,
     best_start,
+    plan_in_air,
     surroundings_at,
 )
 from vfguide.geometry.so3 import from_euler
@@ -44,8 +42,7 @@ def flight_field(plan: Plan, point: Point, wind_n: Vec3) -> FieldPoint:
     """
     if math.hypot(*wind_n) > EXCESS_RATIO * plan.vehicle.gains.airspeed:
         raise NoPlanError("the wind is about as fast as the aircraft, no course can be planned")
-    density = isa_density(plan.origin[2] - point.p_n[2])
-    plan = replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
+    plan = plan_in_air(plan, point.p_n[2])
     around = surroundings_at(plan, point, wind_n)
     start = best_start(around, azimuth_of(point.v_n))
     if start.route.following.clearance < 0.0:

@@ -7,12 +7,15 @@ Where the turn does not vanish, as beside a goal nearer than a turn, the plan be
 """
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
+from vfguide.aircraft.air_density import in_air
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.detection import Airspace, in_sight
 from vfguide.companion.guided_flight import ASSUMED_GUST
 from vfguide.companion.plan import Plan
+from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.estimation import Inputs
 from vfguide.field.obstacle import obstacle_distance
 from vfguide.field_points.field_point import Point
@@ -21,6 +24,7 @@ from vfguide.geometry.se2 import composed
 from vfguide.geometry.so3 import from_euler
 from vfguide.geometry.vector import ZERO, Vec3
 from vfguide.guidance.flight_law import wanted_course
+from vfguide.guidance.laws import FLIGHT
 from vfguide.guidance.wind_triangle import heading_for_course
 from vfguide.loop.legs import target_of
 from vfguide.loop.state import fresh_state
@@ -80,6 +84,18 @@ class Surroundings(NamedTuple):
     """Time on the clock of the obstacles [s]."""
     wind_n: Vec3
     """The wind, NED [m/s]."""
+
+
+def plan_in_air(plan: Plan, down: float) -> Plan:
+    """The plan in the standard air at a place of the scenario, `down` being its z of NED [m].
+
+    Raises:
+        NoPlanError: there is none.
+    """
+    density = isa_density(plan.origin[2] - down)
+    if density <= 0.0:
+        raise NoPlanError("there is no air at its height")
+    return replace(plan, aircraft=in_air(plan.aircraft, density, plan.gains.airspeed))
 
 
 def surroundings_at(plan: Plan, point: Point, wind_n: Vec3) -> Surroundings:
@@ -143,7 +159,7 @@ def start_on(around: Surroundings, course: float) -> Start:
     plan, state = around.plan, state_on(around, course)
     before = fresh_state(0 if plan.hazards is None else len(plan.hazards.obstacles))
     inputs = Inputs(state, state, ZERO, True, 0.0)
-    _, after, _ = step(inputs, before, plan.legs, around.airspace, plan.law, plan.vehicle)
+    _, after, _ = step(inputs, before, plan.legs, around.airspace, FLIGHT, plan.vehicle)
     objective, route = objective_at(target_of(plan.legs, 0), state), after.planning
     wanted = wanted_course(objective, route, plan.vehicle)
     bearing = objective.target.course

@@ -38,6 +38,7 @@ from vfguide.guidance.remedies import Remedies
 from vfguide.guidance.wind_triangle import heading_for_course
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
+from vfguide.paths.leg import FIELD
 from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
 
@@ -47,6 +48,9 @@ several steps."""
 RATE_TIME = 2e-4
 """Half the time over which the command is differenced along the motion [s]; chosen, so that the
 difference is its derivative to 1e-5 rad/s."""
+
+LEAST_SPEED = 0.1
+"""Least speed through the air with which the motion is predicted [m/s]; chosen, against 0."""
 
 with_rates = replacing(GuidanceCommand, "rates")
 with_elapsed = replacing(NavState, "elapsed")
@@ -64,30 +68,44 @@ def update(
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
     """Bank, load factor and path angle that fly the field, and the next state of guidance."""
-    aircraft, gains, _ = vehicle
-    radius = flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
-    progress = progress_of(remedies, nav.state.time, goal, s.progress, radius, gains)
-    progress = looking_ahead(remedies, nav.state.time, goal, airspace, progress, vehicle)
-    s = GuidanceState(s.slope, s.turning, progress)
-    near = airspace
-    if progress.leader == Leader.FIELD.value:
+    time, gains = nav.state.time, vehicle.gains
+    radius = radius_of(goal, vehicle)
+    progress = leg_begins(time) if goal.begins else s.progress
+    leader = leader_now(goal, progress)
+    progress = progress_of(remedies, time, goal, progress, radius, gains)
+    progress = looking_ahead(remedies, time, goal, airspace, progress, vehicle)
+    s, near = GuidanceState(s.slope, s.turning, progress), airspace
+    if leader == Leader.FIELD.value:
         near = with_near_obstacles(remedies, airspace, goal.state, radius, gains)
-    command, after = commanded(remedies, nav, goal, route, near, s, vehicle)
+    command, after = commanded(leader, remedies, nav, goal, route, near, s, vehicle)
     if not remedies.lead:
         return command, after
-    before = shifted(-RATE_TIME, command, remedies, nav, goal, route, near, s, vehicle)
-    later = shifted(RATE_TIME, command, remedies, nav, goal, route, near, s, vehicle)
+    before = shifted(-RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
+    later = shifted(RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
     return with_rates(command, rates_between(before, later)), after
+
+
+@compiled
+def radius_of(goal: Objective, vehicle: Vehicle) -> float:
+    """Radius of a turn over ground [m]."""
+    aircraft, gains, _ = vehicle
+    return flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
+
+
+@compiled
+def leader_now(goal: Objective, s: FieldProgress) -> int:
+    """The `Leader` of this step, as the step before has decided; a circle is flown at once."""
+    if goal.target.circle != 0.0:
+        return Leader.CIRCLE.value
+    return Leader.FIELD.value if s.leader == Leader.CIRCLE.value else s.leader
 
 
 @compiled
 def progress_of(
     remedies: Remedies, time: float, goal: Objective, s: FieldProgress, radius: float, gains: Gains
 ) -> FieldProgress:
-    """Who leads at this step; `time` is now [s], `radius` that of a turn [m]."""
+    """Who leads at the next step; `time` is now [s], `radius` that of a turn [m]."""
     state = goal.state
-    if goal.begins:
-        s = leg_begins(time)
     if goal.target.circle != 0.0:
         return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time, s.looked)
     length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
@@ -106,7 +124,7 @@ def looking_ahead(
     s: FieldProgress,
     vehicle: Vehicle,
 ) -> FieldProgress:
-    """Who leads at this step once the path along the field was predicted, where that is due.
+    """Who leads at the next step once the path along the field was predicted, where that is due.
 
     A route is asked for where that path is blocked.
     """
@@ -119,6 +137,7 @@ def looking_ahead(
 
 @compiled
 def commanded(
+    leader: int,
     remedies: Remedies,
     nav: NavState,
     goal: Objective,
@@ -127,8 +146,8 @@ def commanded(
     s: GuidanceState,
     vehicle: Vehicle,
 ) -> tuple[GuidanceCommand, GuidanceState]:
-    """The command of who leads, without its rates, and the next state; arguments as of `update`."""
-    if s.progress.leader == Leader.FIELD.value:
+    """The command of a `Leader`, without its rates, and the next state; the rest as of `update`."""
+    if leader == Leader.FIELD.value:
         return along_field(remedies, nav, goal, route, airspace, s, vehicle)
     return flight_law.update(nav, goal, route, airspace, s, vehicle)
 
@@ -160,7 +179,6 @@ def along_field(
     lift, side = plan_turn(
         heading, azimuth_of(air), flown, speed, bank_max, aircraft, gains, s.turning
     )
-    leg = route.leg
     command = GuidanceCommand(
         azimuth_of(F),
         heading.psi,
@@ -169,8 +187,8 @@ def along_field(
         lift.bank,
         lift.load,
         s.progress.length,
-        leg.phase,
-        leg.radius,
+        FIELD,
+        radius_of(goal, vehicle),
         unknown_rates(),
     )
     return command, GuidanceState(slope, side, s.progress)
@@ -195,6 +213,7 @@ class Commanded(NamedTuple):
 def shifted(
     dt: float,
     command: GuidanceCommand,
+    leader: int,
     remedies: Remedies,
     nav: NavState,
     goal: Objective,
@@ -212,7 +231,7 @@ def shifted(
     then = with_elapsed(nav, nav.elapsed + dt)
     objective = Objective(goal.target, state, False, goal.is_goal)
     around = airspace_later(airspace, dt)
-    there, _ = commanded(remedies, then, objective, route, around, s, vehicle)
+    there, _ = commanded(leader, remedies, then, objective, route, around, s, vehicle)
     air, speed = sub(state.v_n, state.wind_n), nonzero_airspeed(state.airspeed, vehicle.aircraft)
     return Commanded(azimuth_of(air), path_of(air, speed), there.gamma, there.bank, there.load)
 
@@ -230,7 +249,7 @@ def moved(state: FlightState, command: GuidanceCommand, vehicle: Vehicle, dt: fl
     """The state of the point mass that follows the command, `dt` [s] later."""
     aircraft, gains, _ = vehicle
     air, wind_n = sub(state.v_n, state.wind_n), state.wind_n
-    speed = norm(air)
+    speed = max(norm(air), LEAST_SPEED)
     motion = PointMass(
         state.p_n, azimuth_of(air), bank_angle(state.R_nb), path_of(air, speed), speed
     )

@@ -33,6 +33,8 @@ def next_progress(
     field, route = Leader.FIELD.value, Leader.ROUTE.value
     if s.leader == Leader.CIRCLE.value:
         return FieldProgress(field, length, length, time, s.looked)
+    if s.leader == Leader.APPROACH.value and remedies.search:
+        return FieldProgress(route, length, length, time, s.looked)
     if s.leader != field:
         if length < s.nearest - RESUME * radius or not remedies.search:
             return FieldProgress(field, length, length, time, s.looked)

@@ -24,7 +24,7 @@ class FieldProgress(NamedTuple):
     """How law `field` comes on along one leg."""
 
     leader: int
-    """The `Leader` of the last step."""
+    """The `Leader` of the next step on this leg."""
     length: float
     """Length of the field's line to the goal [m]."""
     nearest: float

@@ -12,7 +12,7 @@ from vfguide.planning.leg_planning import advance_leg
 from vfguide.planning.objective import Objective
 from vfguide.planning.overflight import band_of
 from vfguide.planning.replanning import seek_route
-from vfguide.planning.route import Route, fresh_route
+from vfguide.planning.route import Route, fresh_route, is_on_field, route_on_field
 from vfguide.planning.route_ahead import PlanningContext, Scene, altitude_plan_of
 from vfguide.planning.route_following import with_shift
 from vfguide.planning.route_search import CLEARANCES
@@ -34,14 +34,14 @@ def update(
         nav: state of the vehicle.
         goal: objective of the mission.
         airspace: the known hazards; None compiles to a stage without search.
-        plans: whether the law follows a route; else only circles have a leg.
+        plans: whether the law follows a route; else only circles have one.
         s: the route of the step before.
         slope: slope dh/ds that was wanted at the step before.
         vehicle: its aircraft and gains.
     """
-    route = fresh_route() if goal.begins else s
     if not plans and goal.target.circle == 0.0:
-        return route
+        return route_on_field()
+    route = fresh_route() if goal.begins or is_on_field(s) else s
     route = clear_route(nav, goal, airspace, route, vehicle)
     leg = advance_leg(goal, route, slope, vehicle)
     was, following = route.leg, route.following

@@ -16,8 +16,9 @@ from matplotlib.patches import Circle, Patch
 
 from vfguide.aircraft.envelope import radius_in, usable_bank
 from vfguide.companion.plan import Plan
-from vfguide.field_points.field_law_points import plan_in_air, remedies_of
+from vfguide.field_points.field_law_points import remedies_of
 from vfguide.field_points.field_plane import FieldPlane, field_plane
+from vfguide.field_points.shortest_plan import plan_in_air
 from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.geometry.velocity import horizontal_norm
 from vfguide.guidance.field_law import APPROACH_RADII

@@ -25,7 +25,7 @@ class FieldResult:
     route_share: float | None
     """Of the time outside the approach in which a route was flown."""
     routes: int
-    """How often a route started because the field came no nearer."""
+    """How often a route started."""
 
 
 def field_result(record: FlightRecord) -> FieldResult | None:
@@ -39,7 +39,7 @@ def field_result(record: FlightRecord) -> FieldResult | None:
         leading &= record.decisions.reason == Reason.NOMINAL
     outside = flown & (record.leaders != Leader.APPROACH)
     on_route = flown & (record.leaders == Leader.ROUTE)
-    starts = on_route & (np.roll(record.leaders, 1) == Leader.FIELD)
+    starts = on_route & (np.roll(record.leaders, 1) != Leader.ROUTE)
     return FieldResult(
         leading_share=_share(leading, outside),
         leading_share_of_flight=_share(leading, flown),
