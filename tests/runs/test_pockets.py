@@ -1,4 +1,4 @@
-"""Dead ends into which a field leads: the assurance alone, and with the look ahead."""
+"""Dead ends into which a field leads, and the look ahead that asks for a route before them."""
 
 import pytest
 from flown_worlds import scenario_of
@@ -11,24 +11,17 @@ pytestmark = pytest.mark.slow
 
 SEED = 11
 CARRIED = 52
-"""World in which an escape on a circle is carried into a wall by the wind."""
+"""World in which an escape on a circle is carried into a wall by the wind: it was entered by 6.6 m."""
 CIRCLING = 25
 """World of a wide pocket, in which the field led a circle that a gust made too wide."""
 
 
-def flown(number, tmp_path, **remedies):
+def flown(number, tmp_path):
     table = {**scenario_of("dead-end", SEED, number), "law": "field"}
-    loaded = loaded_from({**table, "guidance": {"remedies": remedies}}, tmp_path)
+    loaded = loaded_from(table, tmp_path)
     flight = fly_scenario(loaded, tmp_path)
     (vehicle,) = judge(loaded.scenario, flight.records, 0.0, 0.0).vehicles
     return vehicle
-
-
-def test_a_conflict_that_is_far_is_met_late(tmp_path):
-    """Without the look ahead it flies into the pocket. It entered the wall by 6.6 m, at once."""
-    vehicle = flown(CARRIED, tmp_path, search=False)
-    assert vehicle.assurance.least_bad > 0, "the pocket leaves no escape for a while"
-    assert min(each.min_clearance_m for each in vehicle.obstacles) > 5.0
 
 
 @pytest.mark.parametrize("number", [CARRIED, CIRCLING])

@@ -22,13 +22,6 @@ BACKUP_ADVANTAGE = 1.0
 """Merit by which another escape must be better than the stored one [m]; chosen as hysteresis."""
 NO_CONTACT = 1e6
 """Merit that is added to that of an escape without contact [m]; chosen above every clearance."""
-LATE_CONTACT = 9.0
-"""Time to a contact from which on the escape with the latest one is flown, whatever its depth, at
-25 m/s and 50 degrees of bank [s]; chosen between the 8 s to a hazard that becomes known at 200 m
-and a full turn: there is time for another escape, as on a circle that the wind carries."""
-LATE_MERIT = 1e5
-"""Merit that is added to that of an escape with a late contact [m]; chosen above every depth and
-below NO_CONTACT."""
 SETTLED_POINT = 15
 """Index of the trajectory point from which on escapes without contact are compared, 3 s ahead;
 chosen so that, where all are too near now, the one that moves away is taken."""
@@ -115,9 +108,8 @@ def best_from(
 ) -> Found:
     """The clear manoeuvre nearest to the command, or the one with the most merit.
 
-    That is the one with the shallowest conflict; where the first contact is late, the one with the
-    latest; or, of several without contact, the one that moves away. The backup is kept unless
-    another is better by BACKUP_ADVANTAGE.
+    That is the one with the shallowest conflict, or, of several without contact, the one that moves
+    away. The backup is kept unless another is better by BACKUP_ADVANTAGE.
 
     Args:
         world: hazards, wind and limits.
@@ -149,7 +141,7 @@ def judged(
     beat: float,
     suspect: int,
 ) -> tuple[Clearance, float]:
-    """Clearance along a manoeuvre, and its merit: the least clearance [m], more if contact is late.
+    """Clearance along a manoeuvre, and its merit: the least clearance [m], more without contact.
 
     Args:
         world: hazards, wind and limits.
@@ -164,9 +156,6 @@ def judged(
         seen = follow(world, point_mass, plan, t, (margin, margin), suspect)
         return seen, -math.inf
     seen = follow(world, point_mass, plan, t, (CONTACT, CONTACT), suspect)
-    if seen.hazard >= 0 and seen.lost >= LATE_CONTACT * world.scale:
-        merit = LATE_MERIT + seen.lost * point_mass.airspeed
-        return seen, merit if merit > beat else -math.inf
     if seen.hazard >= 0:
         if beat >= CONTACT + BACKUP_ADVANTAGE:
             return seen, -math.inf
