@@ -11,7 +11,7 @@ pytestmark = pytest.mark.slow
 
 SEED = 11
 CARRIED = 52
-"""World in which an escape on a circle is carried into a wall by the wind: it was entered by 6.6 m."""
+"""World in which an escape on a circle is carried into a wall: it was entered by 6.6 m."""
 CIRCLING = 25
 """World of a wide pocket, in which the field led a circle that a gust made too wide."""
 
