@@ -42,7 +42,8 @@ from vfguide.geometry.so3 import log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, Vector, matmul, norm, transpose
 from vfguide.guidance import laws
-from vfguide.guidance.field_law import airspace_later, commanded, leader_now, moved
+from vfguide.guidance.field_law import airspace_later, commanded, moved
+from vfguide.guidance.field_progress import leader_now
 from vfguide.guidance.guidance_state import GuidanceState, Leader
 from vfguide.guidance.laws import FIELD_LAW, FieldLaw
 from vfguide.kernels.compiled import compiled

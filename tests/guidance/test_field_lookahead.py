@@ -14,8 +14,7 @@ from vfguide.airspace.detection import Airspace
 from vfguide.airspace.keep_out import NO_FENCE
 from vfguide.estimation.estimation import known_state
 from vfguide.guidance import field_law
-from vfguide.guidance.field_law import LOOK_INTERVAL
-from vfguide.guidance.field_lookahead import is_blocked
+from vfguide.guidance.field_lookahead import PREDICTION_INTERVAL, is_blocked
 from vfguide.guidance.field_progress import APPROACH_RADII, next_progress
 from vfguide.guidance.guidance_state import FieldProgress, GuidanceState, Leader, leg_begins
 from vfguide.guidance.remedies import ALL_REMEDIES
@@ -89,7 +88,7 @@ def test_a_route_is_asked_for_before_a_pocket_and_only_now_and_then():
     here = state(at(-1000.0), GOAL.course)
     _, progress = flown(here, leg_begins(0.0), pocket(-650.0))
     assert progress.leader == Leader.ROUTE
-    looked = leg_begins(0.0)._replace(looked=here.time - 0.5 * LOOK_INTERVAL)
+    looked = leg_begins(0.0)._replace(looked=here.time - 0.5 * PREDICTION_INTERVAL)
     _, progress = flown(here, looked, pocket(-650.0))
     assert progress.leader == Leader.FIELD
 

@@ -15,7 +15,7 @@ from vfguide.geometry.velocity import azimuth_of
 from vfguide.guidance import field_law
 from vfguide.guidance.field_barriers import barrier_of
 from vfguide.guidance.field_direction import free_velocity, led, slope_of, task_of
-from vfguide.guidance.field_law import progress_of
+from vfguide.guidance.field_progress import progress_of
 from vfguide.guidance.guidance_state import GuidanceState, Leader, leg_begins
 from vfguide.guidance.laws import FieldLaw
 from vfguide.guidance.remedies import ALL_REMEDIES, Remedies

@@ -13,9 +13,9 @@ import math
 from typing import NamedTuple
 
 from vfguide.aircraft.command import CommandRates, GuidanceCommand, unknown_rates
-from vfguide.aircraft.envelope import flyable_radius, usable_bank
+from vfguide.aircraft.envelope import usable_bank
 from vfguide.aircraft.path_limits import allowed_path, path_angle, path_limits
-from vfguide.aircraft.performance import Gains, nonzero_airspeed
+from vfguide.aircraft.performance import nonzero_airspeed
 from vfguide.aircraft.point_mass import PointMass, advance, dynamics
 from vfguide.aircraft.state import FlightState
 from vfguide.aircraft.vehicle import Vehicle
@@ -24,15 +24,14 @@ from vfguide.estimation.estimation import NavState, step_time
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.so3 import bank_angle
 from vfguide.geometry.vector import add, norm, sub
-from vfguide.geometry.velocity import azimuth_of, horizontal_norm, path_of, velocity_along
+from vfguide.geometry.velocity import azimuth_of, path_of, velocity_along
 from vfguide.guidance import flight_law
 from vfguide.guidance.altitude_profile import limited_slope
 from vfguide.guidance.field_barriers import with_near_obstacles
 from vfguide.guidance.field_direction import led, slope_of
-from vfguide.guidance.field_lookahead import is_blocked
-from vfguide.guidance.field_progress import APPROACH_RADII, next_progress
-from vfguide.guidance.free_line import line_length
-from vfguide.guidance.guidance_state import FieldProgress, GuidanceState, Leader, leg_begins
+from vfguide.guidance.field_lookahead import looking_ahead
+from vfguide.guidance.field_progress import leader_now, progress_of, radius_of
+from vfguide.guidance.guidance_state import GuidanceState, Leader, leg_begins
 from vfguide.guidance.lateral import plan_turn
 from vfguide.guidance.remedies import Remedies
 from vfguide.guidance.wind_triangle import heading_for_course
@@ -42,13 +41,9 @@ from vfguide.paths.leg import FIELD
 from vfguide.planning.objective import Objective
 from vfguide.planning.route import Route
 
-LOOK_INTERVAL = 2.5
-"""Time between two predictions of the path along the field [s]; chosen, since one takes as long as
-several steps."""
 RATE_TIME = 2e-4
 """Half the time over which the command is differenced along the motion [s]; chosen, so that the
 difference is its derivative to 1e-5 rad/s."""
-
 LEAST_SPEED = 0.1
 """Least speed through the air with which the motion is predicted [m/s]; chosen, against 0."""
 
@@ -83,56 +78,6 @@ def update(
     before = shifted(-RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
     later = shifted(RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
     return with_rates(command, rates_between(before, later)), after
-
-
-@compiled
-def radius_of(goal: Objective, vehicle: Vehicle) -> float:
-    """Radius of a turn over ground [m]."""
-    aircraft, gains, _ = vehicle
-    return flyable_radius(goal.state, usable_bank(aircraft, gains, gains.airspeed), gains)
-
-
-@compiled
-def leader_now(goal: Objective, s: FieldProgress) -> int:
-    """The `Leader` of this step, as the step before has decided; a circle is flown at once."""
-    if goal.target.circle != 0.0:
-        return Leader.CIRCLE.value
-    return Leader.FIELD.value if s.leader == Leader.CIRCLE.value else s.leader
-
-
-@compiled
-def progress_of(
-    remedies: Remedies, time: float, goal: Objective, s: FieldProgress, radius: float, gains: Gains
-) -> FieldProgress:
-    """Who leads at the next step; `time` is now [s], `radius` that of a turn [m]."""
-    state = goal.state
-    if goal.target.circle != 0.0:
-        return FieldProgress(Leader.CIRCLE.value, s.length, s.nearest, time, s.looked)
-    length = line_length(state.p_n, goal.target, radius, remedies.bounded_circles)
-    distance = horizontal_norm(sub(state.p_n, goal.target.p_n))
-    if remedies.approach and distance < APPROACH_RADII * radius:
-        return FieldProgress(Leader.APPROACH.value, length, length, time, s.looked)
-    return next_progress(remedies, s, length, radius, time, gains)
-
-
-@compiled
-def looking_ahead(
-    remedies: Remedies,
-    time: float,
-    goal: Objective,
-    airspace: Airspace | None,
-    s: FieldProgress,
-    vehicle: Vehicle,
-) -> FieldProgress:
-    """Who leads at the next step once the path along the field was predicted, where that is due.
-
-    A route is asked for where that path is blocked.
-    """
-    if s.leader != Leader.FIELD.value or not remedies.search or time - s.looked < LOOK_INTERVAL:
-        return s
-    if is_blocked(remedies, goal.state, goal.target, airspace, vehicle):
-        return FieldProgress(Leader.ROUTE.value, s.length, s.length, time, time)
-    return FieldProgress(s.leader, s.length, s.nearest, s.since, time)
 
 
 @compiled

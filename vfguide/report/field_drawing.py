@@ -21,7 +21,7 @@ from vfguide.field_points.field_plane import FieldPlane, field_plane
 from vfguide.field_points.shortest_plan import plan_in_air
 from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.geometry.velocity import horizontal_norm
-from vfguide.guidance.field_law import APPROACH_RADII
+from vfguide.guidance.field_progress import APPROACH_RADII
 from vfguide.report.drawing import GOAL_COLOUR, MUTED_COLOUR
 from vfguide.scenario.resolved import Goal
 
