@@ -161,10 +161,6 @@ def instead_of_goal(lines: str) -> str:
             'law = "field": only plant = "jsbsim" flies it, allowed here "flight", "paper"',
         ),
         (
-            at_top("[guidance.remedies]\nside = true"),
-            'guidance.remedies: only law = "field" has remedies, not law = "flight"',
-        ),
-        (
             at_top('law = "field"\n[guidance.remedies]\nsides = true'),
             "guidance.remedies.sides: unknown key, did you mean side?; allowed: "
             "relative_velocity, reactive_range, lead, unit_sum, side, bounded_circles, approach, "

@@ -56,6 +56,7 @@ def test_defaults_are_those_of_the_documentation(tmp_path: Path) -> None:
             "k_elevation": 0.5,
             "loiter": "right",
             "loiter_radius_m": None,
+            "remedies": None,
         },
         "avoidance": {
             "safety_radius_m": 10.0,

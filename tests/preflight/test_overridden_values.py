@@ -21,7 +21,7 @@ def test_values_arrive_in_order_and_missing_tables_are_made(tmp_path: Path) -> N
         (
             "guidance.k_ww=3",
             "guidance.k_ww: unknown key, did you mean k_w?; allowed: rate_hz, airspeed_mps, "
-            "bank_max_deg, k_w, k_v, k_lateral, k_elevation, loiter, loiter_radius_m",
+            "bank_max_deg, k_w, k_v, k_lateral, k_elevation, loiter, loiter_radius_m, remedies",
         ),
         (
             "nowhere.k=3",

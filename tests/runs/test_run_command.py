@@ -19,6 +19,7 @@ RESULT_KEYS = {
 }
 VEHICLE_KEYS = {
     *("id", "goals", "obstacles", "fence_clearance_m", "assurance", "traffic", "identified"),
+    "field",
     "max_bank_deg",
     *("load_factor", "airspeed_mps", "altitude_m", "setpoints", "setpoint_rate_hz"),
 }

@@ -24,9 +24,6 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
     if entry.law == "field" and entry.plant == "kinematic":
         rule = 'only plant = "jsbsim" flies it, allowed here "flight", "paper"'
         raise source.error(("law",), rule, entry.law)
-    if entry.guidance.remedies is not None and entry.law != "field":
-        rule = f'only law = "field" has remedies, not law = "{entry.law}"'
-        raise source.error(("guidance", "remedies"), rule)
     for index, vehicle in enumerate(entry.vehicle):
         if vehicle.identify and entry.plant == "kinematic":
             rule = 'only plant = "jsbsim" has anything to be found out, allowed here false'
