@@ -6,13 +6,28 @@ from typing import NamedTuple
 from vfguide.aircraft.performance import Performance
 from vfguide.geometry.so3 import exp, from_euler
 from vfguide.geometry.units import G0
-from vfguide.geometry.vector import Mat3, Vec3, add, matmul, matvec, scale, sub, transpose, unit
+from vfguide.geometry.vector import (
+    Mat3,
+    Vec3,
+    add,
+    dot,
+    matmul,
+    matvec,
+    scale,
+    sub,
+    transpose,
+    unit,
+)
 from vfguide.kernels.compiled import compiled
 
 BODY_LAG = 0.08
 """Time constant of the body rates behind their setpoints [s]; chosen."""
 SIDE_FORCE = 18.0
 """Lateral acceleration per sideslip [m/s^2]; chosen."""
+
+LEAST_FORWARD = 0.5
+"""Least component of the air velocity along the nose, as a ratio, with which thrust keeps the
+airspeed; chosen, 60 degrees: beyond it the aeroplane is stalled."""
 
 
 class Body(NamedTuple):
@@ -40,7 +55,7 @@ def load_factor(body: Body, aircraft: Performance) -> float:
 
 @compiled
 def advance(body: Body, wanted_b: Vec3, wind_n: Vec3, aircraft: Performance, dt: float) -> Body:
-    """The aeroplane `dt` [s] later; its airspeed stays.
+    """The aeroplane `dt` [s] later; thrust along its nose keeps its airspeed.
 
     Args:
         body: where and how it flies.
@@ -56,7 +71,10 @@ def advance(body: Body, wanted_b: Vec3, wind_n: Vec3, aircraft: Performance, dt:
     u, v, w = matvec(transpose(R_nb), body.air_n)
     load = (math.atan2(w, u) - aircraft.alpha_zero) * speed**2 / aircraft.alpha_load
     force = matvec(R_nb, (0.0, -SIDE_FORCE * math.asin(v / speed), -load * G0))
-    turned = add(body.air_n, scale(dt, add(force, (0.0, 0.0, G0))))
+    force = add(force, (0.0, 0.0, G0))
+    nose = (R_nb[0][0], R_nb[1][0], R_nb[2][0])
+    thrust = -dot(force, body.air_n) / max(u, LEAST_FORWARD * speed)
+    turned = add(body.air_n, scale(dt, add(force, scale(thrust, nose))))
     air = scale(speed, unit(turned))
     p_n = add(body.p_n, scale(dt, add(scale(0.5, add(body.air_n, air)), wind_n)))
     return Body(body.time + dt, p_n, air, R_nb, omega)

@@ -33,17 +33,14 @@ def truth(body):
     return math.atan2(w, u), math.asin(v / SPEED)
 
 
-SLIPPING = [(0.0, 0.140625, 0.296875), (0.0, 0.140625, 0.296875), (0.0, 0.0, 0.0)]
-"""Turns to 9 degrees of sideslip, of which the estimate has 7."""
+CLIMBING = [(0.0, 0.140625, 0.296875), (0.0, 0.140625, 0.296875), (0.0, 0.0, 0.0)]
+"""Turns in a climb that slips: thrust along the path, not the nose, makes 9 degrees of 7."""
 
 
-@example(SLIPPING, 0.0)
+@example(CLIMBING, 0.0)
 @given(st.lists(rates, min_size=1, max_size=4), st.floats(-math.pi, math.pi))
 def test_the_angles_are_those_of_a_body_that_flies(turns, heading):
-    """Rates that change every second, from level flight, with the side force of the model.
-
-    To 2 degrees, and of a large sideslip to a quarter: the model is one of small angles.
-    """
+    """Rates that change every second, from level flight, with the side force of the model."""
     body, seen = level((0.0, 0.0, -100.0), heading, SPEED, OF_ITS_SIDE_FORCE), fresh_flow()
     for wanted in turns:
         for _ in range(25):
@@ -55,7 +52,7 @@ def test_the_angles_are_those_of_a_body_that_flies(turns, heading):
                 return
     alpha, beta = truth(body)
     assert seen.alpha == pytest.approx(alpha, abs=1.5 * DEG)
-    assert seen.beta == pytest.approx(beta, abs=max(2.0 * DEG, 0.25 * abs(beta)))
+    assert seen.beta == pytest.approx(beta, abs=2.0 * DEG)
 
 
 @given(st.floats(-math.pi, math.pi), st.floats(-1.0, 1.0), st.floats(-0.5, 0.5), rates)
