@@ -42,7 +42,7 @@ from vfguide.geometry.so3 import log
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Mat3, Vec3, Vector, matmul, norm, transpose
 from vfguide.guidance import laws
-from vfguide.guidance.field_law import airspace_later, commanded, moved
+from vfguide.guidance.field_law import Given, airspace_later, commanded, moved
 from vfguide.guidance.field_progress import leader_now
 from vfguide.guidance.guidance_state import GuidanceState, Leader
 from vfguide.guidance.laws import FIELD_LAW, FieldLaw
@@ -169,9 +169,8 @@ def reference(
     state = moved(goal.state, command, vehicle, dt)
     then = moved_nav(nav, state, nav.elapsed + dt)
     objective = Objective(goal.target, state, False, goal.is_goal)
-    there, _ = commanded(
-        leader, law.remedies, then, objective, route, airspace_later(airspace, dt), s, vehicle
-    )
+    around = airspace_later(airspace, dt)
+    there, _ = commanded(Given(leader, law.remedies, then, objective, route, around, s, vehicle))
     aircraft, gains, is_point = vehicle
     held = Vehicle(aircraft, without_learning(gains, 0.0), is_point)
     _, left = control.update(then, there, control_state, held)

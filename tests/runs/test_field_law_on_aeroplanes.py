@@ -105,6 +105,13 @@ def test_other_remedies_are_flown_otherwise(tmp_path):
     )
 
 
+@pytest.mark.parametrize("law", ["flight", "paper", "field"])
+def test_remedies_that_nobody_heeds_are_told(law):
+    warned = load_scenario("field/slalom", [f"law={law}"]).warnings
+    told = f'guidance.remedies: law = "{law}" takes no notice of them'
+    assert (told in warned) == (law != "field")
+
+
 @cache
 def slalom():
     loaded = load_scenario("field/slalom")

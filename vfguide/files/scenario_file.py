@@ -88,7 +88,7 @@ class FieldRemedies(Table):
     approach: bool = True
     """The last three turn radii are flown as by law `flight`; else the field leads to the goal."""
     search: bool = True
-    """Where the field comes no nearer, a route around the hazards is flown."""
+    """Where the field is blocked ahead or comes no nearer, a route around the hazards is flown."""
 
 
 class Guidance(Table):

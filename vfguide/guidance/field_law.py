@@ -3,7 +3,7 @@
 The direction of F_OA is made good over ground by the wind triangle, in a coordinated turn, within
 the limits of the aircraft. What the print lacks on an aeroplane has a remedy, each with its switch
 (`Remedies`). The last turn radii to the goal are flown as by law `flight`, and so is a route around
-hazards where the field comes no nearer.
+hazards where the field is blocked ahead or comes no nearer.
 
 The rates of the command are its derivative along the motion of the point mass that follows it, so
 that the angular velocity of the reference attitude is not smoothed out of noisy differences.
@@ -52,6 +52,22 @@ with_elapsed = replacing(NavState, "elapsed")
 with_time = replacing(Airspace, "time")
 
 
+class Given(NamedTuple):
+    """What the command of one step depends on."""
+
+    leader: int
+    """The `Leader` of the step."""
+    remedies: Remedies
+    nav: NavState
+    goal: Objective
+    route: Route
+    airspace: Airspace | None
+    """The known hazards that may act; None: there are none."""
+    s: GuidanceState
+    """The state of the step before, and the progress of this one."""
+    vehicle: Vehicle
+
+
 @compiled
 def update(
     remedies: Remedies,
@@ -72,42 +88,27 @@ def update(
     s, near = GuidanceState(s.slope, s.turning, progress), airspace
     if leader == Leader.FIELD.value:
         near = with_near_obstacles(remedies, airspace, goal.state, radius, gains)
-    command, after = commanded(leader, remedies, nav, goal, route, near, s, vehicle)
+    given = Given(leader, remedies, nav, goal, route, near, s, vehicle)
+    command, after = commanded(given)
     if not remedies.lead:
         return command, after
-    before = shifted(-RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
-    later = shifted(RATE_TIME, command, leader, remedies, nav, goal, route, near, s, vehicle)
+    before, later = shifted(given, command, -RATE_TIME), shifted(given, command, RATE_TIME)
     return with_rates(command, rates_between(before, later)), after
 
 
 @compiled
-def commanded(
-    leader: int,
-    remedies: Remedies,
-    nav: NavState,
-    goal: Objective,
-    route: Route,
-    airspace: Airspace | None,
-    s: GuidanceState,
-    vehicle: Vehicle,
-) -> tuple[GuidanceCommand, GuidanceState]:
-    """The command of a `Leader`, without its rates, and the next state; the rest as of `update`."""
+def commanded(given: Given) -> tuple[GuidanceCommand, GuidanceState]:
+    """The command of the leader, without its rates, and the next state of guidance."""
+    leader, _, nav, goal, route, airspace, s, vehicle = given
     if leader == Leader.FIELD.value:
-        return along_field(remedies, nav, goal, route, airspace, s, vehicle)
+        return along_field(given)
     return flight_law.update(nav, goal, route, airspace, s, vehicle)
 
 
 @compiled
-def along_field(
-    remedies: Remedies,
-    nav: NavState,
-    goal: Objective,
-    route: Route,
-    airspace: Airspace | None,
-    s: GuidanceState,
-    vehicle: Vehicle,
-) -> tuple[GuidanceCommand, GuidanceState]:
-    """The command that follows the field, and the next state; arguments as of `update`."""
+def along_field(given: Given) -> tuple[GuidanceCommand, GuidanceState]:
+    """The command that follows the field, and the next state of guidance."""
+    _, remedies, nav, goal, _, airspace, s, vehicle = given
     state, (aircraft, gains, _) = goal.state, vehicle
     air = sub(state.v_n, state.wind_n)
     speed = nonzero_airspeed(state.airspeed, aircraft)
@@ -155,28 +156,18 @@ class Commanded(NamedTuple):
 
 
 @compiled
-def shifted(
-    dt: float,
-    command: GuidanceCommand,
-    leader: int,
-    remedies: Remedies,
-    nav: NavState,
-    goal: Objective,
-    route: Route,
-    airspace: Airspace | None,
-    s: GuidanceState,
-    vehicle: Vehicle,
-) -> Commanded:
-    """What is commanded `dt` [s] later; `command` is the one now, the others are as of `update`.
+def shifted(given: Given, command: GuidanceCommand, dt: float) -> Commanded:
+    """What is commanded `dt` [s] later; `command` is the one now.
 
     The aircraft moves as a point mass that follows the command, and so do the hazards by their own
     velocities; what guidance keeps is that of the step before.
     """
+    leader, remedies, nav, goal, route, airspace, s, vehicle = given
     state = moved(goal.state, command, vehicle, dt)
     then = with_elapsed(nav, nav.elapsed + dt)
     objective = Objective(goal.target, state, False, goal.is_goal)
     around = airspace_later(airspace, dt)
-    there, _ = commanded(leader, remedies, then, objective, route, around, s, vehicle)
+    there, _ = commanded(Given(leader, remedies, then, objective, route, around, s, vehicle))
     air, speed = sub(state.v_n, state.wind_n), nonzero_airspeed(state.airspeed, vehicle.aircraft)
     return Commanded(azimuth_of(air), path_of(air, speed), there.gamma, there.bank, there.load)
 

@@ -15,7 +15,7 @@ class Leader(IntEnum):
     APPROACH = 1
     """The approach of law `flight`, within the last turn radii to the goal."""
     ROUTE = 2
-    """A route of law `flight`, because the field came no nearer."""
+    """A route of law `flight`: the field is blocked or comes no nearer, or an approach was left."""
     CIRCLE = 3
     """The circle after the last goal, or that of a wind hold."""
 

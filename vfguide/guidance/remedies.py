@@ -22,7 +22,7 @@ class Remedies(NamedTuple):
     approach: bool = True
     """The last turn radii are flown as by law `flight`; else the field leads to the goal."""
     search: bool = True
-    """Where the field comes no nearer, a route around the hazards is flown."""
+    """Where the field is blocked ahead or comes no nearer, a route around the hazards is flown."""
 
 
 ALL_REMEDIES = Remedies()

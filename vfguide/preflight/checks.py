@@ -54,7 +54,12 @@ PAPER_LAW_WARNING = (
 
 def told_of_law(scenario: Scenario) -> tuple[str, ...]:
     """The warnings about the law of a scenario."""
-    return (PAPER_LAW_WARNING,) if scenario.law == "paper" and scenario.plant == "jsbsim" else ()
+    told = list[str]()
+    if scenario.law == "paper" and scenario.plant == "jsbsim":
+        told.append(PAPER_LAW_WARNING)
+    if scenario.law != "field" and scenario.guidance.remedies is not None:
+        told.append(f'guidance.remedies: law = "{scenario.law}" takes no notice of them')
+    return tuple(told)
 
 
 def check_aircraft(
