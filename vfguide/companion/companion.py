@@ -103,17 +103,16 @@ class Companion:
             self._wake(now)
             self._contact.act(now)
             self._watch_link(now)
-        if isinstance(message, Heartbeat) and not self._control.mode.is_vehicle(message):
-            return self._housekeeping(now)
         self._observe(now, message)
         out: list[Message] = []
         match message:  # the most frequent first
             case AttitudeQuaternion():
-                out += self._guide(now)
+                return self._guide(now) + self._housekeeping(now, guided=True)
             case LocalPositionNed() | VfrHud() | WindCov() | GlobalPositionInt() | GpsRawInt():
                 return out
             case Heartbeat():
-                self._hear_heartbeat(now, message)
+                if self._control.mode.is_vehicle(message):
+                    self._hear_heartbeat(now, message)
             case CurrentMode() if not self._is_searching:
                 self._hear_current_mode(now, message)
             case AdsbVehicle():
@@ -149,14 +148,15 @@ class Companion:
             self._requests.ask_origin()
         return out
 
-    def _housekeeping(self, now: int) -> list[Message]:
-        """Heartbeat, requests and mode changes that are due."""
+    def _housekeeping(self, now: int, *, guided: bool = False) -> list[Message]:
+        """Heartbeat, requests and mode changes that are due; `guided`: after guidance at `now`."""
         phase, out = self.phase, list[Message]()
         if now >= self._heartbeat.due_at:
             out.append(self._heartbeat.send(now, phase))
         if phase is Phase.SEARCHING or phase in FINAL_PHASES:
             return out
-        self._control.watch(now, self._round_trip, self._speakers)
+        if not guided:
+            self._control.watch(now, self._round_trip, self._speakers)
         if self._needs_origin:
             self._requests.ask_origin_again(now)
         self._control.tell_why_silent(now, self._known, self._round_trip)

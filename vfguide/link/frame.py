@@ -213,12 +213,12 @@ class Parser:
 
     def _count(self, frames: list[Frame]) -> None:
         """Counts frames and those that their sequence numbers say are missing before them."""
-        counters, next_seq = self.counters, self._next_seq
-        counters.frames += len(frames)
+        self.counters.frames += len(frames)
         for sysid, compid, seq, _, _, _, _ in frames:
             sender = sysid, compid
-            lost = (seq - next_seq.get(sender, seq)) & 0xFF
+            expected = self._next_seq.get(sender, seq)
+            lost = (seq - expected) & 0xFF
             if lost < 128:  # else it is late or came twice
-                next_seq[sender] = seq + 1
-                if lost:
-                    counters.lost[sender] = counters.lost.get(sender, 0) + lost
+                self._next_seq[sender] = seq + 1
+            if 0 < lost < 128:
+                self.counters.lost[sender] = self.counters.lost.get(sender, 0) + lost

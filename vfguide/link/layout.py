@@ -32,6 +32,10 @@ HEADER_BYTES = 9
 """Number of bytes of a MAVLink 2 header after its first byte."""
 
 
+BodyPacker = Callable[[int, int, int, Message], bytes]
+"""Function of sequence number, system, component and message that gives header and payload."""
+
+
 class EncodeError(ValueError):
     """We asked for bytes that MAVLink cannot carry."""
 
@@ -45,7 +49,13 @@ class Layout:
         self._fields = {field.name: field for field in fields}
         self._struct = struct.Struct("<" + "".join(field.code for field in fields))
         self._make: Callable[[Any], Message] = maker(record)
-        self._pack_body = _body_packer(record.MSGID, fields)
+        self.body = self._body_packer(record, fields)
+        """Function of sequence number, system, component and message that gives the bytes between
+        magic byte and checksum of a frame: header and payload.
+
+        No flags; zeros are cut off the end of the payload, but for its first byte. It raises
+        `EncodeError` where a field does not fit.
+        """
         self._to_record = itemgetter(*_slots(record, fields))
         self._texts = [i for i, name in enumerate(record._fields) if self._fields[name].is_text]
 
@@ -59,22 +69,32 @@ class Layout:
                 values[i] = text.decode(errors="replace")
         return self._make(values)
 
-    def body(self, seq: int, sysid: int, compid: int, message: Message) -> bytes:
-        """The bytes between magic byte and checksum of a frame: header and payload.
+    def _body_packer(self, record: type[Message], fields: list[WireField]) -> BodyPacker:
+        """The function `body`.
 
-        No flags; zeros are cut off the end of the payload, but for its first byte.
-
-        Raises:
-            EncodeError: a field does not fit.
+        It is written out: one call for a message takes half the time of one for each array. Taking
+        the record apart at once takes a third of the time of reading its fields by name, and taking
+        an array apart refuses one of another length.
         """
-        try:
-            body = self._pack_body(seq, sysid, compid, message)
-        except _MISFITS as error:
-            raise self._misfit(message) from error
-        if body[-1]:
-            return body
-        kept = max(len(body.rstrip(b"\0")), HEADER_BYTES + 1)
-        return bytes((kept - HEADER_BYTES,)) + body[1:kept]
+        codes = "".join(field.code for field in fields)
+        size, body = struct.calcsize("<" + codes), struct.Struct(_HEADER_CODES + codes)
+        header = f"{size}, 0, 0, seq, sysid, compid, {record.MSGID.to_bytes(3, 'little')}"
+        values = ", ".join(_value(field) for field in fields)
+        source = f"""def body(seq, sysid, compid, record):
+    try:
+        {", ".join(_target(self._fields[name]) for name in record._fields)}, = record
+        body = pack({header}, {values})
+    except MISFITS as error:
+        raise misfit(record) from error
+    return body if body[-1] else without_zeros(body)"""
+        scope = {
+            "pack": body.pack,
+            "text": _text_bytes,
+            "without_zeros": _without_zeros,
+            "misfit": self._misfit,
+            "MISFITS": _MISFITS,
+        }
+        return source_function(source, "body", scope)
 
     def _misfit(self, message: Message) -> EncodeError:
         """The error that names the first field that does not fit."""
@@ -105,28 +125,27 @@ def _slots(record: type[Message], fields: list[WireField]) -> list[int | slice]:
     return [slots[name] for name in record._fields]
 
 
-def _body_packer(msgid: int, fields: list[WireField]) -> Callable[[int, int, int, Message], bytes]:
-    """A function of sequence number, system, component and record that gives header and payload.
+def _parts(field: WireField) -> str:
+    """The variables of the elements of an array."""
+    return ", ".join(f"its_{field.name}_{i}" for i in range(field.size))
 
-    It is written out: one call for a message takes half the time of one for each array. Taking an
-    array apart by names refuses one of another length.
-    """
-    codes = "".join(field.code for field in fields)
-    size, body = struct.calcsize("<" + codes), struct.Struct(_HEADER_CODES + codes)
-    lines, values = ["def pack_body(seq, sysid, compid, r):"], list[str]()
-    for field in fields:
-        if field.is_text:
-            values.append(f"text(r.{field.name}, {field.size})")
-        elif field.is_array:
-            parts = [f"{field.name}_{i}" for i in range(field.size)]
-            lines.append(f"    {', '.join(parts)}, = r.{field.name}")
-            values += parts
-        else:
-            values.append(f"r.{field.name}")
-    header = f"{size}, 0, 0, seq, sysid, compid, {msgid.to_bytes(3, 'little')}"
-    lines.append(f"    return pack({header}, {', '.join(values)})")
-    scope = {"pack": body.pack, "text": _text_bytes}
-    return source_function("\n".join(lines), "pack_body", scope)
+
+def _target(field: WireField) -> str:
+    """The source of what a field is assigned to."""
+    return f"({_parts(field)},)" if field.is_array else f"its_{field.name}"
+
+
+def _value(field: WireField) -> str:
+    """The source of the arguments with which a field is packed."""
+    if field.is_text:
+        return f"text(its_{field.name}, {field.size})"
+    return _parts(field) if field.is_array else f"its_{field.name}"
+
+
+def _without_zeros(body: bytes) -> bytes:
+    """Header and payload without the zeros at its end, but for its first byte."""
+    kept = max(len(body.rstrip(b"\0")), HEADER_BYTES + 1)
+    return bytes((kept - HEADER_BYTES,)) + body[1:kept]
 
 
 def _text_bytes(text: str, size: int) -> bytes:

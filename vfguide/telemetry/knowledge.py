@@ -1,6 +1,7 @@
 """The newest messages of the autopilot, and the measurement that they make."""
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -8,7 +9,7 @@ from vfguide.autopilots.makes import ASSUMED
 from vfguide.earth.atmosphere import isa_density
 from vfguide.estimation.local_frame import Measurement
 from vfguide.geometry.units import DEG_E7, HPA, MM, MS
-from vfguide.kernels.written_functions import maker
+from vfguide.kernels.written_functions import maker, replacer
 from vfguide.link.boot_time import US_PER_MS, BootClock, elapsed, is_late, moved_on
 from vfguide.link.messages import (
     AttitudeQuaternion,
@@ -79,29 +80,12 @@ class Knowledge(NamedTuple):
         return 0 if clock is None else clock.time_ms
 
 
-_PLACES: dict[type[Message], int] = {
-    GpsGlobalOrigin: Knowledge._fields.index("origin"),
-    AttitudeQuaternion: Knowledge._fields.index("attitude"),
-    LocalPositionNed: Knowledge._fields.index("position"),
-    VfrHud: Knowledge._fields.index("hud"),
-    WindCov: Knowledge._fields.index("wind"),
-    SystemTime: Knowledge._fields.index("date"),
-    GlobalPositionInt: Knowledge._fields.index("place"),
-    GpsRawInt: Knowledge._fields.index("undulation"),
-    ScaledPressure: Knowledge._fields.index("pressure_offset"),
-}
-"""The number of the field that each kind of message changes."""
-_TIMES: dict[type[Message], int] = {
-    VfrHud: Knowledge._fields.index("hud_time"),
-    WindCov: Knowledge._fields.index("wind_time"),
-}
-"""The number of the field with the time of a message that contains none."""
-_CLOCK = Knowledge._fields.index("clock")
-_DERIVED = (SystemTime, GpsRawInt, ScaledPressure)
-"""The kinds of messages of which only what follows from them is kept."""
-_knowledge, _measurement = maker(Knowledge), maker(Measurement)
-OBSERVED = tuple(_PLACES)
-"""The kinds of messages from which a measurement is made."""
+_measurement = maker(Measurement)
+_with_attitude = replacer(Knowledge, "attitude", "clock")
+_with_times = replacer(Knowledge, "hud_time", "wind_time")
+_with_position = replacer(Knowledge, "position")
+_with_hud = replacer(Knowledge, "hud", "hud_time")
+_with_wind = replacer(Knowledge, "wind", "wind_time")
 
 
 def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
@@ -109,43 +93,69 @@ def observe(known: Knowledge, message: Message, now: int) -> Knowledge:
 
     An implausible message changes nothing, nor does a late one, nor an attitude heard before.
     """
-    kind = type(message)
-    place = _PLACES.get(kind)
-    if place is None or not is_plausible(message):
+    take = _TAKERS.get(type(message))
+    if take is None or not is_plausible(message):
         return known
-    if isinstance(message, _DERIVED):
-        return with_derived(known, message)
-    after: list[Any] = list(known)
-    after[place] = message
-    if isinstance(message, AttitudeQuaternion):
-        after[_CLOCK] = clock = moved_on(known.clock, message.time_boot_ms, now)
-        if clock is None:
-            return known
-        if known.clock is None:
-            for time_place in _TIMES.values():
-                after[time_place] += clock.time_ms - now // US_PER_MS
-    elif isinstance(message, LocalPositionNed):
-        before = known.position
-        if before is not None and is_late(before.time_boot_ms, message.time_boot_ms):
-            return known
-    elif time_place := _TIMES.get(kind):
-        after[time_place] = now // US_PER_MS if known.clock is None else known.time_ms
-    return _knowledge(after)
+    return take(known, message, now)
 
 
-def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPressure) -> Knowledge:
-    """The knowledge after a message of which only what follows from it is kept."""
-    match message:
-        case SystemTime():
-            return known._replace(date=date_after(known.date, message, known.clock))
-        case GpsRawInt():
-            height = undulation_of(message)
-            return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
-        case ScaledPressure():
-            return with_pressure(known, message)
+def with_attitude(known: Knowledge, said: AttitudeQuaternion, now: int) -> Knowledge:
+    """The knowledge after an attitude, which moves the clock on."""
+    clock = moved_on(known.clock, said.time_boot_ms, now)
+    if clock is None:
+        return known
+    after = _with_attitude(known, said, clock)
+    if known.clock is not None:
+        return after
+    offset = clock.time_ms - now // US_PER_MS
+    return _with_times(after, known.hud_time + offset, known.wind_time + offset)
 
 
-def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
+def with_position(known: Knowledge, said: LocalPositionNed, _: int) -> Knowledge:
+    """The knowledge after a position, unless it is late."""
+    before = known.position
+    if before is not None and is_late(before.time_boot_ms, said.time_boot_ms):
+        return known
+    return _with_position(known, said)
+
+
+def with_hud(known: Knowledge, said: VfrHud, now: int) -> Knowledge:
+    """The knowledge after an airspeed, at the time of the newest attitude."""
+    return _with_hud(known, said, time_of(known, now))
+
+
+def with_wind(known: Knowledge, said: WindCov, now: int) -> Knowledge:
+    """The knowledge after a wind, at the time of the newest attitude."""
+    return _with_wind(known, said, time_of(known, now))
+
+
+def time_of(known: Knowledge, now: int) -> int:
+    """Time of a message that contains none [ms]: that of the newest attitude."""
+    return now // US_PER_MS if known.clock is None else known.clock.time_ms
+
+
+def with_origin(known: Knowledge, said: GpsGlobalOrigin, _: int) -> Knowledge:
+    """The knowledge after an origin of the local frame."""
+    return known._replace(origin=said)
+
+
+def with_place(known: Knowledge, said: GlobalPositionInt, _: int) -> Knowledge:
+    """The knowledge after a latitude and longitude."""
+    return known._replace(place=said)
+
+
+def with_date(known: Knowledge, said: SystemTime, _: int) -> Knowledge:
+    """The knowledge after a date, of which only what follows from it is kept."""
+    return known._replace(date=date_after(known.date, said, known.clock))
+
+
+def with_undulation(known: Knowledge, said: GpsRawInt, _: int) -> Knowledge:
+    """The knowledge after the heights of a satellite receiver above sea and ellipsoid."""
+    height = undulation_of(said)
+    return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
+
+
+def with_pressure(known: Knowledge, message: ScaledPressure, _: int) -> Knowledge:
     """The knowledge after a pressure at the newest position; unchanged where there is none."""
     origin, position = known.origin, known.position
     if origin is None or position is None:
@@ -155,6 +165,22 @@ def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
     if offset is None:
         return known._replace(pressure_offset=None)
     return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
+
+
+_TAKERS: dict[type[Message], Callable[[Knowledge, Any, int], Knowledge]] = {
+    AttitudeQuaternion: with_attitude,
+    LocalPositionNed: with_position,
+    VfrHud: with_hud,
+    WindCov: with_wind,
+    GpsGlobalOrigin: with_origin,
+    SystemTime: with_date,
+    GlobalPositionInt: with_place,
+    GpsRawInt: with_undulation,
+    ScaledPressure: with_pressure,
+}
+"""The function that takes each kind of message."""
+OBSERVED = tuple(_TAKERS)
+"""The kinds of messages from which a measurement is made."""
 
 
 def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:
