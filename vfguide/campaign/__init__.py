@@ -1,0 +1,1 @@
+"""Campaigns: many flights of one scenario, drawn at random."""
