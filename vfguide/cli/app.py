@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from vfguide import __version__
-from vfguide.cli import bench, check, field, fly, replay, run, sim, warm
+from vfguide.cli import bench, campaign, check, field, fly, replay, run, sim, warm
 
 app = typer.Typer(
     name="vfguide",
@@ -22,6 +22,7 @@ run.add_to(app)
 sim.add_to(app)
 fly.add_to(app)
 check.add_to(app)
+campaign.add_to(app)
 field.add_to(app)
 replay.add_to(app)
 bench.add_to(app)

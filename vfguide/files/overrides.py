@@ -1,6 +1,7 @@
-"""`--set key=value`: values of a file replaced from the command line."""
+"""Values of a file replaced: from the command line, `--set key=value`, or drawn at random."""
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ class Override:
     """As typed: `vehicle.0.heading_deg=90`."""
     location: tuple[int | str, ...]
     value: Any
+    origin: str
+    """What messages call it: `--set vehicle.0.heading_deg=90`."""
 
 
 def parse_override(text: str) -> Override:
@@ -27,11 +30,29 @@ def parse_override(text: str) -> Override:
         InputError: it is not of that form.
     """
     key, equals, value = text.partition("=")
-    parts = [part.strip() for part in key.replace("[", ".").replace("]", "").split(".")]
+    parts = _parts(key)
     if not equals or not all(parts):
         raise InputError(f"--set {text}: allowed is key=value, such as vehicle.0.heading_deg=90")
-    location = tuple(int(part) if part.isdecimal() else part for part in parts)
-    return Override(text, location, _toml_value(value.strip()))
+    return Override(text, _location(parts), _toml_value(value.strip()), f"--set {text}")
+
+
+def drawn_override(key: str, value: float) -> Override:
+    """The override of a value that was drawn for a dotted key of `[vary]`.
+
+    Its text gives the same value to the last bit where it is parsed.
+    """
+    text = f"{key}={value!r}"
+    return Override(text, _location(_parts(key)), value, f'[vary] "{key}", drawn {value!r}')
+
+
+def _parts(key: str) -> list[str]:
+    """The parts of a dotted key, of which places in lists may stand in brackets."""
+    return [part.strip() for part in key.replace("[", ".").replace("]", "").split(".")]
+
+
+def _location(parts: Sequence[str]) -> tuple[int | str, ...]:
+    """The parts of a key, places in lists as numbers."""
+    return tuple(int(part) if part.isdecimal() else part for part in parts)
 
 
 def apply_override(table: dict[str, Any], override: Override, file: Path) -> None:
@@ -41,7 +62,7 @@ def apply_override(table: dict[str, Any], override: Override, file: Path) -> Non
         InputError: the key leads through something that is not a table, or past the end of a list
             of the `file`.
     """
-    origin = f"{file}, --set {override.text}"
+    origin = f"{file}, {override.origin}"
     place: Any = table
     for part in override.location[:-1]:
         _check_step(place, part, origin)

@@ -1,7 +1,7 @@
 """A scenario as it is written: the TOML tables, their keys, types and ranges."""
 
 from datetime import UTC, datetime
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, AwareDatetime, Field
 
@@ -20,6 +20,7 @@ from vfguide.files.toml_types import (
     word,
 )
 from vfguide.files.traffic_entry import Address, TrafficEntry, TrafficReceiver
+from vfguide.files.vary import Distribution, Vary
 from vfguide.surveillance.report import SMALL_AIRCRAFT
 
 Latitude = Annotated[float, between(-89, 89)]
@@ -195,5 +196,5 @@ class ScenarioFile(ScenarioHead):
     vehicle: Annotated[list[VehicleEntry], Field(min_length=1)]
     obstacle: Annotated[list[ObstacleEntry], Field(default_factory=list)]
     traffic: list[TrafficEntry] = Field(default_factory=list[TrafficEntry])
-
-    not_yet: ClassVar[dict[str, str]] = {"vary": "values drawn at random, for campaigns"}
+    vary: Vary = Field(default_factory=dict[str, Distribution])
+    """Of campaigns alone: a run flies the values that are written."""

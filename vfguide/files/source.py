@@ -82,7 +82,7 @@ class Source:
         for override in reversed(self.overrides):
             shorter = min(len(override.location), len(location))
             if override.location[:shorter] == location[:shorter]:
-                return f"{self.path}, --set {override.text}"
+                return f"{self.path}, {override.origin}"
         return str(self.path)
 
     def _from_pydantic(self, error: ErrorDetails) -> InputError:

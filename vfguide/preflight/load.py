@@ -6,7 +6,7 @@ from pathlib import Path
 
 from vfguide.files.aircraft_file import load_aircraft
 from vfguide.files.data import AircraftFiles, find_scenario
-from vfguide.files.overrides import parse_override
+from vfguide.files.overrides import Override, parse_override
 from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Location, Source, read_toml
 from vfguide.preflight import air_checks, checks
@@ -21,13 +21,18 @@ from vfguide.scenario.resolve import air_of
 from vfguide.scenario.traffic import check_traffic
 
 
-def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> LoadedScenario:
+def load_scenario(
+    name_or_path: str | Path, overrides: Sequence[str] = (), drawn: Sequence[Override] = ()
+) -> LoadedScenario:
     """The scenario of a file or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
+
+    Those `drawn` for a campaign replace values after them.
 
     Raises:
         InputError: it cannot be flown; the message says what is wrong and what is allowed.
     """
-    source = Source(find_scenario(name_or_path), tuple(map(parse_override, overrides)))
+    given = (*map(parse_override, overrides), *drawn)
+    source = Source(find_scenario(name_or_path), given)
     entry = source.parse(ScenarioFile)
     checks.check_law(entry, source)
     loaded = resolved_from(entry, source)

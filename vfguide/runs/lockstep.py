@@ -8,7 +8,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Protocol
 
+from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
+from vfguide.results.result import Result
 from vfguide.runs.aeroplanes import Aeroplanes
 from vfguide.runs.fleet import Ending, Fleet, Flown
 from vfguide.runs.logs import Logs
@@ -21,6 +23,9 @@ from vfguide.sim.traffic import TIME_TOLERANCE
 AFTERWARDS = 5.0
 """Time for which a run goes on after the last goal [s]; chosen, so that the flight behind it is
 seen."""
+
+EARLY = frozenset({Ending.TIME, Ending.STOPPED})
+"""Endings that make a verdict bad by themselves."""
 
 Progress = Callable[[float, Sequence[Flown]], None]
 """Called with the simulated time [s] and the vehicles after every update."""
@@ -108,6 +113,12 @@ def fly_scenario(
         wall_s = time.perf_counter() - started
         records = fleet.records()
     return Flight(records, lockstep.sim_s, wall_s, ending)
+
+
+def judged(loaded: LoadedScenario, flight: Flight) -> Result:
+    """The result of a flight of a scenario, by the truth."""
+    early = (flight.ending.value,) if flight.ending in EARLY else ()
+    return judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
 
 
 def fleet_of(loaded: LoadedScenario, logs: Logs, steps: Steps = STEPS) -> Fleet:

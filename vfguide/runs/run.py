@@ -8,16 +8,12 @@ from vfguide.files.errors import InputError
 from vfguide.files.new_folder import new_folder
 from vfguide.link.tlog import TlogError
 from vfguide.report.report import write_report
-from vfguide.results.judge import judge
 from vfguide.results.record import FlightRecord
 from vfguide.results.result import Result, write_result
-from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario
+from vfguide.runs.lockstep import Ending, Progress, Requests, fly_scenario, judged
 from vfguide.runs.models import require_models
 from vfguide.runs.warm_up import Tell, tell_nobody
 from vfguide.scenario.loaded import LoadedScenario
-
-EARLY = frozenset({Ending.TIME, Ending.STOPPED})
-"""Endings that make a verdict bad by themselves."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +52,7 @@ def run_scenario(
     try:
         loaded.write_resolved(folder / "scenario.toml")
         flight = fly_scenario(loaded, folder, progress, requests, tell, realtime=realtime)
-        early = (flight.ending.value,) if flight.ending in EARLY else ()
-        result = judge(loaded.scenario, flight.records, flight.sim_s, flight.wall_s, early)
+        result = judged(loaded, flight)
         write_result(result, folder / "result.json")
         write_identified(loaded, flight.records, folder)
         if report and flight.ending is not Ending.STOPPED:

@@ -1,0 +1,82 @@
+"""`vfguide campaign`."""
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from vfguide.terminal.exit_status import BAD, GOOD
+
+
+def campaign(
+    scenario: Annotated[str, typer.Argument(help="Path of a scenario file, or a shipped name.")],
+    runs: Annotated[int, typer.Option(min=1, help="Number of flights.")],
+    seed: Annotated[
+        int | None, typer.Option(help="Seed of all draws. [default: the scenario's]")
+    ] = None,
+    workers: Annotated[
+        int | None,
+        typer.Option(min=1, help="Processes on this machine. [default: one a processor]"),
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="A Dask scheduler, as tcp://HOST:PORT.")
+    ] = None,
+    until: Annotated[
+        str | None,
+        typer.Option(
+            metavar="CONDITION",
+            help="End when a rate is known well enough, as rate(miss_m > 2) < 0.01 @ 0.95.",
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            help="Folder of the results; one of the same campaign is gone on with. "
+            "[default: runs/NAME-UTC]"
+        ),
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Change a key, as in wind.speed_mps=5."),
+    ] = None,
+) -> None:
+    """Fly a scenario many times, with the values of [vary] drawn at random.
+
+    Example: vfguide campaign windy.toml --runs 1000 --out results
+    """
+    from vfguide.campaign.campaign import End, check_folder, fly_campaign
+    from vfguide.campaign.looks import Looks
+    from vfguide.campaign.plan import campaign_plan, condition_on
+    from vfguide.campaign.pool import local_pool, pool_at
+    from vfguide.campaign.summary import summarize
+    from vfguide.files.errors import InputError
+    from vfguide.files.new_folder import new_folder
+    from vfguide.terminal.campaign_display import CampaignDisplay, print_summary
+    from vfguide.terminal.compiling import COMPILING
+    from vfguide.terminal.console import complain, warn
+    from vfguide.terminal.signals import REQUESTS
+
+    if workers is not None and scheduler is not None:
+        raise InputError("--workers, --scheduler: allowed is one of them")
+    COMPILING.stage("the checks of the plan")
+    plan = campaign_plan(scenario, set_ or [], seed)
+    looks = Looks(None if until is None else condition_on(until, plan))
+    warn(plan.loaded.warnings)
+    if out is not None:
+        check_folder(out, plan)
+    cluster = pool_at(scheduler) if scheduler else local_pool(workers or os.cpu_count() or 1)
+    with REQUESTS, cluster as pool, CampaignDisplay(plan.name, runs) as display:
+        folder = out or new_folder(plan.name)
+        end = fly_campaign(plan, runs, folder, pool, looks, display, REQUESTS)
+    summary = summarize(folder, plan, runs, looks)
+    print_summary(summary, folder)
+    if end is End.STOPPED:
+        complain(REQUESTS.ending.words)
+        raise typer.Exit(REQUESTS.ending.status)
+    raise typer.Exit(GOOD if looks.condition is None or looks.is_met else BAD)
+
+
+def add_to(app: typer.Typer) -> None:
+    """Make it a command."""
+    app.command()(campaign)
