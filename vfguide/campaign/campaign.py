@@ -102,7 +102,7 @@ def _fly(
         if pool.is_idle:
             return End.FLOWN
         for job, row in pool.ended(LOOK):
-            looks.take(table.add(columns_of(job.draw, row)))
+            looks.take(table.add(columns_of(row, job.draw, plan.command(job.draw))))
             progress(Standing(table.number, runs))
     return End.STOPPED
 

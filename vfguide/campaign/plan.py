@@ -2,13 +2,14 @@
 
 import hashlib
 import json
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from vfguide import __version__
 from vfguide.campaign.condition import Condition, check_column, parse_condition
-from vfguide.campaign.draws import SEEDS, draw
+from vfguide.campaign.draws import SEEDS, Draw, draw
 from vfguide.campaign.flight import Job
 from vfguide.campaign.schema import schema_of, simple_columns
 from vfguide.files.data import find_scenario
@@ -55,6 +56,11 @@ class CampaignPlan:
             "seed": self.seed,
         }
         return json.dumps(told, indent=2) + "\n"
+
+    def command(self, draw: Draw) -> str:
+        """The command line that flies a flight alone."""
+        changes = (*self.overrides, *(override.text for override in draw.overrides))
+        return shlex.join(["vfguide", "run", self.scenario, *(f"--set={each}" for each in changes)])
 
     def job(self, index: int) -> Job:
         """The flight with a number."""

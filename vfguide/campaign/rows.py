@@ -91,9 +91,9 @@ def failed_row(draw: Draw, reason: str, worker: str, processor: str) -> FlightRo
     return FlightRow(draw.index, draw.seed, "failed", (reason,), worker, processor)
 
 
-def columns_of(draw: Draw, row: FlightRow) -> dict[str, Any]:
-    """The row with its column names, those of what was drawn among them."""
-    return {**asdict(row), **dict(draw.values)}
+def columns_of(row: FlightRow, draw: Draw, command: str) -> dict[str, Any]:
+    """The row with its column names, those of what was drawn and of the command among them."""
+    return {**asdict(row), "command": command, **dict(draw.values)}
 
 
 class Span(NamedTuple):

@@ -13,9 +13,9 @@ _SCALARS = {float: pa.float64(), int: pa.int64(), bool: pa.bool_(), str: pa.stri
 
 
 def schema_of(varied: Iterable[str]) -> pa.Schema:
-    """The columns of a `FlightRow`, then those of the varied keys."""
+    """The columns of a `FlightRow`, the command that flies it, then those of the varied keys."""
     drawn = [pa.field(key, pa.float64()) for key in varied]
-    return pa.schema([*fields_of(FlightRow), *drawn])
+    return pa.schema([*fields_of(FlightRow), pa.field("command", pa.string()), *drawn])
 
 
 def simple_columns(schema: pa.Schema) -> list[str]:
