@@ -23,8 +23,8 @@ def simple_columns(schema: pa.Schema) -> list[str]:
     return [field.name for field in schema if not pa.types.is_nested(field.type)]
 
 
-def fields_of(record: Any) -> list[pa.Field[Any]]:
-    """The fields of a dataclass, in their order."""
+def fields_of(record: Any) -> list[Any]:
+    """The `pyarrow.Field` of each field of a dataclass, in their order."""
     return [pa.field(name, arrow_type(kind)) for name, kind in get_type_hints(record).items()]
 
 
