@@ -119,20 +119,21 @@ def check_folder(folder: Path, plan: CampaignPlan) -> None:
     Raises:
         InputError: it is of another campaign or version, or not of one, or cannot be read.
     """
+    allowed = "allowed is a new or an empty folder, or one of the same campaign"
     identity = folder / IDENTITY
     try:
         if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
             return
         there = identity.read_text() if identity.is_file() else None
+        is_folder = folder.is_dir()
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be read: {error.strerror or error}") from error
+    if there is None:
+        what = "not empty and of no campaign" if is_folder else "is no folder"
+        raise InputError(f"--out {folder}: {what}; {allowed}")
     if there != plan.identity:
-        what = "not empty and of no campaign" if there is None else "of another campaign"
-        told = "" if there is None else f", {difference(there, plan.identity)}"
-        raise InputError(
-            f"--out {folder}: {what}{told}; "
-            "allowed is a new or an empty folder, or one of the same campaign"
-        )
+        told = difference(there, plan.identity)
+        raise InputError(f"--out {folder}: of another campaign, {told}; {allowed}")
 
 
 def difference(there: str, here: str) -> str:

@@ -3,14 +3,13 @@
 import logging
 import math
 import time
-from asyncio import CancelledError
 from collections.abc import Callable, Generator
 from contextlib import closing, contextmanager, suppress
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from distributed import Client, Future, LocalCluster, get_worker, wait
-from distributed.client import FIRST_COMPLETED
+from distributed.client import FIRST_COMPLETED, FuturesCancelledError
 
 from vfguide.campaign.flight import Job, fly
 from vfguide.campaign.rows import FlightRow, failed_row
@@ -75,7 +74,7 @@ class Pool:
         except TimeoutError:
             self.is_lost = self._client.status != "running"
             return []
-        except (CancelledError, OSError):
+        except (FuturesCancelledError, OSError):
             self.is_lost = True
             return []
         return [(self._flying[future], self._row(future)) for future in ended.done]

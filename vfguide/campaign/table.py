@@ -111,8 +111,11 @@ class CampaignTable:
         Raises:
             OSError: it cannot be written.
         """
-        if not self._journal.closed:
+        if self._journal.closed:
+            return
+        try:
             self._write_anew()
+        finally:
             self._journal.close()
 
     def batches(self) -> Iterator[pa.RecordBatch]:
