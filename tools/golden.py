@@ -14,7 +14,7 @@ The reference flies in a work tree of its own. Its flights are kept below `~/.ca
 (or XDG_CACHE_HOME), by commit and by kind of machine, so that the next time only the tree flies.
 
 A recording is a `vehicle-ID.tlog` beside the `scenario.toml` that was flown, of a real link or not.
-Both sides replay it, and have to receive and send the same.
+Both checkouts replay it, and have to receive and send the same.
 
 The exit status is 0 if all is identical, 1 if not, 2 for bad input, 130 when interrupted.
 """
@@ -68,13 +68,13 @@ class Verdict(NamedTuple):
     told: str
 
 
-class Side(NamedTuple):
-    """One of the two that fly."""
+class Checkout(NamedTuple):
+    """A checkout that flies: the reference, or the working tree."""
 
     tree: Path
     """The checkout whose package and scenarios are used."""
     environment: dict[str, str]
-    """Of its programs, beside that of this one."""
+    """Environment variables of its programs, added to those of this one."""
 
     def vfguide(self, *words: str | Path) -> subprocess.CompletedProcess[str]:
         """A command of its own `vfguide`, in a process of its own."""
@@ -200,7 +200,7 @@ def kept_flights(commit: str) -> Path:
 
 
 @contextmanager
-def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Side]:
+def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Checkout]:
     """The reference as a work tree in `folder`, with the machine code that belongs to it.
 
     Raises:
@@ -212,7 +212,7 @@ def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Side]:
     elif git("rev-parse", "HEAD", at=tree) != commit or git("status", "--porcelain", at=tree):
         raise BadInputError(f"{tree}: not a clean checkout of that commit")
     try:
-        yield Side(tree, {"XDG_CACHE_HOME": str(folder / "cache")})
+        yield Checkout(tree, {"XDG_CACHE_HOME": str(folder / "cache")})
     finally:
         if not keep:
             git("worktree", "remove", "--force", tree)
@@ -237,28 +237,28 @@ def reference_flights(
     missing = [name for name in names if not (kept / name / "result.json").exists()]
     say(f"reference {commit[:12]}: {len(missing)} of {len(names)} to fly, kept in {kept}")
     if missing:
-        with checkout(commit, scratch, keep=args.keep is not None) as side:
-            for _ in in_turn(partial(fly_reference, side, kept), missing, args.workers):
+        with checkout(commit, scratch, keep=args.keep is not None) as reference:
+            for _ in in_turn(partial(fly_reference, reference, kept), missing, args.workers):
                 pass
     return kept
 
 
-def fly_reference(side: Side, kept: Path, name: str) -> None:
+def fly_reference(reference: Checkout, kept: Path, name: str) -> None:
     """Fly one scenario as the reference does.
 
     Raises:
         BadInputError: it does not.
     """
     try:
-        side.fly(name, kept / name)
+        reference.fly(name, kept / name)
     except NoFlightError as error:
         raise BadInputError(f"the reference does not fly {name}: {error}") from error
 
 
-def compare(side: Side, kept: Path, flown: Path, name: str) -> Verdict:
+def compare(tree: Checkout, kept: Path, flown: Path, name: str) -> Verdict:
     """Fly one scenario as the tree does, and compare it with the kept flight."""
     try:
-        side.fly(name, flown / name)
+        tree.fly(name, flown / name)
     except NoFlightError as error:
         return Verdict(name, same=False, told=f"does not fly: {error}")
     found = flight_difference(kept / name, flown / name)
@@ -280,7 +280,7 @@ def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict
             lacking = "reference" if name in here else "tree"
             yield Verdict(name, same=name in here, told=f"the {lacking} lacks it")
     flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
-    yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
+    yield from in_turn(partial(compare, Checkout(ROOT, {}), kept, flown), both, args.workers)
 
 
 def recordings_in(folder: Path) -> list[Path]:
@@ -295,7 +295,7 @@ def name_of(log: Path) -> str:
 
 
 def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
-    """All recordings below a folder, replayed by both sides.
+    """All recordings below a folder, replayed by both checkouts.
 
     Raises:
         BadInputError: the reference does not replay one of them.
@@ -308,9 +308,9 @@ def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verd
     commit = commit_of(args.reference)
     kept = {log: kept_replay(commit, log) for log in logs}
     if missing := [log for log in logs if not kept[log].exists()]:
-        with checkout(commit, scratch, keep=args.keep is not None) as side:
+        with checkout(commit, scratch, keep=args.keep is not None) as reference:
             for log in missing:
-                replay_reference(side, log, kept[log])
+                replay_reference(reference, log, kept[log])
     new = Path(tempfile.mkdtemp(prefix="replay-", dir=scratch))
     yield from in_turn(lambda log: compare_replay(log, kept[log], new), logs, args.workers)
 
@@ -321,14 +321,14 @@ def kept_replay(commit: str, log: Path) -> Path:
     return kept_flights(commit) / "recordings" / hashlib.sha256(content).hexdigest()[:16]
 
 
-def replay_reference(side: Side, log: Path, kept: Path) -> None:
+def replay_reference(reference: Checkout, log: Path, kept: Path) -> None:
     """Replay one recording as the reference does.
 
     Raises:
         BadInputError: it does not.
     """
     try:
-        side.replay(log, kept)
+        reference.replay(log, kept)
     except NoFlightError as error:
         raise BadInputError(f"the reference does not replay {name_of(log)}: {error}") from error
 
@@ -337,7 +337,7 @@ def compare_replay(log: Path, kept: Path, new: Path) -> Verdict:
     """Replay one recording as the tree does, and compare it with the kept replay."""
     name, folder = f"recording {name_of(log)}", new / log.parent.name / log.stem
     try:
-        Side(ROOT, {}).replay(log, folder)
+        Checkout(ROOT, {}).replay(log, folder)
     except NoFlightError as error:
         return Verdict(name, same=False, told=f"is not replayed: {error}")
     found = log_difference(kept / log.name, folder / log.name)

@@ -171,8 +171,8 @@ def reference(
     objective = Objective(goal.target, state, False, goal.is_goal)
     around = airspace_later(airspace, dt)
     there, _ = commanded(Given(leader, law.remedies, then, objective, route, around, s, vehicle))
-    aircraft, gains, is_point = vehicle
-    held = Vehicle(aircraft, without_learning(gains, 0.0), is_point)
+    aircraft, gains, is_rigid_body = vehicle
+    held = Vehicle(aircraft, without_learning(gains, 0.0), is_rigid_body)
     _, left = control.update(then, there, control_state, held)
     return left.R_na
 

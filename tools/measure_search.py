@@ -18,7 +18,7 @@ from reference_path import MISSING, is_installed, reference_length
 from search_worlds import HEIGHT, World, draw
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import NO_FENCE, hazards_of
+from vfguide.airspace.keep_out import NO_FENCE, obstacle_zones
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import next_path
 from vfguide.planning.collision_check import Air, Task, route_is_clear
@@ -68,7 +68,7 @@ def measure(world: World, number: int, args: argparse.Namespace) -> Outcome:
         reference = reference_length(
             world, args.radius, REFERENCE_CLEARANCE, args.reference_s, number
         )
-    hazards = hazards_of(world.obstacles, LEVEL, following.clearance)
+    hazards = obstacle_zones(world.obstacles, LEVEL, following.clearance)
     progress = (hazards, task, following.clearance, following.route_edges, 0, 0, 0.0)
     route_is_clear(*progress)
     seconds = seconds_of(find_route, *asked)

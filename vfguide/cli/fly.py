@@ -38,14 +38,14 @@ def fly(
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
     from vfguide.daemon.clock import Clock
-    from vfguide.daemon.daemon import Daemon, Outcome
+    from vfguide.daemon.daemon import Daemon, HandoverResult
     from vfguide.daemon.flight_log import FlightLog
     from vfguide.daemon.warm_up import warm_up
     from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, warn
-    from vfguide.terminal.signals import REQUESTS, Ending
+    from vfguide.terminal.signals import REQUESTS, CommandEnd
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -66,11 +66,11 @@ def fly(
         daemon = Daemon(session, transport, flight_log, Clock(), say, save)
         stack.enter_context(REQUESTS)
         outcome = daemon.run(REQUESTS.seen)
-        status = GOOD if outcome is Outcome.HANDED_OVER else BAD
-        REQUESTS.ending = Ending(status, "ended")
-    if outcome is Outcome.UNCONFIRMED:
+        status = GOOD if outcome is HandoverResult.HANDED_OVER else BAD
+        REQUESTS.ending = CommandEnd(status, "ended")
+    if outcome is HandoverResult.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
-    if outcome is Outcome.CUT_SHORT:
+    if outcome is HandoverResult.CUT_SHORT:
         complain("ended at once: the autopilot has not confirmed its hold")
     raise typer.Exit(status)
 

@@ -13,7 +13,7 @@ from functools import partial
 from typing import NoReturn
 
 from vfguide.terminal.exit_status import BAD_INPUT, GOOD
-from vfguide.terminal.signals import INTERRUPTION, REQUESTS, Ending
+from vfguide.terminal.signals import INTERRUPTION, REQUESTS, CommandEnd
 from vfguide.terminal.streams import TolerantStream, tolerant_streams
 
 LAST_WORDS = 0.3
@@ -23,8 +23,8 @@ WIPE_BAR = "\r\x1b[2K\x1b[?25h"
 EL, DEC's DECTCEM; no unit)."""
 
 ENDINGS = {
-    "fly": Ending(GOOD, "ended before anything was sent"),
-    "sim": Ending(GOOD, "ended before the flight"),
+    "fly": CommandEnd(GOOD, "ended before anything was sent"),
+    "sim": CommandEnd(GOOD, "ended before the flight"),
 }
 """How commands end that are asked to before their loop looks for it; the others are interrupted."""
 
@@ -57,7 +57,7 @@ def run_program(leave: Callable[[int], NoReturn] = end_in_good_order) -> NoRetur
         leave(status)
 
 
-def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
+def end_at_once(streams: Sequence[TolerantStream], ending: CommandEnd) -> NoReturn:
     """End the process, with its last words; a progress bar is wiped off."""
     *_, err = streams
     bar = WIPE_BAR if err.isatty() else ""

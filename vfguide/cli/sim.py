@@ -46,7 +46,7 @@ def sim(
     from vfguide.sim.vehicle import steps_between_updates
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, out
-    from vfguide.terminal.signals import REQUESTS, Ending
+    from vfguide.terminal.signals import REQUESTS, CommandEnd
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -73,7 +73,7 @@ def sim(
             raise InputError(str(error)) from error
         out.print(f"ended after {flight.sim_s:.1f} s, {lateness(flight.pace)}")
         status = GOOD if flight.flying else BAD
-        REQUESTS.ending = Ending(status, "ended")
+        REQUESTS.ending = CommandEnd(status, "ended")
     raise typer.Exit(status)
 
 

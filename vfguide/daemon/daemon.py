@@ -17,7 +17,7 @@ HOLD_TIMEOUT = 5_000_000
 """Time in which the autopilot must confirm its hold [us]; chosen."""
 
 
-class Outcome(Enum):
+class HandoverResult(Enum):
     """How a flight of the daemon ended."""
 
     HANDED_OVER = auto()
@@ -61,7 +61,7 @@ class Daemon:
         self._save: Callable[[Identified], None] | None = save
         self._stopped_at: int | None = None
 
-    def run(self, stops: Callable[[], int]) -> Outcome:
+    def run(self, stops: Callable[[], int]) -> HandoverResult:
         """Fly until `stops`, the number of times the operator asked for an end, is not 0.
 
         The first request hands over, the second ends at once.
@@ -81,20 +81,20 @@ class Daemon:
         self._tell()
         return outcome
 
-    def _outcome(self, stops: int) -> Outcome | None:
+    def _outcome(self, stops: int) -> HandoverResult | None:
         """How it ended, if it did; begins to stop when the operator asks for it."""
         now = self._clock.now()
         if stops and self._stopped_at is None:
             self._stopped_at = now
             self._send(self._session.stop(now))
         if self._companion.phase is Phase.ENDED:
-            return Outcome.HANDED_OVER
+            return HandoverResult.HANDED_OVER
         if self._companion.phase is Phase.UNCONFIRMED:
-            return Outcome.UNLINKED
+            return HandoverResult.UNLINKED
         if stops > 1:
-            return Outcome.CUT_SHORT
+            return HandoverResult.CUT_SHORT
         waited = 0 if self._stopped_at is None else now - self._stopped_at
-        return Outcome.UNCONFIRMED if waited > HOLD_TIMEOUT else None
+        return HandoverResult.UNCONFIRMED if waited > HOLD_TIMEOUT else None
 
     def _take_all(self) -> None:
         """Take what has arrived; answers go out at once."""

@@ -27,7 +27,7 @@ NO_CEILING = 12_000.0
 """Height up to which a ceiling is looked for [m]; chosen above what scenarios allow."""
 
 
-class Flown(NamedTuple):
+class AircraftInAir(NamedTuple):
     """An aircraft in the air of its plan."""
 
     name: str
@@ -42,7 +42,7 @@ class Flown(NamedTuple):
     """Whether its thrust was measured, so that a flight can be refused for it."""
 
 
-class Asked(NamedTuple):
+class AskedAirspeed(NamedTuple):
     """A true airspeed that a scenario asks for."""
 
     speed: float
@@ -63,7 +63,7 @@ def airspeed_limits(aircraft: Performance, air: Air) -> tuple[float, float]:
     return least, in_air(aircraft, air.thickest, aircraft.airspeed_cruise).airspeed_max
 
 
-def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
+def check_airspeed(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> None:
     """An airspeed is within the limits at every height of the plan.
 
     Raises:
@@ -82,7 +82,7 @@ def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
         raise refused(asked, rule, flown, source)
 
 
-def check_start(asked: Asked, flown: Flown, source: Source) -> list[str]:
+def check_start(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> list[str]:
     """A warning where the thrust may not hold the airspeed at the start in level flight.
 
     Raises:
@@ -95,7 +95,7 @@ def check_start(asked: Asked, flown: Flown, source: Source) -> list[str]:
     return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
-def check_thrust(asked: Asked, flown: Flown, source: Source) -> list[str]:
+def check_thrust(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> list[str]:
     """A warning where the thrust may not hold the airspeed to fly at the highest place.
 
     Raises:
@@ -108,7 +108,7 @@ def check_thrust(asked: Asked, flown: Flown, source: Source) -> list[str]:
     return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
-def is_held(speed: float, flown: Flown, density: float) -> bool:
+def is_held(speed: float, flown: AircraftInAir, density: float) -> bool:
     """Whether full thrust holds a true airspeed [m/s] in air of a density [kg/m^3].
 
     It has to leave CEILING_CLIMB, and to hold a level turn at the bank that is asked for.
@@ -119,7 +119,7 @@ def is_held(speed: float, flown: Flown, density: float) -> bool:
     return climbs and spare_thrust(speed, flown, density, load) >= 0.0
 
 
-def spare_thrust(speed: float, flown: Flown, density: float, load: float) -> float:
+def spare_thrust(speed: float, flown: AircraftInAir, density: float, load: float) -> float:
     """Full thrust less drag that is there for sure at a load factor, over weight.
 
     `speed` is a true airspeed [m/s], `density` that of the air [kg/m^3].
@@ -127,7 +127,7 @@ def spare_thrust(speed: float, flown: Flown, density: float, load: float) -> flo
     return excess_thrust(flown.aircraft, density, speed, load) - THRUST_ERROR
 
 
-def in_thin_air(holds: Holds, flown: Flown) -> Holds:
+def in_thin_air(holds: Holds, flown: AircraftInAir) -> Holds:
     """Whether the density still lets the thrust hold what it holds at sea level.
 
     What an aircraft file does not have there already is judged by level flight alone: its numbers
@@ -144,7 +144,9 @@ def in_thin_air(holds: Holds, flown: Flown) -> Holds:
     return holds_here
 
 
-def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> list[str]:
+def _check_held(
+    asked: AskedAirspeed, flown: AircraftInAir, holds: Holds, source: Source
+) -> list[str]:
     density, what = flown.air.thinnest, f"not held by the thrust of {flown.name}"
     if holds(asked.speed, density):
         return []
@@ -159,7 +161,7 @@ def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> lis
     return [f"{error}; by the thrust of its file, which was not measured"]
 
 
-def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:
+def held_airspeeds(flown: AircraftInAir, altitude: float, holds: Holds) -> list[float]:
     """The true airspeeds within the limits that are held at an altitude [m], in [m/s]."""
     air = Air(altitude, altitude)
     low, high = airspeed_limits(flown.aircraft, air)
@@ -167,7 +169,7 @@ def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:
     return [each for each in speeds.tolist() if holds(each, air.thinnest)]
 
 
-def ceiling(flown: Flown, holds: Holds) -> float:
+def ceiling(flown: AircraftInAir, holds: Holds) -> float:
     """Height up to which some airspeed is held [m]; 0 where none is at sea level."""
     reached = 0.0
     for height in np.arange(0.0, NO_CEILING, CEILING_STEP).tolist():
@@ -177,7 +179,7 @@ def ceiling(flown: Flown, holds: Holds) -> float:
     return reached
 
 
-def refused(asked: Asked, rule: str, flown: Flown, source: Source) -> InputError:
+def refused(asked: AskedAirspeed, rule: str, flown: AircraftInAir, source: Source) -> InputError:
     """The error of an airspeed that breaks a rule; one that is not written is the cruise."""
     if asked.is_written:
         return source.error(asked.at, rule, asked.speed)

@@ -17,14 +17,14 @@ from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, read_state, row_of_state
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.resolved import Vehicle as ScenarioVehicle
 from vfguide.sim.kinematic import move
 
 
 def predict_body(
-    scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies, legs: Legs
+    scenario: Scenario, vehicle: ScenarioVehicle, guided: GuidedAircraft, legs: Legs
 ) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], a guidance period apart, for as long as a run may take.
 
@@ -38,7 +38,7 @@ def predict_body(
         row_of_state(fresh_state()),
         legs,
         FLIGHT,
-        np.array(vehicle_numbers(Vehicle(flies.aircraft, flies.gains, True))),
+        np.array(vehicle_numbers(Vehicle(guided.aircraft, guided.gains, True))),
         1.0 / rate,
         path,
     )

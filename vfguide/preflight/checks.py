@@ -52,7 +52,7 @@ PAPER_LAW_WARNING = (
 """Warning of a scenario that flies law `paper` on an aeroplane."""
 
 
-def told_of_law(scenario: Scenario) -> tuple[str, ...]:
+def law_warnings(scenario: Scenario) -> tuple[str, ...]:
     """The warnings about the law of a scenario."""
     told = list[str]()
     if scenario.law == "paper" and scenario.plant == "jsbsim":

@@ -25,7 +25,7 @@ from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import norm
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.obstacles import shape_of
 from vfguide.scenario.resolved import Obstacle, Scenario
 
@@ -100,9 +100,9 @@ def escape_range(escape: Escape, half_width: float, closing: float) -> float:
     return escape.margin + (escape.airspeed + closing) * escape.delay + turn
 
 
-def escape_of(flies: Flies, latency: float) -> Escape:
+def escape_of(guided: GuidedAircraft, latency: float) -> Escape:
     """The escape of an aircraft whose setpoints act after the `latency` [s]."""
-    of, airspeed = assurance(*flies), flies.gains.airspeed
+    of, airspeed = assurance(*guided), guided.gains.airspeed
     roll = 2.0 * of.limits.bank_max / of.limits.roll_rate + of.limits.bank_lag
     return Escape(
         airspeed,
@@ -135,15 +135,15 @@ def others_of(scenario: Scenario, vehicle: int) -> Iterator[Body]:
 
 
 def needs(
-    scenario: Scenario, obstacles: Sequence[Obstacle], flies: Sequence[Flies]
+    scenario: Scenario, obstacles: Sequence[Obstacle], guided: Sequence[GuidedAircraft]
 ) -> Iterator[Need]:
-    """The ranges that the vehicles need for some obstacles; `flies` are one of each vehicle."""
+    """The ranges that the vehicles need for some obstacles; `guided` has one of each vehicle."""
     link = scenario.link
     latency = (
         link.delay_ms + link.delay_back_ms
     ) * MS + LATENCY_PERIODS / scenario.guidance.rate_hz
     bodies = [body_of(scenario, each) for each in obstacles]
-    for vehicle, each in zip(scenario.vehicles, flies, strict=True):
+    for vehicle, each in zip(scenario.vehicles, guided, strict=True):
         escape = escape_of(each, latency)
         for name, half_width, closing in (*bodies, *others_of(scenario, vehicle.id)):
             needed = escape_range(escape, half_width, closing)
@@ -151,13 +151,13 @@ def needs(
 
 
 def with_detection_range(
-    scenario: Scenario, entry: ScenarioFile, flies: Sequence[Flies]
+    scenario: Scenario, entry: ScenarioFile, guided: Sequence[GuidedAircraft]
 ) -> Scenario:
     """The scenario with the detection range that it needs, where none is written."""
     avoidance = scenario.avoidance
     if not _is_assured(scenario) or "detection_range_m" in entry.avoidance.model_fields_set:
         return scenario
-    needed = needs(scenario, _seen_by_default(scenario), flies)
+    needed = needs(scenario, _seen_by_default(scenario), guided)
     wanted = max((each.range for each in needed), default=0.0)
     if wanted <= avoidance.detection_range_m:
         return scenario
@@ -171,7 +171,9 @@ def with_detection_range(
     return scenario.model_copy(update={"avoidance": avoidance, "obstacles": obstacles})
 
 
-def check_detection(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
+def check_detection(
+    scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
+) -> tuple[str, ...]:
     """Warnings of ranges from which not every escape is in time."""
     if not _is_assured(scenario):
         return ()
@@ -186,7 +188,7 @@ def check_detection(scenario: Scenario, flies: Sequence[Flies], source: Source) 
         if each not in usual
     ]
     for at, seen_from, obstacles in places:
-        most = max(needs(scenario, obstacles, flies), default=None)
+        most = max(needs(scenario, obstacles, guided), default=None)
         if most is not None and most.range > seen_from:
             warnings.append(f"{source.path}: {dotted(at)} = {_told(most, seen_from)}")
     return tuple(warnings)

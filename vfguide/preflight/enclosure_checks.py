@@ -7,7 +7,7 @@ import numpy as np
 from scipy import ndimage
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZone, KeepOutZones, joined, obstacle_zones
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.kernels.rows import columns
@@ -27,7 +27,7 @@ def is_enclosed(
     obstacles: Rows, fence: KeepOutZones, band: Band, start: Place, goal: Place
 ) -> bool:
     """Whether no path in the band of heights leads from one place to the other."""
-    hazards = joined(hazards_of(obstacles, band, 0.0), fence)
+    hazards = joined(obstacle_zones(obstacles, band, 0.0), fence)
     zones = columns(KeepOutZone, hazards.table)
     places = np.vstack((np.column_stack((zones.x, zones.y)), start, goal))
     reach = np.append(zones.bounding_radius, (CELL, CELL))[:, None]

@@ -10,10 +10,10 @@ from vfguide.files.overrides import parse_override
 from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Location, Source, read_toml
 from vfguide.preflight import air_checks, checks
-from vfguide.preflight.air_checks import Asked, Flown
+from vfguide.preflight.air_checks import AircraftInAir, AskedAirspeed
 from vfguide.preflight.detection_range import check_detection, with_detection_range
 from vfguide.preflight.encounter_checks import check_encounters
-from vfguide.preflight.route_checks import Flies, check_routes
+from vfguide.preflight.route_checks import GuidedAircraft, check_routes
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.loaded import LoadedScenario, resolved_from
 from vfguide.scenario.obstacles import check_obstacles
@@ -45,16 +45,17 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
     check_fence(scenario, source)
     check_traffic(scenario, source)
     thin_air = _check_air(loaded, entry, source) if scenario.plant == "jsbsim" else []
-    flies = [
-        Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
+    guided = [
+        GuidedAircraft(loaded.performance_aloft(each), loaded.gains(each))
+        for each in scenario.vehicles
     ]
-    scenario = with_detection_range(scenario, entry, flies)
+    scenario = with_detection_range(scenario, entry, guided)
     warnings = (
-        *checks.told_of_law(scenario),
+        *checks.law_warnings(scenario),
         *thin_air,
-        *check_detection(scenario, flies, source),
-        *check_routes(scenario, flies, source),
-        *check_encounters(scenario, flies, source),
+        *check_detection(scenario, guided, source),
+        *check_routes(scenario, guided, source),
+        *check_encounters(scenario, guided, source),
     )
     return replace(loaded, scenario=scenario, warnings=warnings)
 
@@ -70,12 +71,12 @@ def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> l
         aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
         measured = loaded.aircraft[vehicle.aircraft].thrust.per_climb is not None
         air, sure = air_of(scenario, vehicle), measured and not vehicle.identify
-        flown = Flown(vehicle.aircraft, aircraft, gains, air, sure)
+        flown = AircraftInAir(vehicle.aircraft, aircraft, gains, air, sure)
         at: Location = ("vehicle", index, "airspeed_mps")
         written = entry.vehicle[index].airspeed_mps is not None
-        start = asked = Asked(vehicle.airspeed_mps, at, written)
+        start = asked = AskedAirspeed(vehicle.airspeed_mps, at, written)
         if scenario.guidance.airspeed_mps is not None:
-            asked = Asked(gains.airspeed, ("guidance", "airspeed_mps"), True)
+            asked = AskedAirspeed(gains.airspeed, ("guidance", "airspeed_mps"), True)
         for each in (start, asked):
             air_checks.check_airspeed(each, flown, source)
         found = air_checks.check_thrust(asked, flown, source)

@@ -24,7 +24,7 @@ from vfguide.loop.legs import Legs, leg_rows
 from vfguide.loop.state import fresh_state, read_state, row_of_state, write_state
 from vfguide.loop.step import step
 from vfguide.preflight.body_prediction import predict_body
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
 from vfguide.scenario.resolved import Scenario
@@ -34,7 +34,9 @@ PREDICTION_STEP = 0.1
 """Time between two predicted positions [s]; chosen, 2.5 m of flight at 25 m/s."""
 
 
-def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple[Vectors, int]:
+def predict(
+    scenario: Scenario, vehicle: ScenarioVehicle, guided: GuidedAircraft
+) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], PREDICTION_STEP apart, for as long as a run may take.
 
     The other result is the number of the position from which on it circles; N where it never does.
@@ -43,11 +45,11 @@ def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple
     legs = leg_rows(goals, circle_side(scenario), circle_radius(scenario, vehicle))
     steps = math.ceil(scenario.duration_s / PREDICTION_STEP) + 1
     if scenario.plant == "kinematic":
-        flown, number = predict_body(scenario, vehicle, flies, legs)
+        flown, number = predict_body(scenario, vehicle, guided, legs)
         period, times = 1.0 / scenario.guidance.rate_hz, PREDICTION_STEP * np.arange(steps)
         axes = [np.interp(times, period * np.arange(len(flown)), axis) for axis in flown.T]
         return np.column_stack(axes), min(steps, math.ceil(number * period / PREDICTION_STEP))
-    heading, airspeed = vehicle.euler_deg[2] * DEG, flies.gains.airspeed
+    heading, airspeed = vehicle.euler_deg[2] * DEG, guided.gains.airspeed
     hazards, airspace, known = hazards_of(scenario), None, 0
     if hazards is not None:
         zones, known = keep_out_zones_of(scenario.fence), len(hazards.obstacles)
@@ -59,7 +61,7 @@ def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple
         legs,
         airspace,
         crossing(FLIGHT),
-        np.array(vehicle_numbers(Vehicle(flies.aircraft, flies.gains, False))),
+        np.array(vehicle_numbers(Vehicle(guided.aircraft, guided.gains, False))),
         winds(scenario, steps),
         path,
     )

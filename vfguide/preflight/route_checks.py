@@ -45,7 +45,7 @@ SPACING = 2.0
 """Distance between two checked positions on a final approach [m]; chosen."""
 
 
-class Flies(NamedTuple):
+class GuidedAircraft(NamedTuple):
     """An aircraft and how it is guided."""
 
     aircraft: Performance
@@ -62,8 +62,10 @@ class Start(NamedTuple):
     """Course [rad]."""
 
 
-def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
-    """Warnings about starts and goals near hazards; `flies` are one of each vehicle.
+def check_routes(
+    scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
+) -> tuple[str, ...]:
+    """Warnings about starts and goals near hazards; `guided` has one of each vehicle.
 
     Raises:
         InputError: a start has no escape, or no route leads to a goal.
@@ -72,7 +74,7 @@ def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> 
     if scenario.law != "flight" or scenario.plant != "jsbsim" or hazards is None:
         return ()
     warnings: list[str] = []
-    for index, (vehicle, each) in enumerate(zip(scenario.vehicles, flies, strict=True)):
+    for index, (vehicle, each) in enumerate(zip(scenario.vehicles, guided, strict=True)):
         at: Location = ("vehicle", index)
         warnings += _check_start(scenario, vehicle, each, hazards, source, at)
         begin = Start(vehicle.position_m, vehicle.euler_deg[2] * DEG)
@@ -87,13 +89,13 @@ def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> 
 def _check_start(
     scenario: Scenario,
     vehicle: Vehicle,
-    flies: Flies,
+    guided: GuidedAircraft,
     hazards: Hazards,
     source: Source,
     at: Location,
 ) -> list[str]:
     """A warning where the guidance is overruled from the start on."""
-    of = assurance(*flies)
+    of = assurance(*guided)
     motion = PointMass(
         vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps
     )
@@ -111,16 +113,16 @@ def _check_start(
 
 
 def _tight_goal(
-    scenario: Scenario, goal: Goal, flies: Flies, source: Source, at: Location
+    scenario: Scenario, goal: Goal, guided: GuidedAircraft, source: Source, at: Location
 ) -> list[str]:
     """A warning where the straight end of the approach is nearer than the assurance allows."""
-    aircraft, gains = flies
+    aircraft, gains = guided
     margin = assurance(aircraft, gains).margin
     still = _still(scenario)
     hazards, names = hazards_of(still), hazard_names(still)
     if hazards is None:
         return []
-    final_approach = gains.final_approach * _radius(scenario, flies)
+    final_approach = gains.final_approach * _radius(scenario, guided)
     back = np.arange(0.0, final_approach + SPACING, SPACING)
     ahead: Vector = np.array(
         (math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0)
@@ -140,15 +142,20 @@ def _tight_goal(
 
 
 def _check_route(
-    scenario: Scenario, begin: Start, goal: Goal, flies: Flies, source: Source, at: Location
+    scenario: Scenario,
+    begin: Start,
+    goal: Goal,
+    guided: GuidedAircraft,
+    source: Source,
+    at: Location,
 ) -> list[str]:
     """A warning where the search finds no route to a goal around obstacles that do not move.
 
     Raises:
         InputError: there is none.
     """
-    gains, (north, east, _) = flies.gains, _wind(scenario)
-    radius = _radius(scenario, flies)
+    gains, (north, east, _) = guided.gains, _wind(scenario)
+    radius = _radius(scenario, guided)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
     final_approach = gains.final_approach * radius
     entry = straight_on(Pose(x, y, course), -final_approach)
@@ -160,7 +167,7 @@ def _check_route(
     rows = rows_of(_still(scenario).obstacles)
     if len(find_route(rows, fence, band, task).route_edges) > 0:
         return []
-    if _passes_over(scenario, rows, begin.p_n, goal, flies, task):
+    if _passes_over(scenario, rows, begin.p_n, goal, guided, task):
         if not avoids_traffic(scenario):
             return []
         rule = (
@@ -180,10 +187,10 @@ def _check_route(
 
 
 def _passes_over(
-    scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, flies: Flies, task: Task
+    scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, guided: GuidedAircraft, task: Task
 ) -> bool:
     """Whether the shortest path leads over its obstacles, which are detected early enough."""
-    (aircraft, gains), margin, fence = flies, CLEARANCES[0], scenario.fence
+    (aircraft, gains), margin, fence = guided, CLEARANCES[0], scenario.fence
     course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
     state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
     target = GuidanceTarget((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
@@ -218,10 +225,10 @@ def _in_band(fence: Fence, band: Band) -> Fence:
     return fence.model_copy(update={"zone": zones})
 
 
-def _radius(scenario: Scenario, flies: Flies) -> float:
+def _radius(scenario: Scenario, guided: GuidedAircraft) -> float:
     """Radius of the turns in the wind of the scenario [m], at the bank that the wing carries."""
-    bank = usable_bank(*flies, flies.gains.airspeed)
-    return radius_in(scenario.wind.speed_mps, bank, flies.gains)
+    bank = usable_bank(*guided, guided.gains.airspeed)
+    return radius_in(scenario.wind.speed_mps, bank, guided.gains)
 
 
 def _wind(scenario: Scenario) -> Vec3:

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.vector import Matrices
 from vfguide.report.drawing import Flights, line_of, vehicle_lines
-from vfguide.report.obstacle_drawing import short
+from vfguide.report.obstacle_drawing import shortened
 from vfguide.report.panels import LIMIT_LINE, lay_out, make_near_large, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.record import Array
@@ -32,7 +32,7 @@ def draw_clearance(figure: Figure, flights: Flights) -> None:
     rows = rows_of(obstacles)
     measured: Matrices = np.array([clearances(record, rows) for record in flights.records])
     shown = nearest(measured)
-    names = [short(obstacles[which].name) for which in shown]
+    names = [shortened(obstacles[which].name) for which in shown]
     title = "Clearance from obstacles"
     if len(shown) < len(obstacles):
         title = f"Clearance from the nearest {len(shown)} of {len(obstacles)} obstacles"

@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Series, Vec3
-from vfguide.report.obstacle_drawing import Body, body_of
+from vfguide.report.obstacle_drawing import DrawnObstacle, drawn_obstacle
 from vfguide.report.traffic_drawing import TrafficPath, traffic_paths_of
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.loaded import LoadedScenario
@@ -80,10 +80,10 @@ class Flights:
         return any(record.decisions is not None for record in self.records)
 
     @cached_property
-    def bodies(self) -> tuple[Body, ...]:
+    def bodies(self) -> tuple[DrawnObstacle, ...]:
         """The obstacles over the time of the flights."""
         seconds = float(self.records[0].time[-1])
-        return tuple(body_of(each, seconds) for each in self.loaded.scenario.obstacles)
+        return tuple(drawn_obstacle(each, seconds) for each in self.loaded.scenario.obstacles)
 
     @cached_property
     def traffic(self) -> tuple[TrafficPath, ...]:

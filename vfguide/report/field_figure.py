@@ -17,7 +17,7 @@ from vfguide.guidance.guidance_state import Leader
 from vfguide.report.drawing import MUTED_COLOUR, Flights, goal_axis, line_of, vehicle_lines
 from vfguide.report.fence_figure import draw_zones, zone_marks
 from vfguide.report.field_drawing import GoalPlane, draw_field_in, field_marks
-from vfguide.report.obstacle_drawing import body_of, draw_sections, section_mark
+from vfguide.report.obstacle_drawing import draw_sections, drawn_obstacle, section_mark
 from vfguide.report.path_figures import EAST_AXIS, NORTH_AXIS
 from vfguide.report.view import PATH_MARKS, View, draw_goal, numbered, place_legend, view_of
 from vfguide.results.clearance import clearances
@@ -77,7 +77,9 @@ def draw_plane(axes: Axes, flights: Flights, plane: GoalPlane, view: View) -> No
     scenario = flights.loaded.scenario
     arrows = ARROWS if len(flights.records[0].vehicle.goals) == 1 else PANEL_ARROWS
     draw_field_in(axes, plane, view.limits, arrows)
-    draw_sections(axes, [body_of(each, plane.time) for each in scenario.obstacles], plane.down)
+    draw_sections(
+        axes, [drawn_obstacle(each, plane.time) for each in scenario.obstacles], plane.down
+    )
     draw_zones(axes, scenario.fence)
     for index, record in enumerate(flights.records):
         if plane.goal in record.vehicle.goals:

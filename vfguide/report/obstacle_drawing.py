@@ -34,7 +34,7 @@ _TRACK: Any = {"color": EDGE_COLOUR, "linestyle": (0, (5, 3)), "linewidth": 1.1}
 
 
 @dataclass(frozen=True)
-class Body:
+class DrawnObstacle:
     """An obstacle over the time of a run."""
 
     name: str
@@ -56,20 +56,20 @@ class Body:
         return [(part * shift, EARLIER_OPACITY) for part in parts[:-1]] + [(shift, 1.0)]
 
 
-def body_of(obstacle: Obstacle, seconds: float) -> Body:
+def drawn_obstacle(obstacle: Obstacle, seconds: float) -> DrawnObstacle:
     """The obstacle over the first `seconds`."""
     start, velocity = np.array(obstacle.position_m), np.array(obstacle.velocity_mps)
     track = np.array((start, start + velocity * seconds))
-    return Body(obstacle.name, surface_mesh(obstacle_of(obstacle)), track)
+    return DrawnObstacle(obstacle.name, surface_mesh(obstacle_of(obstacle)), track)
 
 
-def short(name: str) -> str:
+def shortened(name: str) -> str:
     """As much of a name as a figure has room for; matplotlib's dollar signs are put as they are."""
     cut = name if len(name) <= LONGEST_NAME else name[: LONGEST_NAME - 1] + "…"
     return cut.replace("$", r"\$")
 
 
-def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
+def draw_outlines(axes: Axes, bodies: Sequence[DrawnObstacle], onto: Array) -> None:
     """Their outlines on the plane that `onto`, (3, 2), projects to."""
     for body in bodies:
         corners = outline(body.surface @ onto)
@@ -81,7 +81,7 @@ def draw_outlines(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
             axes.plot(*(body.track @ onto).T, zorder=1.3, **_TRACK)
 
 
-def draw_sections(axes: Axes, bodies: Sequence[Body], down: float) -> None:
+def draw_sections(axes: Axes, bodies: Sequence[DrawnObstacle], down: float) -> None:
     """Their horizontal sections at a height, z of NED [m], where they are at the end, and names.
 
     The names of moving ones, which are small, stand beside them.
@@ -96,7 +96,7 @@ def draw_sections(axes: Axes, bodies: Sequence[Body], down: float) -> None:
                 write_name(axes, body.name, at, NAME_COLOUR, above=body.moves)
 
 
-def write_names(axes: Axes, bodies: Sequence[Body], onto: Array) -> None:
+def write_names(axes: Axes, bodies: Sequence[DrawnObstacle], onto: Array) -> None:
     """Their names where they are at the end, unless there are too many."""
     for body in bodies if len(bodies) <= MAX_NAMES else ():
         write_name(axes, body.name, body.track[1] @ onto, NAME_COLOUR)
@@ -107,10 +107,10 @@ def write_name(axes: Axes, name: str, at: Vector, color: str, *, above: bool = F
     halo = [withStroke(linewidth=2.5, foreground="white", alpha=0.8)]
     side = "bottom" if above else "center"
     look: Any = {"ha": "center", "va": side, "fontsize": 8, "path_effects": halo}
-    axes.text(at[0], at[1], short(name), clip_on=True, color=color, zorder=2.4, **look)
+    axes.text(at[0], at[1], shortened(name), clip_on=True, color=color, zorder=2.4, **look)
 
 
-def draw_surfaces(axes: Any, bodies: Sequence[Body], floor: float) -> None:
+def draw_surfaces(axes: Any, bodies: Sequence[DrawnObstacle], floor: float) -> None:
     """Their surfaces in axes east, north, up, with their outlines on the floor at its height."""
     for body in bodies:
         for shift, opacity in body.places:
@@ -136,7 +136,7 @@ def east_north_up(p_n: Vectors) -> Vectors:
     return p_n[..., [1, 0, 2]] * (1.0, 1.0, -1.0)
 
 
-def body_marks(bodies: Sequence[Body]) -> list[Patch | Line2D]:
+def body_marks(bodies: Sequence[DrawnObstacle]) -> list[Patch | Line2D]:
     """Entries of a legend."""
     here = Patch(facecolor=OBSTACLE_COLOUR, edgecolor=EDGE_COLOUR, alpha=0.7)
     if not any(body.moves for body in bodies):

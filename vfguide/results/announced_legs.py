@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, GoalOutcome
 from vfguide.results.goal_passages import Legs, Pass, Sample, approach, judged, passed_between
 from vfguide.scenario.resolved import Goal
 
@@ -22,7 +22,7 @@ class TimedAnnouncement(NamedTuple):
     said: GoalAnnouncement
 
 
-class _Told(NamedTuple):
+class _AnnouncedPass(NamedTuple):
     """An announcement and the pass that it is about."""
 
     at: int
@@ -37,7 +37,7 @@ class AnnouncedLegs(Legs):
         super().__init__(goals)
         self.announced: list[TimedAnnouncement] = []
         """What was announced, in the order of time."""
-        self._told: tuple[list[_Told], ...] = tuple([] for _ in self.goals)
+        self._told: tuple[list[_AnnouncedPass], ...] = tuple([] for _ in self.goals)
         self._ending: int | None = None  # a goal left behind before the path has passed it
         self._early: list[Pass] = []  # of the goal after it
 
@@ -47,7 +47,7 @@ class AnnouncedLegs(Legs):
         if any(a_pass.reaches for a_pass in self.passes[-1]):
             return True
         said = self.left_behind(len(self.goals) - 1)
-        return self._ending is None and said is not None and said.outcome is Outcome.GIVEN_UP
+        return self._ending is None and said is not None and said.outcome is GoalOutcome.GIVEN_UP
 
     def announce(self, said: GoalAnnouncement) -> None:
         """Take an announcement that was made at the newest sample."""
@@ -55,9 +55,9 @@ class AnnouncedLegs(Legs):
         self._end_leg()
         is_to_come = now is not None and approach(now, self.goals[goal]) < 0.0
         passes = len(self.passes[goal])
-        self._told[goal].append(_Told(passes if is_to_come else passes - 1, said))
+        self._told[goal].append(_AnnouncedPass(passes if is_to_come else passes - 1, said))
         self.announced.append(TimedAnnouncement(0.0 if now is None else now.time, said))
-        if said.outcome is not Outcome.MISSED:
+        if said.outcome is not GoalOutcome.MISSED:
             self.leg = goal + 1
             self._ending = goal if is_to_come else None
 
@@ -109,7 +109,7 @@ class AnnouncedLegs(Legs):
     def left_behind(self, goal: int) -> GoalAnnouncement | None:
         """The announcement with which the vehicle went on from a goal; None: it has not."""
         said = self._told[goal][-1].said if self._told[goal] else None
-        return None if said is None or said.outcome is Outcome.MISSED else said
+        return None if said is None or said.outcome is GoalOutcome.MISSED else said
 
 
 def announced_legs(

@@ -5,7 +5,7 @@ from itertools import combinations
 
 import numpy as np
 
-from vfguide.annunciations.goal_announcement import Outcome
+from vfguide.annunciations.goal_announcement import GoalOutcome
 from vfguide.geometry.polyline import nearest_to_origin
 from vfguide.results.fence_distance import fence_violations
 from vfguide.results.goal_passages import Legs
@@ -50,7 +50,7 @@ def missed_goals(vehicle: VehicleResult, legs: Legs) -> list[str]:
             f"goal {index + 1} of vehicle {vehicle.id} not reached",
             legs.left_behind(index),
         )
-        if said is not None and said.outcome is Outcome.REACHED:
+        if said is not None and said.outcome is GoalOutcome.REACHED:
             reason += BELIEVED_ONLY.format(miss=said.miss)
         reasons.append(reason)
     return reasons

@@ -23,8 +23,8 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.link.plausibility import is_plausible, undulation_of
+from vfguide.surveillance.height_difference import HeightDifference, difference_after
 from vfguide.surveillance.heights import HeightDatum, datum_of, pressure_offset
-from vfguide.surveillance.told_height import ToldHeight, told_again
 from vfguide.telemetry.date import Date, date_after
 
 STALE = 0.5
@@ -61,9 +61,9 @@ class Knowledge(NamedTuple):
     """The `Projection` of the autopilot's local frame."""
     place: GlobalPositionInt | None = None
     """Latitude and longitude of the vehicle."""
-    undulation: ToldHeight | None = None
+    undulation: HeightDifference | None = None
     """Height of mean sea level above the ellipsoid here [m]; None: it was not reported."""
-    pressure_offset: ToldHeight | None = None
+    pressure_offset: HeightDifference | None = None
     """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot
     reports no pressure that weather can make."""
 
@@ -140,7 +140,9 @@ def with_derived(known: Knowledge, message: SystemTime | GpsRawInt | ScaledPress
             return known._replace(date=date_after(known.date, message, known.clock))
         case GpsRawInt():
             height = undulation_of(message)
-            return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
+            return known._replace(
+                undulation=difference_after(known.undulation, height, known.time_ms)
+            )
         case ScaledPressure():
             return with_pressure(known, message)
 
@@ -154,7 +156,9 @@ def with_pressure(known: Knowledge, message: ScaledPressure) -> Knowledge:
     offset = pressure_offset(message.press_abs * HPA, altitude)
     if offset is None:
         return known._replace(pressure_offset=None)
-    return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
+    return known._replace(
+        pressure_offset=difference_after(known.pressure_offset, offset, known.time_ms)
+    )
 
 
 def measurement(known: Knowledge, lead: float = 0.0) -> Measurement | None:

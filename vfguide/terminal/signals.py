@@ -25,24 +25,24 @@ chosen, so that it is over within a second."""
 
 
 @dataclass(frozen=True)
-class Ending:
+class CommandEnd:
     """How a command ends that is asked to outside a loop that looks for it."""
 
     status: int
     words: str
 
 
-INTERRUPTION = Ending(INTERRUPTED, "interrupted")
+INTERRUPTION = CommandEnd(INTERRUPTED, "interrupted")
 """How most commands end."""
 
 
-class Requests:
+class EndRequests:
     """Counts the requests to end; a loop enters it while it looks for them."""
 
     def __init__(self) -> None:
         self._begin(INTERRUPTION, nobody_ends)
 
-    def _begin(self, ending: Ending, end: Callable[[Ending], None]) -> None:
+    def _begin(self, ending: CommandEnd, end: Callable[[CommandEnd], None]) -> None:
         """No request has come, and the work is not done: what came before counts no more."""
         self.ending = ending
         """How the command ends where no loop looks."""
@@ -80,7 +80,7 @@ class Requests:
             self._claim_end()
 
     @contextmanager
-    def heard(self, ending: Ending, end: Callable[[Ending], None]) -> Generator[None]:
+    def heard(self, ending: CommandEnd, end: Callable[[CommandEnd], None]) -> Generator[None]:
         """Hear the signals; those that are held back come when they are let through.
 
         Args:
@@ -132,7 +132,7 @@ class Requests:
                 self._claim_end()
 
 
-def nobody_ends(_: Ending) -> None:
+def nobody_ends(_: CommandEnd) -> None:
     """End nothing: the signals are not heard."""
 
 
@@ -149,5 +149,5 @@ def wanted_signals() -> list[signal.Signals]:
     ]
 
 
-REQUESTS = Requests()
+REQUESTS = EndRequests()
 """What this process is asked: there is one table of signals in it."""

@@ -15,7 +15,7 @@ FOLLOWING_SPEED = 0.1
 followed after a quarter of an hour, and what was reported before is 6 m off after a minute."""
 
 
-class ToldHeight(NamedTuple):
+class HeightDifference(NamedTuple):
     """What a difference of heights may be."""
 
     least: float
@@ -36,10 +36,12 @@ class ToldHeight(NamedTuple):
         return 0.5 * (self.greatest - self.least)
 
 
-def told_again(before: ToldHeight | None, height: float, time_ms: int) -> ToldHeight:
+def difference_after(
+    before: HeightDifference | None, height: float, time_ms: int
+) -> HeightDifference:
     """What the difference may be after a message of `height` [m] at a time_boot_ms [ms]."""
     if before is None:
-        return ToldHeight(height, height, time_ms)
+        return HeightDifference(height, height, time_ms)
     followed = FOLLOWING_SPEED * max(0.0, elapsed(before.time_ms, time_ms))
     least = min(height, before.least + followed)
-    return ToldHeight(least, max(height, before.greatest - followed), time_ms)
+    return HeightDifference(least, max(height, before.greatest - followed), time_ms)
