@@ -1,8 +1,9 @@
 """Legs of a vehicle that announces when it goes on to its next goal.
 
-Which goal it flies to is what it announces; whether it reached one is told by the true path. An
-announcement comes a little before or after the true pass that it is about: the vehicle predicts,
-and its position is in error. So a leg ends at the true pass next to its announcement.
+Which goal the vehicle flies to is taken from its announcements; whether it reached a goal is judged
+on the true path. An announcement comes a little before or after the true pass that it is about,
+because the vehicle predicts, and because its position is in error. So a leg ends at the true pass
+nearest to its announcement.
 """
 
 from collections import deque
@@ -23,7 +24,7 @@ class TimedAnnouncement(NamedTuple):
 
 
 class _AnnouncedPass(NamedTuple):
-    """An announcement and the pass that it is about."""
+    """An announcement and the pass of the goal that it is about."""
 
     at: int
     """Index of the pass among those of its goal; -1: there is none."""
@@ -31,15 +32,15 @@ class _AnnouncedPass(NamedTuple):
 
 
 class AnnouncedLegs(Legs):
-    """Legs that end when the vehicle says so."""
+    """Legs that end when the vehicle announces that it goes on to the next goal."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         super().__init__(goals)
         self.announced: list[TimedAnnouncement] = []
         """What was announced, in the order of time."""
         self._told: tuple[list[_AnnouncedPass], ...] = tuple([] for _ in self.goals)
-        self._ending: int | None = None  # a goal left behind before the path has passed it
-        self._early: list[Pass] = []  # of the goal after it
+        self._ending: int | None = None  # index of a goal left before the true path passes it
+        self._early: list[Pass] = []  # passes of the next goal until then
 
     @property
     def finished(self) -> bool:
@@ -62,7 +63,7 @@ class AnnouncedLegs(Legs):
             self._ending = goal if is_to_come else None
 
     def feed(self, sample: Sample) -> bool:
-        """Take the next sample; true if a goal was reached since the one before.
+        """Take the next sample; true if a goal was reached since the sample before.
 
         While the pass that ends a leg is still to come, the next leg has not begun.
         """
@@ -81,7 +82,7 @@ class AnnouncedLegs(Legs):
         return self.reached > reached
 
     def _end_leg(self) -> None:
-        """The leg before is over, its pass never came: what came since is of the present one."""
+        """End a leg whose true pass never came; the passes since then are of the present goal."""
         if self._ending is not None:
             for a_pass in self._early:
                 self.add(self.leg, a_pass)
@@ -96,9 +97,9 @@ class AnnouncedLegs(Legs):
             self._early.append(a_pass)
 
     def believed(self, goal: int) -> GoalAnnouncement | None:
-        """What the vehicle announced of the pass of a goal that counts, None: nothing.
+        """What the vehicle announced of the pass of a goal that counts; None: nothing.
 
-        Where the goal was never passed it is the last announcement of it.
+        Of a goal that the true path never passed it is the last announcement.
         """
         best, passes, told = self.best()[goal], self.passes[goal], self._told[goal]
         if best is None:
@@ -107,7 +108,7 @@ class AnnouncedLegs(Legs):
         return about[-1] if about else None
 
     def left_behind(self, goal: int) -> GoalAnnouncement | None:
-        """The announcement with which the vehicle went on from a goal; None: it has not."""
+        """The announcement with which the vehicle went on from a goal; None: it did not go on."""
         said = self._told[goal][-1].said if self._told[goal] else None
         return None if said is None or said.outcome is GoalOutcome.MISSED else said
 

@@ -18,31 +18,41 @@ class GoalResult:
     """How a goal was met; None where the flight had no pass of it."""
 
     reached: bool
+    """Whether a pass was within all tolerances of the goal."""
     time_s: float | None
+    """When it was passed, since the start of the run."""
     miss_m: float | None
+    """Distance from it."""
     told_miss_m: float | None
-    """What the companion announced of the pass; None: nothing."""
+    """Distance from it that the companion announced; None: it announced nothing of the pass."""
     course_error_deg: float | None
+    """Angle between the course and the goal's, not negative."""
     climb_error_deg: float | None
+    """Difference of the climb from the goal's, not negative."""
 
 
 @dataclass(frozen=True)
 class ObstacleResult:
-    """How near an obstacle came."""
+    """How near a vehicle came to an obstacle."""
 
     name: str
     min_level: float | None
+    """Least level U, dimensionless: below 1 inside."""
     min_clearance_m: float | None
+    """Least distance of the vehicle's centre from its surface, negative inside."""
 
 
 @dataclass(frozen=True)
 class MeasuredResult:
-    """A number of the aircraft file as the test flight has shown it; None: it has not."""
+    """A number of the aircraft file as the test flight has shown it; None where it has not."""
 
     key: str
+    """Dotted key in the aircraft file, which tells the unit."""
     value: float | None
     sigma: float | None
+    """Standard deviation of the value, in its unit."""
     used: bool
+    """Whether the companion flew with it."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +63,11 @@ class VehicleResult:
     goals: tuple[GoalResult, ...]
     obstacles: tuple[ObstacleResult, ...]
     fence_clearance_m: float | None
-    """None: there is no fence."""
+    """Least distance from where the fence is violated, negative there; None: there is no fence."""
     assurance: AssuranceResult | None
-    """None: there is nothing to keep clear of."""
+    """What the run-time assurance did; None: there was nothing to keep clear of."""
     field: FieldResult | None
-    """None: another law than `field` was flown."""
+    """What law `field` followed; None: another law was flown."""
     max_bank_deg: float | None
     load_factor: Range
     airspeed_mps: Range
@@ -66,7 +76,7 @@ class VehicleResult:
     setpoint_rate_hz: float | None
     traffic: tuple[TrafficResult, ...] = ()
     identified: tuple[MeasuredResult, ...] = ()
-    """Empty: no test flight went before the first goal."""
+    """What a test flight has shown; empty: none went before the first goal."""
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,10 @@ TOUCH = 0.3
 """Height of an aircraft's centre at which it has touched the ground [m]; chosen as the size of a
 small airframe."""
 FAR_AWAY = 1e7
-"""Coordinate beyond which a flight ends [m]; chosen, because the paper's field leads away on the
-far side of the goal, with a speed that grows with the distance."""
+"""Coordinate beyond which a flight is bad, and that of rigid bodies ends [m]; chosen, because the
+paper's field leads away on the far side of the goal, with a speed that grows with the distance."""
 BELIEVED_ONLY = ", though its companion announced it as reached, {miss:.1f} m off"
-"""End of the reason for a goal that was reached in the companion's belief only."""
+"""Words added to the reason for a goal that only the companion believed to be reached."""
 
 
 def min_separation(records: Sequence[FlightRecord]) -> float | None:
@@ -36,12 +36,12 @@ def min_separation(records: Sequence[FlightRecord]) -> float | None:
 
 
 def in_words(reason: str) -> str:
-    """A reason of a bad verdict as people read it."""
+    """A reason for a bad verdict as the operator reads it."""
     return f"{reason}: duration_s was over first" if reason == "time" else reason
 
 
 def missed_goals(vehicle: VehicleResult, legs: Legs) -> list[str]:
-    """The goals that were not reached, and which of them the companion believed to be."""
+    """A reason for each goal not reached, with the companion's belief where it was another one."""
     reasons: list[str] = []
     for index, goal in enumerate(vehicle.goals):
         if goal.reached:
