@@ -1,6 +1,6 @@
-"""Predicted flights of rigid bodies: the very steps that plant `kinematic` will make.
+"""Predicted flights of rigid bodies, made of the same steps as those of plant `kinematic`.
 
-Nothing disturbs such a body, so that its path before the flight is the one that it flies.
+Nothing disturbs such a body, so that the predicted path is the one that it flies.
 """
 
 import math
@@ -28,7 +28,8 @@ def predict_body(
 ) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], a guidance period apart, for as long as a run may take.
 
-    The other result is the number of the position from which on it circles; N where it never does.
+    The second result is the index of the first position after the last goal, from which on the body
+    circles; N where there is none.
     """
     rate = scenario.guidance.rate_hz
     path: Vectors = np.empty((math.ceil(scenario.duration_s * rate) + 1, 3))
@@ -49,16 +50,16 @@ def predict_body(
 def fly_body(
     R: Matrix, row: Row, legs: Legs, law: Law, vehicle: Row, dt: float, path: Vectors
 ) -> int:
-    """Write the positions of a body into `path`; the number of the first one on the circle.
+    """Write the positions of a body into `path`; the index of the first after the last goal.
 
     Args:
-        R: attitude at the start (3, 3), body to NED.
-        row: a `LoopState`.
+        R: attitude at the start, body FRD to NED, (3, 3); it becomes that at the end.
+        row: the row of the `LoopState` at the start.
         legs: legs of the mission.
         law: the record of the law.
-        vehicle: a `Vehicle` that is a point.
+        vehicle: the row of a `Vehicle` that is a rigid body.
         dt: time from one position to the next [s].
-        path: positions (N, 3) [m], of which the first is that of the start.
+        path: positions (N, 3), NED [m], of which the first is that of the start.
     """
     circles_from, R_nb = len(path), mat3(R)
     speed = read_vehicle(vehicle).gains.airspeed

@@ -22,7 +22,7 @@ from vfguide.scenario.traffic import check_traffic
 
 
 def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> LoadedScenario:
-    """The scenario of a file or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
+    """The scenario at a path or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
 
     Raises:
         InputError: it cannot be flown; the message says what is wrong and what is allowed.
@@ -61,7 +61,7 @@ def load_scenario(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Lo
 
 
 def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> list[str]:
-    """Warnings of vehicles that may not be flown in the air of their plan.
+    """Warnings of vehicles that perhaps cannot fly in the air of their plan.
 
     Raises:
         InputError: one cannot.
@@ -85,7 +85,7 @@ def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> l
 
 
 def check_file(path: Path) -> tuple[str, ...]:
-    """Check a scenario or an aircraft file; returns warnings.
+    """Check a scenario or an aircraft file; returns the warnings, of which an aircraft has none.
 
     Raises:
         InputError: it says something that is not allowed.

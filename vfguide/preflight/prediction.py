@@ -1,7 +1,8 @@
-"""Predicted flights: the control loop flies the point mass of an aircraft through its plan.
+"""Predicted flights: the control loop with law `flight` flies a point mass through its plan.
 
-The state is known exactly, the air moves as the scenario says without gusts, and setpoints act at
-once. Each vehicle flies as if it were alone. A rigid body of plant `kinematic` is flown as itself.
+The state is known exactly, the wind is that of the scenario without gusts and shear, and commands
+act without latency. Each vehicle flies as if it were alone. A rigid body of plant `kinematic` is
+no point mass, but flown as it is.
 """
 
 import math
@@ -39,7 +40,8 @@ def predict(
 ) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], PREDICTION_STEP apart, for as long as a run may take.
 
-    The other result is the number of the position from which on it circles; N where it never does.
+    The second result is the index of the first position after the last goal, from which on the
+    vehicle circles; N where there is none.
     """
     goals = [goal_of(goal) for goal in vehicle.goals]
     legs = leg_rows(goals, circle_side(scenario), circle_radius(scenario, vehicle))
@@ -69,7 +71,10 @@ def predict(
 
 
 def winds(scenario: Scenario, steps: int) -> Vectors:
-    """The wind at each step, blowing toward, NED [m/s]; linear between its changes, (N, 3)."""
+    """The wind at each of `steps` times PREDICTION_STEP apart, (steps, 3), NED [m/s].
+
+    It is linear in time between its changes.
+    """
     at, speeds, come_from = (np.array(each) for each in zip(*scenario.wind.stages, strict=True))
     toward, time = come_from * DEG + math.pi, PREDICTION_STEP * np.arange(steps)
     north = np.interp(time, at, speeds * np.cos(toward))
@@ -88,17 +93,17 @@ def fly_plan(
     wind_n: Vectors,
     path: Vectors,
 ) -> int:
-    """Write the positions of a flight into `path`; the number of the first one on the circle.
+    """Write the positions of a flight into `path`; the index of the first after the last goal.
 
     Args:
         begin: a `PointMass`, as a plain tuple.
-        row: a `LoopState`, which becomes that after the flight.
+        row: the row of a `LoopState`, which becomes that after the flight.
         legs: legs of the mission.
         airspace: the hazards, from `unnested_airspace`, or None.
-        law: the law that guides, as of `crossing`.
-        vehicle: a `Vehicle`.
-        wind_n: wind at each step (N, 3) [m/s].
-        path: positions (N, 3) [m].
+        law: the law that guides, from `crossing`.
+        vehicle: the row of a `Vehicle`.
+        wind_n: wind at each step (N, 3), NED [m/s].
+        path: positions (N, 3), NED [m].
     """
     motion, flown = PointMass(*begin), read_vehicle(vehicle)
     guides, known = law_of(law), airspace_of(airspace)
@@ -120,7 +125,7 @@ def fly_plan(
 
 @compiled
 def state_of(motion: PointMass, wind_n: tuple[float, float, float], time: float) -> FlightState:
-    """The state of a point mass in a wind [m/s] at a time [s]."""
+    """The state of a point mass in a wind, NED [m/s], at a time [s]."""
     level = motion.airspeed * math.cos(motion.gamma)
     v_n = (
         level * math.cos(motion.azimuth) + wind_n[0],

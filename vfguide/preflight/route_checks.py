@@ -1,7 +1,7 @@
 """Route checks before a flight among hazards: escapes from its starts, routes to its goals.
 
-A conflict is an error where nothing could be flown, and a warning where the run-time assurance is
-going to overrule guidance.
+A conflict with a hazard is an error where nothing could be flown, and a warning where the run-time
+assurance is going to overrule guidance.
 """
 
 import math
@@ -46,7 +46,7 @@ SPACING = 2.0
 
 
 class GuidedAircraft(NamedTuple):
-    """An aircraft and how it is guided."""
+    """An aircraft and the gains with which it is guided."""
 
     aircraft: Performance
     """The aircraft in the thinnest air of its plan."""
@@ -65,7 +65,9 @@ class Start(NamedTuple):
 def check_routes(
     scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
 ) -> tuple[str, ...]:
-    """Warnings about starts and goals near hazards; `guided` has one of each vehicle.
+    """Warnings about starts and goals near hazards, for law `flight` on aeroplanes.
+
+    `guided` has the aircraft of each vehicle, in order.
 
     Raises:
         InputError: a start has no escape, or no route leads to a goal.
@@ -94,7 +96,11 @@ def _check_start(
     source: Source,
     at: Location,
 ) -> list[str]:
-    """A warning where the guidance is overruled from the start on."""
+    """A warning where guidance is overruled from the start on.
+
+    Raises:
+        InputError: no escape from there is clear.
+    """
     of = assurance(*guided)
     motion = PointMass(
         vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps
@@ -115,7 +121,7 @@ def _check_start(
 def _tight_goal(
     scenario: Scenario, goal: Goal, guided: GuidedAircraft, source: Source, at: Location
 ) -> list[str]:
-    """A warning where the straight end of the approach is nearer than the assurance allows."""
+    """A warning where the final approach is nearer to a hazard than the assurance allows."""
     aircraft, gains = guided
     margin = assurance(aircraft, gains).margin
     still = _still(scenario)
@@ -152,7 +158,7 @@ def _check_route(
     """A warning where the search finds no route to a goal around obstacles that do not move.
 
     Raises:
-        InputError: there is none.
+        InputError: there is none, since hazards enclose the start or the goal.
     """
     gains, (north, east, _) = guided.gains, _wind(scenario)
     radius = _radius(scenario, guided)
@@ -189,7 +195,7 @@ def _check_route(
 def _passes_over(
     scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, guided: GuidedAircraft, task: Task
 ) -> bool:
-    """Whether the shortest path leads over its obstacles, which are detected early enough."""
+    """Whether the shortest path can be flown over the obstacles on it, detected early enough."""
     (aircraft, gains), margin, fence = guided, CLEARANCES[0], scenario.fence
     course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
     state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
@@ -215,7 +221,7 @@ def _still(scenario: Scenario) -> Scenario:
 
 
 def _in_band(fence: Fence, band: Band) -> Fence:
-    """The fence without zones that hold above or below the band only."""
+    """The fence without the zones that hold only above or only below the band."""
     zones = [
         zone
         for zone in fence.zone
@@ -226,13 +232,13 @@ def _in_band(fence: Fence, band: Band) -> Fence:
 
 
 def _radius(scenario: Scenario, guided: GuidedAircraft) -> float:
-    """Radius of the turns in the wind of the scenario [m], at the bank that the wing carries."""
+    """Radius of turns in the scenario's wind, at the largest bank that the wing carries [m]."""
     bank = usable_bank(*guided, guided.gains.airspeed)
     return radius_in(scenario.wind.speed_mps, bank, guided.gains)
 
 
 def _wind(scenario: Scenario) -> Vec3:
-    """The wind that the scenario begins with, NED, blowing toward [m/s]."""
+    """The wind with which the scenario begins, NED [m/s]."""
     return blowing(scenario.wind.speed_mps, scenario.wind.from_deg)
 
 
