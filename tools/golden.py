@@ -43,27 +43,27 @@ REFERENCE = "1dcd7e3"
 SAME, DIFFERENT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 RUN = "from vfguide.cli.main import main; main()"
 PACKAGES = ("jsbsim", "llvmlite", "numba", "numpy", "scipy")
-"""What else computes."""
+"""Packages beside this one on which the bits of a flight depend."""
 WIDE = "10000"
-"""Columns of a terminal that breaks no line."""
+"""Number of columns of a terminal that breaks no line, as text."""
 
 Job = TypeVar("Job")
 Done = TypeVar("Done")
 
 
 class BadInputError(Exception):
-    """What was asked for cannot be compared; the message says why."""
+    """The comparison that was asked for cannot be made; the message says why."""
 
 
 class NoFlightError(Exception):
-    """A scenario was not flown to its end; the message says what the program said last."""
+    """A scenario was not flown to its end; the message is the last line of the program."""
 
 
 class Verdict(NamedTuple):
-    """What a comparison found."""
+    """The result of a comparison."""
 
     name: str
-    """Of the scenario or the recording."""
+    """Name of the scenario or the recording."""
     same: bool
     told: str
 
@@ -77,7 +77,7 @@ class Checkout(NamedTuple):
     """Environment variables of its programs, added to those of this one."""
 
     def vfguide(self, *words: str | Path) -> subprocess.CompletedProcess[str]:
-        """A command of its own `vfguide`, in a process of its own."""
+        """Run a command of the checkout's `vfguide`, in a process of its own."""
         paths = {"PYTHONPATH": str(self.tree), "COLUMNS": WIDE}
         return subprocess.run(
             [sys.executable, "-c", RUN, *map(str, words)],
@@ -121,18 +121,18 @@ class Checkout(NamedTuple):
 
 
 def is_over(done: subprocess.CompletedProcess[str], last: Path) -> bool:
-    """Whether a command came to its end: a fault of Python has the exit status of a bad flight."""
+    """Whether a command came to its end; a traceback has the exit status of a bad flight."""
     judged = done.returncode in (0, 1) and last.exists()
     return judged and "Traceback" not in done.stderr
 
 
 def lines_of(done: subprocess.CompletedProcess[str]) -> list[str]:
-    """What a program said, its errors if there are any."""
+    """The lines that a program printed, on standard error if there are any."""
     return (done.stderr.strip() or done.stdout.strip()).splitlines()
 
 
 def last_line(done: subprocess.CompletedProcess[str]) -> str:
-    """What a program said last."""
+    """The last line that a program printed."""
     return (lines_of(done) or [f"exit status {done.returncode}"])[-1]
 
 
@@ -163,7 +163,7 @@ def commit_of(reference: str) -> str:
 
 
 def names_of(files: Iterable[str]) -> list[str]:
-    """The names of the scenarios among files, of paths below the folder of scenarios."""
+    """The names of the scenarios among paths below the folder of scenarios."""
     paths = map(PurePath, files)
     names = {each.with_suffix("") for each in paths if each.suffix == ".toml"}
     return sorted(name.as_posix() for name in names if "aircraft" not in name.parts)
@@ -181,7 +181,7 @@ def names_here() -> list[str]:
 
 
 def machine() -> str:
-    """What the bits of a flight depend on beside the code: processor and libraries."""
+    """What the bits of a flight depend on besides the code, in words: processor and libraries."""
     processor = (platform.machine(), llvmlite.binding.get_host_cpu_name())
     features = llvmlite.binding.get_host_cpu_features().flatten()
     libraries = ("python", platform.python_version(), *platform.libc_ver())
@@ -219,7 +219,7 @@ def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Checkout]:
 
 
 def in_turn(work: Callable[[Job], Done], jobs: Sequence[Job], workers: int) -> Iterator[Done]:
-    """The first job alone, since it compiles for all; then so many at a time. In their order."""
+    """The results of all jobs, in order; the first runs alone, since it compiles for the others."""
     yield from map(work, jobs[:1])
     with ThreadPoolExecutor(workers) as pool:
         yield from pool.map(work, jobs[1:])
@@ -267,7 +267,7 @@ def compare(tree: Checkout, kept: Path, flown: Path, name: str) -> Verdict:
 
 
 def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
-    """All scenarios that were asked for."""
+    """Verdicts of all scenarios that were asked for."""
     commit = commit_of(args.reference)
     before, here = names_at(commit), names_here()
     if wrong := set(args.scenarios).difference(before, here):
@@ -290,7 +290,7 @@ def recordings_in(folder: Path) -> list[Path]:
 
 
 def name_of(log: Path) -> str:
-    """The name of a recording."""
+    """The name of a recording, from its folder and its file."""
     return f"{log.parent.name}/{log.name}"
 
 
@@ -316,7 +316,7 @@ def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verd
 
 
 def kept_replay(commit: str, log: Path) -> Path:
-    """The folder for what a commit makes of a recording, by what is in it and was flown."""
+    """The folder for a commit's replay of a recording, named by the content of both files."""
     content = log.read_bytes() + (log.parent / "scenario.toml").read_bytes()
     return kept_flights(commit) / "recordings" / hashlib.sha256(content).hexdigest()[:16]
 
@@ -351,14 +351,14 @@ def say(line: str) -> None:
 
 
 def whole(text: str) -> int:
-    """A number of processes."""
+    """The number of processes in an argument of the command line."""
     if (number := int(text)) < 1:
         raise argparse.ArgumentTypeError(f"{number}, allowed is 1 or more")
     return number
 
 
 def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
-    """The options."""
+    """The options of the command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -373,7 +373,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
 
 
 def verdicts(args: argparse.Namespace) -> Iterator[Verdict]:
-    """Everything that is compared."""
+    """The verdicts of everything that is compared."""
     if args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
@@ -383,7 +383,7 @@ def verdicts(args: argparse.Namespace) -> Iterator[Verdict]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Compare; returns the exit status."""
+    """Compare, and print the verdicts; returns the exit status."""
     status = SAME
     try:
         for verdict in verdicts(parse(arguments)):
