@@ -15,9 +15,13 @@ from vfguide.files.source import Source
 from vfguide.files.toml_types import Table, above, between, rule_broken
 
 Speed = Annotated[float, above(0, 150)]
+"""An airspeed [m/s]."""
 PathAngle = Annotated[float, above(0, 45)]
+"""The amount of a path angle [deg]."""
 BodyRate = Annotated[float, above(0, 720)]
+"""The amount of a body rate [deg/s]."""
 Alpha = Annotated[float, between(-20, 20)]
+"""An angle of attack [deg]."""
 
 TYPICAL_GLIDE = 10.0
 """Ratio of lift to drag at cruise that is assumed where the thrust was not measured; the shipped
@@ -51,7 +55,9 @@ class Limits(Table):
     load_factor_max: Annotated[float, above(1, 10)]
     load_factor_min: Annotated[float, between(-1, 0.95)]
     climb_max_deg: PathAngle
+    """Steepest climb."""
     descent_max_deg: PathAngle
+    """Steepest descent, positive."""
     roll_rate_max_dps: BodyRate
     pitch_rate_max_dps: BodyRate
     yaw_rate_max_dps: BodyRate

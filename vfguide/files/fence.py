@@ -11,6 +11,7 @@ from vfguide.files.toml_types import Table, above, between, rule_broken, word
 from vfguide.geometry.crossing_sides import crossing_sides
 
 Height = Annotated[float, between(-500, 10_000)]
+"""A height above the origin [m]."""
 
 
 def _two(value: object) -> object:

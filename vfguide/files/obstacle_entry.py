@@ -17,6 +17,7 @@ from vfguide.files.toml_types import (
 )
 
 Size = Annotated[float, above(0, 10_000)]
+"""A size of an obstacle [m]."""
 
 
 def _label(text: str) -> str:
@@ -45,6 +46,7 @@ def _velocity(values: tuple[float, float, float]) -> tuple[float, float, float]:
 
 
 Sizes = Annotated[Vector, AfterValidator(_sizes)]
+"""Three sizes of an obstacle along its axes [m]."""
 SIZES: dict[str, tuple[str, ...]] = {
     "sphere": ("radius_m",),
     "ellipsoid": ("semi_axes_m",),

@@ -23,10 +23,15 @@ from vfguide.files.traffic_entry import Address, TrafficEntry, TrafficReceiver
 from vfguide.surveillance.report import SMALL_AIRCRAFT
 
 Latitude = Annotated[float, between(-89, 89)]
+"""A geodetic latitude, WGS-84 [deg]."""
 Longitude = Annotated[float, between(-180, 180)]
+"""A longitude, WGS-84 [deg]."""
 Altitude = Annotated[float, between(-500, 10_000)]
+"""An altitude above mean sea level [m]."""
 Undulation = Annotated[float, between(-120, 120)]
+"""A height of mean sea level above the WGS-84 ellipsoid [m]."""
 Speed = Annotated[float, above(0, 150)]
+"""A true airspeed [m/s]."""
 
 DEFAULT_AIRCRAFT = "aerosonde"
 """Name of the aircraft that a vehicle has if none is given."""
@@ -54,7 +59,9 @@ def _after_1970(time: datetime) -> datetime:
 
 
 Name = Annotated[str, AfterValidator(_name)]
+"""The name of a scenario, which can be that of a folder."""
 Time = Annotated[AwareDatetime, AfterValidator(_after_1970)]
+"""A date and time with its zone, in UTC when it is read."""
 Plant = Annotated[Literal["jsbsim", "kinematic"], word("jsbsim", "kinematic")]
 Law = Annotated[Literal["flight", "field", "paper"], word("flight", "field", "paper")]
 

@@ -10,7 +10,9 @@ from pydantic import Field
 from vfguide.files.toml_types import Angle, Position, Table, above, between, word
 
 WindSpeed = Annotated[float, between(0, 50)]
+"""A speed of the wind [m/s]."""
 Delay = Annotated[float, between(0, 2000)]
+"""A delay of the link [ms]."""
 Turbulence = Annotated[
     Literal["none", "light", "moderate", "severe"], word("none", "light", "moderate", "severe")
 ]

@@ -15,6 +15,7 @@ from vfguide.files.errors import InputError
 from vfguide.files.overrides import Override, apply_override
 
 Location = tuple[int | str, ...]
+"""Keys and indices that lead to a value of a file."""
 Model = TypeVar("Model", bound=BaseModel)
 
 _TYPES = {

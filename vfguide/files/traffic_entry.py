@@ -28,6 +28,7 @@ def _flyable(values: tuple[float, float, float]) -> tuple[float, float, float]:
 
 
 Address = Annotated[str, AfterValidator(_address)]
+"""An ICAO address: six hexadecimal digits."""
 Velocity = Annotated[Vector, AfterValidator(_flyable)]
 """Velocity north, east and down [m/s]."""
 

@@ -11,6 +11,7 @@ from vfguide.results.interventions import AssuranceResult
 from vfguide.results.traffic_results import TrafficResult
 
 Range = tuple[float | None, float | None]
+"""Least and greatest value of a flight; None where it is not finite."""
 
 
 @dataclass(frozen=True)
@@ -57,11 +58,13 @@ class MeasuredResult:
 
 @dataclass(frozen=True)
 class VehicleResult:
-    """How one vehicle flew; ranges are (least, most)."""
+    """How one vehicle flew."""
 
     id: int
     goals: tuple[GoalResult, ...]
+    """Results of its goals, in order."""
     obstacles: tuple[ObstacleResult, ...]
+    """Results of the obstacles, in the order of the scenario."""
     fence_clearance_m: float | None
     """Least distance from where the fence is violated, negative there; None: there is no fence."""
     assurance: AssuranceResult | None
@@ -69,12 +72,19 @@ class VehicleResult:
     field: FieldResult | None
     """What law `field` followed; None: another law was flown."""
     max_bank_deg: float | None
+    """Largest bank to either side."""
     load_factor: Range
+    """Load factor, dimensionless."""
     airspeed_mps: Range
+    """True airspeed."""
     altitude_m: Range
+    """Altitude above mean sea level."""
     setpoints: int
+    """Number of setpoints that were sent."""
     setpoint_rate_hz: float | None
+    """Average rate of setpoints over the whole run."""
     traffic: tuple[TrafficResult, ...] = ()
+    """Results of other aircraft, in the order of the scenario."""
     identified: tuple[MeasuredResult, ...] = ()
     """What a test flight has shown; empty: none went before the first goal."""
 
@@ -84,14 +94,22 @@ class Result:
     """What `result.json` holds."""
 
     name: str
+    """Name of the scenario."""
     version: str
+    """Version of vfguide."""
     seed: int
+    """Seed of everything random."""
     verdict: Literal["good", "bad"]
     reasons: tuple[str, ...]
+    """Reasons for a bad verdict; empty if it is good."""
     sim_s: float
+    """Simulated time."""
     wall_s: float
+    """Real time that the flight loop took."""
     realtime_factor: float | None
+    """Ratio of simulated to real time."""
     min_separation_m: float | None
+    """Least distance between the centres of two vehicles; None: there is only one."""
     vehicles: tuple[VehicleResult, ...]
 
     def to_json(self) -> str:

@@ -72,10 +72,15 @@ class Obstacle(Table):
     semi_axes_m: Vector | None = None
     exponents: Vector | None = None
     size_m: Vector | None = None
+    """Whole lengths of a box along its axes."""
     heading_deg: float
+    """Angle by which it is turned about the vertical, from north toward east."""
     velocity_mps: Vector
+    """Its velocity, NED."""
     reactive_level: float
+    """Level U below which it acts on the field, dimensionless."""
     visible_from_m: float
+    """Largest distance from its surface at which it is detected."""
 
 
 class Traffic(Table):

@@ -16,30 +16,30 @@ followed after a quarter of an hour, and what was reported before is 6 m off aft
 
 
 class HeightDifference(NamedTuple):
-    """What a difference of heights may be."""
+    """The range in which a difference of heights is, as the autopilot reports it."""
 
     least: float
-    """Least that the difference may be [m]."""
+    """Lower end of the range [m]."""
     greatest: float
-    """Greatest that the difference may be [m]."""
+    """Upper end of the range [m]."""
     time_ms: int
     """Time of the newest message, as time_boot_ms [ms]."""
 
     @property
     def middle(self) -> float:
-        """The middle of what it may be [m]."""
+        """The middle of the range [m]."""
         return 0.5 * (self.least + self.greatest)
 
     @property
     def doubt(self) -> float:
-        """Half the range of what it may be [m]."""
+        """Half the width of the range [m]."""
         return 0.5 * (self.greatest - self.least)
 
 
 def difference_after(
     before: HeightDifference | None, height: float, time_ms: int
 ) -> HeightDifference:
-    """What the difference may be after a message of `height` [m] at a time_boot_ms [ms]."""
+    """The range after a message that reports `height` [m] at a time_boot_ms [ms]."""
     if before is None:
         return HeightDifference(height, height, time_ms)
     followed = FOLLOWING_SPEED * max(0.0, elapsed(before.time_ms, time_ms))
