@@ -1,4 +1,4 @@
-"""Flights whose companion is told something else than its autopilot says: a liar on the link."""
+"""Flights in which messages from the autopilot to its companion are altered on the link."""
 
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
@@ -68,7 +68,7 @@ class Altered:
 
 @dataclass(frozen=True)
 class AlteredFlight:
-    """The truth of a flight, its result, and what the operator was told."""
+    """The truth of an altered flight, its result, and the notes to the operator."""
 
     record: FlightRecord
     result: Result
@@ -114,7 +114,7 @@ def fly_altered(folder, alter: Alter, *changes, scenario="first-flight") -> Alte
 
 
 def turned_about_vertical(q, angle):
-    """A quaternion w, x, y, z after a turn of NED about down by an angle [rad]."""
+    """A quaternion w, x, y, z turned by an angle about the down axis of NED [rad]."""
     c, s = np.cos(0.5 * angle), np.sin(0.5 * angle)
     w, x, y, z = q
     return c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w

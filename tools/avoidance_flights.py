@@ -1,4 +1,4 @@
-"""A point mass flown through a world by the worst command there is: straight to the goal."""
+"""Flights of a point mass through a world by the worst command there is: straight to the goal."""
 
 import math
 from typing import NamedTuple
@@ -35,57 +35,59 @@ from vfguide.kernels.rows import Row, reader, replacing, width, writer
 read_turning = reader(Turning)
 with_motion = replacing(PlacedObstacle, "p_n", "v_n")
 ROLLING = 1.15
-"""The aircraft's lags over those that the assurance believes."""
+"""Ratio of the lags of the aircraft that is flown to those that the assurance believes; chosen."""
 REACHED = 60.0
-"""Within this of the goal the aircraft turns round and flies back to where it came from [m]."""
+"""Distance from the goal at which the aircraft turns back to the start, and again [m]; chosen."""
 
 
 class Logged(NamedTuple):
     """What was decided at one tick, and of what."""
 
     time: float
-    """[s]."""
+    """Time since the start [s]."""
     motion: PointMass
     command: tuple[float, float]
     """Bank and path angle [rad]."""
     backup: BackupManoeuvre
-    """What the decision before left."""
+    """What the decision before stored."""
     decision: Decision
     distance: float
-    """From the nearest surface [m], and which that is: see `true_distance`."""
+    """Distance from the nearest surface [m], as of `true_distance`."""
     nearest: int
+    """Number of that surface, as of `true_distance`."""
     known: int
-    """How many obstacles were known."""
+    """Number of obstacles that were known."""
 
 
 LOGGED_WIDTH = width(Logged)
-"""How many numbers the row of a tick has."""
+"""Number of floats in the row of a `Logged`."""
 read_logged, write_logged = reader(Logged), writer(Logged)
 
 
 class Flown(NamedTuple):
-    """What one flight gave."""
+    """The result of one flight."""
 
     least: float
     """Least distance from any surface [m]; negative if one was entered."""
     when: float
-    """Time of it [s]."""
+    """Time of the least distance [s]."""
     hazard: int
+    """Number of the surface at the least distance, as of `true_distance`."""
     escapes: int
-    """Ticks on which an escape was flown, ..."""
+    """Number of ticks on which guidance was not followed."""
     best_effort: int
-    """... and on which nothing was clear."""
+    """Number of ticks on which nothing was clear."""
     first_bad: float
-    """Time of the first of these [s]."""
+    """Time of the first tick on which nothing was clear [s]; infinite: there was none."""
     unclear_start: bool
     """Whether nothing was clear at the start."""
     legs: int
-    """How often the goal or the start was reached."""
+    """Number of times that the goal or the start was reached."""
 
 
 @compiled
 def command_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float, float]:
-    """Bank towards the goal, path angle towards its height."""
+    """Bank towards the goal and path angle towards its height [rad], within the limits."""
     north, east = goal[0] - motion.p_n[0], goal[1] - motion.p_n[1]
     error = wrap(math.atan2(east, north) - motion.azimuth)
     bank = math.atan(motion.airspeed * error / G0)
@@ -96,7 +98,7 @@ def command_for(motion: PointMass, goal: Vec3, limits: Dynamics) -> tuple[float,
 
 @compiled
 def move_obstacles(rows: Rows, turning: Rows, t: float) -> None:
-    """Turn those that have begun to, keeping where they are at `t` and changing where they go."""
+    """Turn the velocities of the obstacles that turn at the time `t` [s]; positions at `t` stay."""
     for i in range(len(rows)):
         turn = read_turning(turning[i])
         if turn.rate != 0.0 and t >= turn.begin:
@@ -105,7 +107,7 @@ def move_obstacles(rows: Rows, turning: Rows, t: float) -> None:
 
 @compiled
 def turned(obstacle: PlacedObstacle, turn: Turning, t: float) -> PlacedObstacle:
-    """The obstacle after one more tick of its turn, where it is at `t` as before."""
+    """The obstacle with its velocity turned for one more tick; its position at `t` [s] stays."""
     c, s = math.cos(turn.rate * TICK), math.sin(turn.rate * TICK)
     north, east, _ = obstacle.v_n
     v_n = (c * north - s * east, s * north + c * east, turn.sinking)
@@ -115,7 +117,7 @@ def turned(obstacle: PlacedObstacle, turn: Turning, t: float) -> PlacedObstacle:
 
 @compiled
 def come_in_sight(rows: Rows, p_n: Vec3, t: float, known: Rows) -> bool:
-    """Mark those that are known from here on; whether there is a new one."""
+    """Mark in `known` the obstacles detected from `p_n`; returns whether there is a new one."""
     new = False
     for i in range(len(rows)):
         far = read_obstacle(rows[i]).visible_from
@@ -126,9 +128,10 @@ def come_in_sight(rows: Rows, p_n: Vec3, t: float, known: Rows) -> bool:
 
 @compiled
 def true_distance(world: World, rows: Rows, p_n: Vec3, t: float) -> tuple[float, int]:
-    """Distance from the nearest surface, fence, floor or ceiling [m], and which it is.
+    """Distance from the nearest obstacle, zone, floor, ceiling or cylinder [m], and its number.
 
-    Cylinders on tracks come last.
+    Numbers are in the order of obstacles, zones of the fence, floor and ceiling as one, and
+    cylinders on tracks.
     """
     least = min(-p_n[2] - world.floor, world.ceiling + p_n[2])
     nearest = len(rows) + len(world.fences.zones)
@@ -156,7 +159,7 @@ def true_distance(world: World, rows: Rows, p_n: Vec3, t: float) -> tuple[float,
 
 @compiled
 def slowed(limits: Dynamics) -> Dynamics:
-    """The dynamics of the aircraft that is flown."""
+    """The dynamics of the aircraft that is flown, slower by ROLLING than `limits`."""
     return Dynamics(
         limits.bank_max,
         limits.climb_max,
@@ -169,14 +172,14 @@ def slowed(limits: Dynamics) -> Dynamics:
 
 @compiled
 def hazards_among(world: World, rows: Rows) -> Hazards:
-    """These obstacles and the fence, without traffic."""
+    """The obstacles in `rows` and the fence of a world, without traffic."""
     nobody = np.zeros((0, INTRUDER_WIDTH))
     return Hazards(rows, nobody, world.fences, world.floor, world.ceiling)
 
 
 @compiled
 def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
-    """The whole flight, a tick every 0.05 s; `log` takes what was decided, a `Logged` a row."""
+    """Fly for as many ticks as `log` has rows, and write a `Logged` into each."""
     rows, motion, goal = world.rows.copy(), world.start, world.goal
     known, limits, backup = np.zeros(len(rows)), aircraft.limits, no_backup()
     slow = slowed(limits)
@@ -212,7 +215,7 @@ def fly(world: World, aircraft: Assurance, assured: bool, log: Rows) -> Flown:
 
 @compiled
 def repeat_decision(world: World, aircraft: Assurance, row: Row, times: int) -> float:
-    """Take the decision of one row of a log so many times; everything is known and stands."""
+    """Repeat the decision of one row of a log, all obstacles known; returns the sum of banks."""
     hazards, total = hazards_among(world, world.rows), 0.0
     logged = read_logged(row)
     for _ in range(times):

@@ -1,4 +1,4 @@
-"""Random worlds to keep clear in: what stands, moves and appears between a start and a goal."""
+"""Random worlds for the assurance: what stands, moves and appears between a start and a goal."""
 
 import math
 from typing import NamedTuple
@@ -14,11 +14,13 @@ from vfguide.geometry.vector import Vec3, Vectors
 from vfguide.kernels.rows import table_of
 
 HEIGHT = 150.0
+"""Height of start and goal above the origin [m]; chosen."""
 AIRSPEED = 25.0
+"""True airspeed of the aircraft [m/s]: the cruise of the Aerosonde."""
 GUST_LAG = 2.0
-"""Time in which gusts are forgotten [s]."""
+"""Correlation time of gusts [s]; chosen."""
 TICK = 0.05
-"""Time between two decisions [s]."""
+"""Time between two decisions [s]; chosen."""
 Tracks = Vectors
 NO_TRACKS: Tracks = np.zeros((0, 2, 3))
 
@@ -27,11 +29,11 @@ class Turning(NamedTuple):
     """How the velocity of an obstacle changes while it is flown."""
 
     rate: float = 0.0
-    """Of turn [rad/s]; zero: it never does."""
+    """Turn rate [rad/s]; zero: it never turns."""
     sinking: float = 0.0
-    """Vertical velocity from then on, down [m/s]."""
+    """Downward velocity while it turns [m/s]."""
     begin: float = 0.0
-    """Time from which on it turns [s]."""
+    """Time from which it turns [s]."""
 
 
 class World(NamedTuple):
@@ -49,15 +51,15 @@ class World(NamedTuple):
     wind_n: Vec3
     gust: float
     gusts_n: Vectors
-    """(ticks, 3) [m/s]."""
+    """(ticks, 3) gusts, NED [m/s]."""
     tracks: Tracks = NO_TRACKS
-    """(K, n, 3), n at least 2: where upright cylinders are at each tick, NED [m]."""
+    """(K, n, 3) positions of K upright cylinders at n ticks, at least 2, NED [m]."""
     volume: tuple[float, float] = (0.0, 0.0)
-    """Radius and half height of these [m]."""
+    """Radius and half height of these cylinders [m]."""
 
 
 def any_shape(rng: np.random.Generator, low: float, high: float) -> Shape:
-    """Any kind of shape, its semi-axes between two sizes [m]."""
+    """A shape of any kind, with semi-axes from `low` to `high` [m]."""
     a, b, c = (float(x) for x in rng.uniform(low, high, 3))
     p, q, r = (float(x) for x in rng.uniform(1.0, 5.0, 3))
     return (
@@ -85,7 +87,15 @@ def standing(rng: np.random.Generator) -> list[Obstacle]:
 def crossing(
     rng: np.random.Generator, course: float, speed: float, seen: float, radius: float
 ) -> Obstacle:
-    """A mover that meets the straight path to the goal, more or less."""
+    """A moving obstacle that comes near the vehicle on its straight path to the goal.
+
+    Args:
+        rng: random numbers.
+        course: its course [rad].
+        speed: its speed over ground [m/s].
+        seen: distance from which it is detected [m].
+        radius: its radius [m].
+    """
     meeting = rng.uniform(8.0, 30.0)
     v_n = (speed * math.cos(course), speed * math.sin(course), 0.0)
     at = (AIRSPEED * meeting, rng.uniform(-20.0, 20.0), -HEIGHT + rng.uniform(-15.0, 15.0))
@@ -95,7 +105,7 @@ def crossing(
 
 
 def movers(rng: np.random.Generator) -> list[Obstacle]:
-    """1 to 4 that cross from any side, seen at 400 m."""
+    """1 to 4 moving obstacles that cross from any side, detected at 400 m."""
     return [
         crossing(
             rng, rng.uniform(-math.pi, math.pi), rng.uniform(5, 20), 400.0, rng.uniform(20, 50)
@@ -105,7 +115,7 @@ def movers(rng: np.random.Generator) -> list[Obstacle]:
 
 
 def cluster(rng: np.random.Generator) -> list[Obstacle]:
-    """4 to 8 that come together, seen at 250 m."""
+    """4 to 8 moving obstacles that come as a group, detected at 250 m."""
     course, speed = rng.uniform(-math.pi, math.pi), rng.uniform(5.0, 18.0)
     leader = crossing(rng, course, speed, 250.0, 15.0)
     found = list[Obstacle]()
@@ -120,7 +130,7 @@ def cluster(rng: np.random.Generator) -> list[Obstacle]:
 
 
 def overtaking(rng: np.random.Generator) -> list[Obstacle]:
-    """1 to 3 along the same course: slower ones ahead, or faster ones from behind."""
+    """1 to 3 obstacles that move along the course: slower ones ahead, or faster from behind."""
     found = list[Obstacle]()
     for _ in range(rng.integers(1, 4)):
         speed = rng.uniform(5.0, 20.0) if rng.random() < 0.5 else rng.uniform(28.0, 35.0)
@@ -130,7 +140,7 @@ def overtaking(rng: np.random.Generator) -> list[Obstacle]:
 
 
 def popup(rng: np.random.Generator) -> list[Obstacle]:
-    """One on the way, known only from 60 to 150 m, and up to three beside it."""
+    """An obstacle on the path, detected only at 60 to 150 m, and up to three beside it."""
     radius = rng.uniform(40.0, 100.0)
     at = (rng.uniform(350.0, 600.0), rng.uniform(-0.6, 0.6) * radius, -HEIGHT)
     found = [Obstacle(shape.sphere(radius), at, visible_from=rng.uniform(60.0, 150.0))]
@@ -152,7 +162,7 @@ DRAWN = {
 
 
 def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
-    """World `number` of a kind: from (seed, number) alone."""
+    """World `number` of a kind, drawn from (seed, number) alone, with gusts for `duration` [s]."""
     rng = np.random.default_rng([seed, number, list(DRAWN).index(kind)])
     rows = obstacle_rows(DRAWN[kind](rng))
     turning = [Turning()] * len(rows)
@@ -177,7 +187,7 @@ def draw_world(kind: str, seed: int, number: int, duration: float) -> World:
 
 
 def narrow_fence(rng: np.random.Generator) -> list[Zone]:
-    """A fence with four to seven corners round start and goal, and two places to stay out of."""
+    """A polygon of four to seven corners round start and goal, and two zones to stay out of."""
     wide = rng.uniform(150.0, 300.0)
     count = rng.integers(4, 8)
     angles = (np.arange(count) + rng.uniform(-0.3, 0.3, count)) * 2.0 * math.pi / count

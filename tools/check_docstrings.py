@@ -20,7 +20,7 @@ from typing import NamedTuple
 ROOT = Path(__file__).parent.parent
 CONSTANT = re.compile(r"[A-Z][A-Z0-9_]*")
 HANGING = re.compile(r"(And|But|Of|Or|That|The same|Then|Those)\b")
-"""A docstring that begins so needs the line above it to be understood."""
+"""Beginnings of docstrings that cannot be understood without the line above."""
 UNIT = re.compile(r"\[[^\]]+\]")
 PURE = re.compile(
     r"\b(bits?|count|cosine|dimensionless|exponent|factor|flags?|gain|index|numbers?|power|ratio|share"
@@ -29,7 +29,7 @@ PURE = re.compile(
 )
 """Words that say why a number has no unit."""
 TYPES = ("NewType", "ParamSpec", "TypeVar")
-"""What makes a name in capitals a type and no constant."""
+"""Calls whose result, under a name in capitals, is a type and no constant."""
 
 
 class Constant(NamedTuple):
@@ -72,7 +72,7 @@ def docstring_in(node: ast.stmt | None) -> str | None:
 
 
 def is_number(value: ast.expr) -> bool:
-    """Whether a value is a number, or several: of numbers and constants alone."""
+    """Whether a value consists of numbers and constants alone."""
     kinds = (ast.Constant, ast.UnaryOp, ast.BinOp, ast.Name, ast.Tuple, ast.operator, ast.unaryop)
     nodes = [node for node in ast.walk(value) if not isinstance(node, ast.expr_context)]
     literals = [node.value for node in nodes if isinstance(node, ast.Constant)]

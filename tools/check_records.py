@@ -39,24 +39,24 @@ from typing import Any, NamedTuple
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("vfguide", "tools")
 ALIASES = Path("vfguide/geometry/vector.py")
-"""Where the aliases of `ARRAYS` are defined."""
+"""Path of the module that defines the aliases of `ARRAYS`."""
 ARRAYS = ("Vector", "Vectors", "Matrix", "Matrices", "Series", "Indices", "Mask")
 """Aliases of arrays: one vector, many along the last axis, one matrix, many along the last two
 axes, a number at each of many instants or of each of many like things, indices, and which of like
 things."""
 ROWS = Path("vfguide/kernels/rows.py")
 TABLE = "Table"
-"""The alias of rows of records, and where it is defined."""
+"""Alias of rows of records, which the module ROWS defines."""
 SEQUENCES = ("array", "bytearray", "bytes", "deque", "list", "memoryview", "range", "str")
 SEQUENCES += ("LiteralString", "Sequence", "GridSpec", "Match")
-"""Types of like things: a `GridSpec` has places of a figure, a `Match` groups of text."""
+"""Types of sequences of like things: a `GridSpec` has places of a figure, a `Match` has groups."""
 MAPPINGS = ("Counter", "Mapping", "MappingProxyType", "OrderedDict", "defaultdict", "dict")
 INDEX = "dtype[signedinteger[_32Bit | _64Bit]]"
-"""What numpy's searches give: arrays of indices (`np.intp`)."""
+"""Type of the arrays of indices that numpy's searches return (`np.intp`)."""
 LONGEST = 3
-"""How many numbers a tuple may have that is a vector."""
+"""Largest number of numbers in a tuple that is a vector."""
 HOOKS = ("warnings.showwarning", "sys.unraisablehook")
-"""What Python's documentation says a program may replace by a function of its own."""
+"""Attributes of modules that a program may replace by its own function, as Python documents."""
 BUILDERS = ("FunctionType", "CodeType")
 LIKE = "LikeThings"
 LIKE_CLASS = f'''
@@ -71,7 +71,7 @@ class {LIKE}(np.ndarray[tuple[Any, ...], np.dtype[np.float64]]):
     for name in ("add", "sub", "mul", "truediv", "matmul", "pow")
     for side in ("", "r")
 )
-"""In the copy: the class of arrays that are declared as vectors, matrices and series."""
+"""Source of the class that, in the copy, arrays declared as vectors, matrices and series have."""
 TABLE_KIND = "RowsOfRecords"
 TABLE_CLASS = f'''
 class {TABLE_KIND}(np.ndarray[tuple[Any, ...], np.dtype[np.float64]]):
@@ -82,7 +82,7 @@ class {TABLE_KIND}(np.ndarray[tuple[Any, ...], np.dtype[np.float64]]):
     def __iter__(self) -> "Iterator[np.ndarray[tuple[Any, ...], np.dtype[np.float64]]]": ...
     def copy(self, order: Any = "C") -> "{TABLE_KIND}": ...
 '''
-"""In the copy: the class of tables."""
+"""Source of the class that, in the copy, tables have."""
 SETTINGS = {
     "include": list(PACKAGES),
     "extraPaths": ["tools"],
@@ -94,7 +94,7 @@ MISMATCH = re.compile(r'expected "(\d+)" but received "(.*)"', re.DOTALL)
 
 
 class Question(NamedTuple):
-    """An expression whose type decides."""
+    """An expression whose type decides whether a rule is broken."""
 
     path: Path
     line: int
@@ -105,7 +105,7 @@ class Question(NamedTuple):
     subscript: bool
     """Whether it is a subscript by number; else it sets an attribute."""
     axes: bool = False
-    """Whether the subscript is of more than the first axis."""
+    """Whether the subscript goes beyond the first axis."""
 
 
 class Violation(NamedTuple):
@@ -135,7 +135,7 @@ def has_number(index: ast.AST) -> bool:
 
 
 class Asker(ast.NodeTransformer):
-    """Wraps what decides into `reveal_type`, with the number of its question as a marker."""
+    """Wraps deciding expressions into `reveal_type`, with the number of a question as marker."""
 
     def __init__(self, path: Path, questions: list[Question]) -> None:
         self.path, self.questions = path, questions

@@ -28,11 +28,11 @@ WORDS_HEADING = "## Words that are not used any more"
 FOLDERS = ("vfguide", "tools")
 PAGES = ("README.md", "docs/*.md", "vfguide/report/*.j2")
 KEPT = frozenset({"episodes", "least_bad", "least bad"})
-"""Keys and values of result.json, which keeps its words."""
+"""Keys and values of result.json, which keep their old words."""
 SHARED = {
     "MAX_DATAGRAM": "one fact of UDP, in two rooms that may not import each other",
 }
-"""Constants of one name in several modules, and why."""
+"""Constants that several modules may define under one name, with the reasons."""
 
 
 def table_under(heading: str, text: str) -> frozenset[str]:
@@ -74,7 +74,7 @@ def words_of(name: str) -> str:
 
 
 def texts(source: str) -> Iterator[tuple[int, str]]:
-    """What a module says: its docstrings, comments and texts, and the words of its names."""
+    """The lines of docstrings, comments and texts of a module, and the words of its names."""
     tree = ast.parse(source)
     for node in ast.walk(tree):
         match node:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same random worlds by four laws, side by side, judged by the truth.
+"""The same random worlds flown by several laws, side by side, judged by the truth.
 
     python tools/compare_laws.py --runs 20
     python tools/compare_laws.py --law "only lead" --law "only lead, unassured" --kind movers
@@ -7,17 +7,17 @@
 
 own plant   the paper's law as printed on the paper's rigid body: any turn, no wind, no gusts, speed
             k_v |p - p_d|, here 25 m/s at the start. Worlds without traffic and fence only.
-printed     the direction of the same field flown by the aeroplane of the other two, over MAVLink on
-            JSBSim, at 25 m/s, in the wind. Traffic is robots with priority; it knows no fence.
+printed     the direction of the same field, flown by the aeroplane of the laws below, over MAVLink
+            on JSBSim, at 25 m/s, in the wind. Traffic is robots with priority; it knows no fence.
 unassured   law flight without the run-time assurance
 ours        law flight
 field       law field, with all its remedies; "no remedy", or "only" one of them: with fewer
 
 The paper leaves the reactive level of obstacles open: here the area of every obstacle reaches
---reach-m beyond its surface where it is narrowest. Reached is who entered nothing and came within
-5 m and 5 deg; the length of the path is that of these flights, over the shortest one if nothing
-were to be avoided, or over that of BIT* where --reference-s is given and nothing moves. Cost is
-processor time of one step.
+--reach-m beyond its surface where it is narrowest. A flight has reached the goal if it entered
+nothing and came within 5 m and 5 deg. The length of the path is that of such flights, over the
+shortest one without obstacles, or over that of BIT* where --reference-s is given and nothing moves.
+Cost is processor time of one step.
 """
 
 import argparse
@@ -46,7 +46,7 @@ from vfguide.runs.steps import Steps
 
 PAPERS_PLANT, PRINTED, OURS, FIELD = "own plant", "printed", "ours", "field"
 UNASSURED = "unassured"
-"""Law flight without the run-time assurance; with a comma before it, of another law."""
+"""Name of law flight without the run-time assurance; after a comma, of another law without it."""
 
 
 def remedied() -> dict[str, FieldLaw]:
@@ -60,7 +60,7 @@ def remedied() -> dict[str, FieldLaw]:
 
 
 def unassured(laws: dict[str, FieldLaw]) -> dict[str, FieldLaw]:
-    """The same without the run-time assurance."""
+    """The laws without the run-time assurance, by their names with UNASSURED."""
     return {f"{name}, {UNASSURED}": law._replace(is_assured=False) for name, law in laws.items()}
 
 
@@ -78,9 +78,10 @@ LAWS = (PAPERS_PLANT, *FLOWN)
 USUAL = (PAPERS_PLANT, PRINTED, UNASSURED, OURS, f"{FIELD}, {UNASSURED}", FIELD)
 """The laws that are flown where none is named."""
 HIGHEST = 1e6
-"""Reactive level that a scenario may have."""
+"""Largest reactive level that a scenario may have, dimensionless."""
 SLOW = 1000.0
-"""The paper's robots are slow near the goal: they get so long [s]."""
+"""Longest time of a flight by law `paper` on its own plant [s]; chosen, since its robots are slow
+near the goal."""
 
 
 @dataclass(frozen=True)
@@ -93,34 +94,34 @@ class Row:
     entered: int
     """Flights that entered something, the ground included."""
     no_escape: int
-    """Those of them in which the manoeuvre tree finds no escape."""
+    """Those among them in which the manoeuvre tree finds no escape."""
     least_clearance_m: float
     reached: int
-    """Within 5 m and 5 deg, and nothing entered."""
+    """Flights that came within 5 m and 5 deg, and entered nothing."""
     length_median: float
     length_90: float
     step_median_us: float
     step_99_us: float
     acting_percent: float
-    """Setpoints that the assurance chose."""
+    """Share of setpoints that the assurance chose."""
     leading_percent: float
-    """Time outside the approach in which the field led, in law field."""
+    """Share of the time outside the approach in which the field led, in law field."""
     least_leading_percent: float
-    """The same of the flight with the least."""
+    """The same share in the flight in which it was the least."""
     route_percent: float
-    """Time outside the approach in which law field flew a route."""
+    """Share of the time outside the approach in which law field flew a route."""
 
 
 class Flown(NamedTuple):
-    """One world by one law."""
+    """One world flown by one law."""
 
     outcome: Outcome
     took: Series
-    """Each of its steps [us]."""
+    """Processor time of each of its steps [us]."""
 
 
 def with_reach(table: Table, reach: float) -> Table:
-    """The world with the reactive areas of the paper's law that large [m]; ours has none."""
+    """The world with reactive areas for the paper's law that reach so far beyond surfaces [m]."""
     return {
         **table,
         "obstacle": [
@@ -130,7 +131,7 @@ def with_reach(table: Table, reach: float) -> Table:
 
 
 def level_of(obstacle: Table, reach: float) -> float:
-    """U where the narrowest semi-axis is longer by `reach` [m], within what is allowed."""
+    """Level U on the narrowest axis at `reach` beyond the surface [m], at most HIGHEST."""
     size, exponent = 1.0, EDGED
     match obstacle["shape"]:
         case "sphere":
@@ -148,7 +149,7 @@ def level_of(obstacle: Table, reach: float) -> float:
 
 
 def on_papers_plant(table: Table) -> Table:
-    """The world for the paper's rigid body: its law, its speed, no wind."""
+    """The world for the paper's rigid body: with its law and speed, without wind."""
     left_out = ("wind", "traffic", "traffic_receiver", "fence", "avoidance")
     (vehicle,) = table["vehicle"]
     (goal,) = vehicle["goal"]
@@ -184,12 +185,12 @@ def fly_by(law: str, table: Table, number: int, args: argparse.Namespace) -> Flo
 
 
 def under(law: Law, table: Table) -> Table:
-    """The world with its law named, so that who led in law field is noted."""
+    """The world with law field named where it is flown, so that its leaders are recorded."""
     return {**table, "law": "field"} if isinstance(law, FieldLaw) else table
 
 
 def step_by(law: Law) -> Callable[..., Any]:
-    """The step of the loop with a law in the place of the plan's."""
+    """The step of the control loop with a law that replaces that of the plan."""
 
     def step(measured: Any, origin: Any, before: Any, legs: Any, airspace: Any, *rest: Any) -> Any:
         _, vehicle = rest
@@ -199,7 +200,7 @@ def step_by(law: Law) -> Callable[..., Any]:
 
 
 def timed(function: Any, took: list[float]) -> Any:
-    """The function, which notes what each call takes [us]."""
+    """The function, which appends the processor time of each call to `took` [us]."""
 
     def noting(*arguments: Any) -> Any:
         began = time.process_time()
@@ -256,7 +257,7 @@ def row_of(kind: str, law: str, flown: Sequence[dict[str, Flown]]) -> Row:
 
 
 def shares(outcomes: Sequence[Outcome]) -> tuple[float, float, float]:
-    """How long the field led, at least, and how long a route was flown [%]; NaN in other laws."""
+    """Mean and least share in which the field led, mean share of routes [%]; NaN in other laws."""
     led = [o.field.leading_share or 0.0 for o in outcomes if o.field is not None]
     routed = [o.field.route_share or 0.0 for o in outcomes if o.field is not None]
     if not led:
@@ -265,7 +266,7 @@ def shares(outcomes: Sequence[Outcome]) -> tuple[float, float, float]:
 
 
 def shortest(flown: dict[str, Flown]) -> float:
-    """Length of the shortest path in one world [m]: of BIT* where it was asked and found one."""
+    """Length of the shortest path in one world [m]: that of BIT*, or else that of Dubins."""
     outcomes = [each.outcome for each in flown.values()]
     asked = [o.reference_m for o in outcomes if np.isfinite(o.reference_m)]
     return asked[0] if asked else outcomes[0].free_m
@@ -285,11 +286,11 @@ HEADS = (
     "field leads, least, route [%]",
 )
 WIDTH = 120
-"""Of the table where there is no terminal."""
+"""Width of the table where there is no terminal, a number of characters; chosen."""
 
 
 def cells(row: Row) -> list[str]:
-    """The row as it is printed."""
+    """The cells of a row, as they are printed."""
     return [
         row.kind,
         row.law,
@@ -306,13 +307,13 @@ def cells(row: Row) -> list[str]:
 
 
 def led_cell(row: Row) -> str:
-    """Who led in law field."""
+    """The cell with the shares of law field."""
     led, least, route = row.leading_percent, row.least_leading_percent, row.route_percent
     return f"{led:.1f}, {least:.0f}, {route:.1f}"
 
 
 def rich_table(rows: Sequence[Row]) -> RichTable:
-    """For the terminal."""
+    """The table for a terminal."""
     table = RichTable()
     for number, head in enumerate(HEADS):
         table.add_column(head, justify="left" if number < 2 else "right")
@@ -324,13 +325,13 @@ def rich_table(rows: Sequence[Row]) -> RichTable:
 
 
 def markdown(rows: Sequence[Row]) -> str:
-    """For the documentation."""
+    """The table in Markdown, for the documentation."""
     lines = [HEADS, ["---"] * len(HEADS), *(cells(row) for row in rows)]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def write_csv(rows: Sequence[Row], path: Path) -> None:
-    """All digits."""
+    """Write the table as CSV, with all digits."""
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow([field.name for field in fields(Row)])
@@ -338,7 +339,7 @@ def write_csv(rows: Sequence[Row], path: Path) -> None:
 
 
 def flown_of(kind: str, args: argparse.Namespace) -> Iterator[dict[str, Flown]]:
-    """All worlds of one kind."""
+    """Fly all worlds of one kind; the flights of each, by the names of the laws."""
     jobs = [(kind, number, args) for number in range(args.first, args.first + args.runs)]
     if args.workers == 1:
         yield from map(fly_all, jobs)
@@ -348,7 +349,7 @@ def flown_of(kind: str, args: argparse.Namespace) -> Iterator[dict[str, Flown]]:
 
 
 def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
-    """The options."""
+    """The options of the command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -373,7 +374,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all worlds by all laws, and print the table."""
     args = parse()
     prepare(args)
     rows: list[Row] = []

@@ -1,4 +1,4 @@
-"""Dubins' shortest path between two poses in the plane, the yardstick for the length of approaches.
+"""Dubins' shortest path between two poses in the plane, with which approaches are compared.
 
 L. E. Dubins, "On curves of minimal length with a constraint on average curvature", 1957; the six
 words in the normalised form of Shkel and Lumelsky, 2001.
@@ -8,12 +8,13 @@ import math
 from collections.abc import Iterator
 
 Pose = tuple[float, float, float]
-"""North, east [m], course [rad]."""
+"""Position north and east [m], and course [rad]."""
 FULL = 2.0 * math.pi
 ROUNDING = 1e-12
-"""A square that is negative by no more than this is zero."""
+"""Largest amount by which a square may be negative by rounding and count as zero, dimensionless."""
 CLOSED = 1e-6
-"""A turn that lacks no more than this to a full circle is none, but for rounding [rad]."""
+"""Largest amount by which a turn may be short of a full circle, by rounding, and count as none
+[rad]."""
 
 
 def dubins_length(start: Pose, end: Pose, radius: float) -> float:
@@ -24,7 +25,11 @@ def dubins_length(start: Pose, end: Pose, radius: float) -> float:
 
 
 def words(d: float, alpha: float, beta: float) -> Iterator[float]:
-    """Lengths of the words that exist, in radii; `d` the distance, the courses off its bearing."""
+    """Lengths of the words that exist [radii].
+
+    `d` is the distance of the poses [radii]; `alpha` and `beta` are their courses relative to the
+    bearing of the second pose from the first [rad].
+    """
     ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
     cab = math.cos(alpha - beta)
     for side in (1.0, -1.0):  # the same turns at both ends
@@ -50,6 +55,6 @@ def words(d: float, alpha: float, beta: float) -> Iterator[float]:
 
 
 def turn(angle: float) -> float:
-    """A turn by `angle` as 0 to a full circle [rad]."""
+    """The angle of a turn, from 0 to a full circle [rad]."""
     turned = angle % FULL
     return 0.0 if turned > FULL - CLOSED else turned

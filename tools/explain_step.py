@@ -30,7 +30,7 @@ from vfguide.scenario.plans import plan_of, vehicle_of
 
 
 def main() -> None:
-    """Explain one step."""
+    """Print what the companion knew and decided at one step."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -87,7 +87,7 @@ def decided(decision: Decision, plan: Plan) -> str:
 
 
 def tree(name: str, value: Any, depth: int = 0) -> Iterator[str]:
-    """A record and the records in it, a field a line."""
+    """The lines of a record and of the records in it, one field each."""
     if not hasattr(value, "_fields"):
         yield f"{'  ' * depth}{name}: {shown(value)}"
         return

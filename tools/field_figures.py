@@ -35,9 +35,9 @@ from vfguide.runs.lockstep import fly_scenario
 
 NAME = "field/slalom"
 REACH = 100.0
-"""How far the reactive areas of the paper's rigid body reach beyond the walls [m]."""
+"""Distance beyond the walls that the reactive areas of the paper's rigid body reach [m]; chosen."""
 STEPS = 200.0
-"""How often the paper's law is evaluated [Hz]: it turns late before a surface."""
+"""Rate at which the paper's law is evaluated [Hz]; chosen high, since it turns late."""
 END: Any = {"marker": "X", "markevery": [-1], "markersize": 9, "markeredgecolor": "white"}
 BESIDE: dict[str, Any] = {
     "Aeroplane, law flight": {"color": COLOURS[2], "linestyle": "dashed", "zorder": 2.1},
@@ -95,7 +95,7 @@ def draw(figure: Figure, flights: Flights) -> None:
 
 
 def main() -> None:
-    """Write it."""
+    """Draw the figure and write it."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, required=True)
     out = parser.parse_args().out

@@ -1,7 +1,7 @@
 """Where two flights of one scenario differ first: logs frame by frame, results key by key.
 
-Logs are the same if their bytes are: what reads them serves to name what differs, so that a fault
-in it hides nothing.
+Logs are the same if their bytes are. They are decoded only to name what differs, so that a fault in
+the decoder hides nothing.
 """
 
 import json
@@ -16,11 +16,11 @@ from vfguide.link.tlog import TlogReader
 from vfguide.replay.compare import Timed
 
 OF_THE_CLOCK = frozenset({"wall_s", "realtime_factor"})
-"""Keys of a result that are no two times the same."""
+"""Keys of a result that depend on the clock of the machine, and differ from run to run."""
 
 
 class Absent:
-    """What one of the two does not have."""
+    """The value of a key that one of two results does not have."""
 
     def __repr__(self) -> str:
         return "absent"
@@ -41,7 +41,7 @@ def flight_difference(old: Path, new: Path) -> str | None:
 
 
 def frames_in(folder: Path) -> int:
-    """How many frames the logs of a flight have together."""
+    """Number of frames in all logs of a flight."""
     readers = [TlogReader.open(path) for path in folder.glob("*.tlog")]
     return sum(1 for reader in readers for _ in reader)
 
@@ -66,7 +66,7 @@ def start_of(log: bytes) -> int:
 
 
 def frame_difference(number: int, start: int, old: Timed | None, new: Timed | None) -> str:
-    """What differs in the two frames of a number, counted from 0, of logs that begin at `start`."""
+    """What differs in frames number `number`, from 0, of two logs that begin at `start` [us]."""
     if old is None or new is None:
         more, only = ("tree", new) if old is None else ("reference", old)
         assert only is not None
@@ -91,7 +91,7 @@ def message_of(timed: Timed) -> str:
 
 
 def fields_of(timed: Timed) -> Iterator[tuple[str, str]]:
-    """All that can differ between two frames, what says most comes first: names and values."""
+    """Names and values of all that can differ between two frames, the most telling first."""
     time, frame = timed
     yield "time [us]", str(time)
     yield "message", message_of(timed)
@@ -105,13 +105,13 @@ def fields_of(timed: Timed) -> Iterator[tuple[str, str]]:
 
 
 def result_of(folder: Path) -> dict[str, Any]:
-    """The result of a flight, without what the machine's clock says."""
+    """The result of a flight, without the keys in OF_THE_CLOCK."""
     result = json.loads((folder / "result.json").read_text())
     return {key: value for key, value in result.items() if key not in OF_THE_CLOCK}
 
 
 def value_difference(path: str, old: Any, new: Any) -> str | None:
-    """The first of two values within each other that differs, by its path; None: none does."""
+    """The path of the first value in which two nested values differ, with both; None: none does."""
     was, now = entries(old), entries(new)
     if was is None or now is None or type(old) is not type(new):
         return None if repr(old) == repr(new) else f"{path}: {old!r}, now {new!r}"
@@ -123,7 +123,7 @@ def value_difference(path: str, old: Any, new: Any) -> str | None:
 
 
 def entries(value: Any) -> dict[str, Any] | None:
-    """What is in a table or a list, by the ends of their paths; None for a value by itself."""
+    """The entries of a table or a list, by the ends of their paths; None for any other value."""
     match value:
         case dict():
             return {f".{key}": each for key, each in value.items()}

@@ -1,8 +1,8 @@
-"""Whether a flown world left an escape: the manoeuvre tree, asked from the true state.
+"""Whether an escape was possible in a flown world: the manoeuvre tree from the true state.
 
-It is asked at the moment at which what was hit, or came nearest, became known, and knows
-everything: what is not seen yet, and how traffic is going to turn. Its aircraft is the
-assurance's model without lags on top, in the mean wind, so that gusts are ours alone.
+The search begins when the hazard that was hit, or came nearest, became known. It knows everything,
+also hazards that are not detected yet, and how traffic is going to turn. Its aircraft is the model
+of the assurance, without additional lags, in the mean wind: it meets no gusts.
 """
 
 import math
@@ -25,11 +25,11 @@ from vfguide.scenario.traffic import path_of
 from vfguide.sim.traffic import motion_at
 
 ENOUGH = 5.0
-"""The tree does not look for a larger distance than this [m]."""
+"""Distance above which the tree looks for no larger one [m]; chosen."""
 AFTERWARDS = 2.0
-"""It looks so much beyond the least clearance [s]."""
+"""Time beyond that of the least clearance to which the tree looks [s]; chosen."""
 MANY, LONG = 5, 4.0
-"""Where four actions of 2 s end before that, it takes so many, each at most so long [s]."""
+"""Number of actions and longest time of each [s], where four of 2 s end too early; chosen."""
 
 
 def best_possible(loaded: LoadedScenario, record: FlightRecord) -> float:
@@ -57,7 +57,7 @@ def reach_of(ahead: float) -> tuple[int, float]:
 
 
 def point_mass_of(record: FlightRecord, k: int, world: World) -> PointMass:
-    """The true motion at sample `k`, through air that moves as the wind does in the mean."""
+    """The true point mass at sample `k`, in air that moves with the mean wind."""
     north, east, down = (float(x) for x in record.v_n[k] - world.wind_n)
     airspeed = math.sqrt(north * north + east * east + down * down)
     p_n = tuple(float(x) for x in record.p_n[k])
@@ -66,7 +66,7 @@ def point_mass_of(record: FlightRecord, k: int, world: World) -> PointMass:
 
 
 def world_of(loaded: LoadedScenario, record: FlightRecord) -> World:
-    """What was flown in; the ground is its floor where the fence has none above it."""
+    """The world that was flown in; its floor is the ground, or that of the fence if higher."""
     known = hazards_of(loaded.scenario)
     assert known is not None
     avoidance = loaded.scenario.avoidance
@@ -88,13 +88,13 @@ def world_of(loaded: LoadedScenario, record: FlightRecord) -> World:
 
 
 def motion_of_start(record: FlightRecord) -> PointMass:
-    """Where the flight began."""
+    """The point mass at the start of the flight."""
     p_n = tuple(float(x) for x in record.p_n[0])
     return PointMass(p_n, float(record.euler[0, 2]), 0.0, 0.0, float(record.airspeed[0]))
 
 
 def tracks_of(loaded: LoadedScenario, until: float) -> Tracks:
-    """The true paths of other aircraft."""
+    """The true positions of other aircraft until a time [s], as of `World.tracks`."""
     times = np.arange(round(until / TICK) + 1) * TICK
     paths = [motion_at(path_of(each), times)[0] for each in loaded.scenario.traffic]
     return np.array(paths).reshape(len(paths), len(times), 3)
@@ -120,7 +120,7 @@ def known_from(loaded: LoadedScenario, record: FlightRecord) -> list[int]:
 
 @compiled
 def first_seen(rows: Rows, p_n: Vectors, time: Series) -> Indices:
-    """For each of the rows the first of the places from which it is seen; -1: none."""
+    """Index of the first place from which each obstacle is detected, (M,); -1: none."""
     first = np.full(len(rows), -1)
     for i in range(len(rows)):
         for k in range(len(time)):
@@ -132,7 +132,7 @@ def first_seen(rows: Rows, p_n: Vectors, time: Series) -> Indices:
 
 @compiled
 def true_distances(world: World, p_n: Vectors, time: Series) -> tuple[Series, Indices]:
-    """Distance from what is nearest, at each of the places [m], and which that is."""
+    """Distance from the nearest surface at each place [m], and its number as of `true_distance`."""
     out, nearest = np.empty(len(time)), np.empty(len(time), np.int64)
     for k in range(len(time)):
         at = (p_n[k, 0], p_n[k, 1], p_n[k, 2])

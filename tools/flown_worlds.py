@@ -10,24 +10,24 @@ from numpy.random import Generator
 from vfguide.sim.traffic import Turn, flight_of, motion_at
 
 HEIGHT = 150.0
-"""Of start and goal above the ground [m]."""
+"""Height of start and goal above the ground [m]; chosen."""
 ROOM = 60.0
-"""Round start and goal [m]."""
+"""Distance that obstacles leave free around start and goal [m]; chosen."""
 SPEED = 25.0
 HEARD_FROM = 400.0
-"""Before the surface of its volume other traffic is heard [m]."""
+"""Distance from the surface of its volume from which traffic is heard [m]; chosen."""
 CHANGE_TIME = 1.5
-"""A turn is made of changes of the velocity that take so long [s]."""
+"""Duration of each change of velocity of which a turn is made [s]; chosen."""
 MANOEUVRES = 60.0
-"""Movers turn and climb until then [s]."""
+"""Time until which traffic turns and climbs [s]; chosen."""
 BESIDE = 700.0
-"""The wide fence is so far from start and goal [m]."""
+"""Distance of the wide fence from start and goal [m]; chosen."""
 Table = dict[str, Any]
 SHAPES = ("sphere", "ellipsoid", "superquadric", "box", "cylinder", "cone")
 
 
 def sizes_of(rng: Generator, shape: str, low: float, high: float) -> Table:
-    """Sizes of a shape, its widths and its height between two [m]."""
+    """Keys of the sizes of a shape, whose widths and height are from `low` to `high` [m]."""
     a, b, c = (round(float(x), 2) for x in rng.uniform(low, high, 3))
     if shape == "sphere":
         return {"radius_m": a / 2}
@@ -96,7 +96,7 @@ def field(rng: Generator, number: int) -> Table:
 
 
 def mover(rng: Generator, course: float, speed: float, seen: float, radius: float) -> Table:
-    """One that meets the straight path to the goal, more or less."""
+    """A moving obstacle that comes near the vehicle on its straight path to the goal."""
     meeting = float(rng.uniform(10.0, 35.0))
     v = (speed * math.cos(course), speed * math.sin(course))
     x, y = SPEED * meeting - meeting * v[0], float(rng.uniform(-20.0, 20.0)) - meeting * v[1]
@@ -121,12 +121,12 @@ def from_start(table: Table) -> float:
 
 
 def apart_from_start(obstacles: list[Table]) -> list[Table]:
-    """Those that leave room at the start."""
+    """The obstacles that leave room at the start."""
     return [each for each in obstacles if from_start(each) > 150.0 + each.get("radius_m", 40.0)]
 
 
 def movers(rng: Generator, number: int) -> Table:
-    """1 to 4 that cross, seen at 400 m."""
+    """1 to 4 moving obstacles that cross, detected at 400 m."""
     world = frame(rng, number, 1100.0, 20.0)
     found = [
         mover(
@@ -143,7 +143,7 @@ def movers(rng: Generator, number: int) -> Table:
 
 
 def cluster(rng: Generator, number: int) -> Table:
-    """4 to 8 that come together, seen at 250 m."""
+    """4 to 8 moving obstacles that come as a group, detected at 250 m."""
     world = frame(rng, number, 1100.0, 20.0)
     course, speed = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(5.0, 18.0))
     leader = mover(rng, course, speed, 250.0, 15.0)
@@ -171,7 +171,7 @@ def cluster(rng: Generator, number: int) -> Table:
 
 
 def overtaking(rng: Generator, number: int) -> Table:
-    """1 to 3 along the same course: slower ones ahead, or faster ones from behind."""
+    """1 to 3 obstacles that move along the course: slower ones ahead, or faster from behind."""
     world = frame(rng, number, 1100.0, 20.0)
     found: list[Table] = []
     for _ in range(int(rng.integers(1, 4))):
@@ -185,9 +185,9 @@ def overtaking(rng: Generator, number: int) -> Table:
 
 
 def unforeseen(rng: Generator, course: float, speed: float) -> list[Turn]:
-    """Turns up to 0.15 rad/s with climbs or descents up to 3 m/s, one after another.
+    """Changes of velocity: turns up to 0.15 rad/s with climbs up to 3 m/s, one after another.
 
-    They begin at a time that nobody knows; each lasts 3 to 12 s, straight flight too.
+    The first begins at a random time; each turn, and straight flight between them, lasts 3 to 12 s.
     """
     turns: list[Turn] = []
     time = int(rng.integers(0, 100)) / 4.0
@@ -203,7 +203,7 @@ def unforeseen(rng: Generator, course: float, speed: float) -> list[Turn]:
 
 
 def turner(rng: Generator, number: int) -> Table:
-    """Traffic that turns and climbs, and yet meets the straight path to the goal, more or less."""
+    """Traffic that turns and climbs, and yet comes near the straight path to the goal."""
     course, speed = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(5.0, 20.0))
     meeting = float(rng.uniform(10.0, 35.0))
     begin = (speed * math.cos(course), speed * math.sin(course), 0.0)
@@ -226,7 +226,7 @@ def turner(rng: Generator, number: int) -> Table:
 
 
 def turning(rng: Generator, number: int) -> Table:
-    """1 to 4 aircraft that turn and climb unforeseen, heard of at 400 m, a report each second."""
+    """1 to 4 aircraft that turn and climb unforeseen, heard from 400 m, a report each second."""
     world = frame(rng, number, 1100.0, 20.0)
     radius = round(float(rng.uniform(20.0, 50.0)), 1)
     found = [turner(rng, k + 1) for k in range(int(rng.integers(1, 5)))]
@@ -237,7 +237,7 @@ def turning(rng: Generator, number: int) -> Table:
 
 
 def popup(rng: Generator, number: int) -> Table:
-    """One on the way that is known only from 60, 80, 100 or 150 m, and up to three beside it."""
+    """An obstacle on the path that is detected at 60, 80, 100 or 150 m, and up to three beside."""
     world = frame(rng, number, 1100.0, 10.0)
     radius = round(float(rng.uniform(40.0, 100.0)), 1)
     place = [float(rng.uniform(350.0, 600.0)), float(rng.uniform(-0.6, 0.6) * radius), -HEIGHT]
@@ -325,7 +325,7 @@ def fenced(world: Table) -> Table:
 
 
 def hills(rng: Generator, number: int) -> Table:
-    """1 to 6 ridges and hills from the ground up, lower and higher than the way; no ceiling."""
+    """1 to 6 ridges and hills from the ground up, lower and higher than the path; no ceiling."""
     apart = float(rng.uniform(1800.0, 3000.0))
     world = frame(rng, number, apart, 60.0)
     obstacles: list[Table] = []

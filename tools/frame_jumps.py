@@ -16,31 +16,33 @@ from vfguide.field.robots import Spacing
 from vfguide.geometry.vector import Vectors, transpose
 
 SUSPECT = 0.02
-"""A turn over one step that differs by more from the one predicted is looked into [rad]."""
+"""Least difference between the turn over one step and the predicted one that is examined [rad]."""
 JUMP = 0.1
-"""What is left of it over a step of no length is a jump [rad]."""
+"""Least difference that is left over a step of no length in a jump [rad]."""
 HALVINGS = 45
 CHI_ZERO = 1e-12
-"""chi counts as zero: G' is the normal n, turned over where n . G changes its sign."""
+"""Largest chi that counts as zero, dimensionless: there G' is the normal n, turned over where n . G
+changes its sign."""
 ON_AXIS = 1e-3
-"""Sine of the angle off the goal's axis that counts as on it."""
+"""Largest sine of the angle from the goal's axis that counts as on it, dimensionless."""
 NOBODY = np.zeros((0, 6))
 ALONE = Spacing(0.0, 1.0)
 
 
-class PositionResets(NamedTuple):
-    """Of one path."""
+class FrameJumps(NamedTuple):
+    """Numbers of jumps of R_a along one path, by their kinds."""
 
     suspect: int
-    """Steps over which R_a turned otherwise than predicted from the rates at their ends."""
+    """Number of steps over which R_a turned otherwise than the rates at their ends predict."""
     at_chi_zero: int
-    """Jumps where chi is zero to rounding, and n . G changes sign."""
+    """Number of jumps where chi is zero to rounding, and n . G changes sign."""
     at_axis: int
-    """Jumps on the goal's axis, where G changes its sign."""
+    """Number of jumps on the goal's axis, where G changes its sign."""
     elsewhere: int
+    """Number of all other jumps."""
 
 
-def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> PositionResets:
+def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> FrameJumps:
     """The jumps of R_a along a path (T, 3) among static obstacles, steps of `dt` [s]."""
     v_n = np.diff(p_n, axis=0) / dt
     start = field(goal, obstacles, p_n[:-1], v_n)
@@ -50,11 +52,11 @@ def count_jumps(goal: GoalFrame, obstacles: Rows, p_n: Vectors, dt: float) -> Po
     jumps = [each for each in found if each is not None]
     chi_zero = sum(jump == "chi" for jump in jumps)
     axis = sum(jump == "axis" for jump in jumps)
-    return PositionResets(len(suspects), chi_zero, axis, len(jumps) - chi_zero - axis)
+    return FrameJumps(len(suspects), chi_zero, axis, len(jumps) - chi_zero - axis)
 
 
 def locate(goal: GoalFrame, obstacles: Rows, p: Rows, v: Rows, span: float) -> str | None:
-    """What kind of jump is on the way from `p` with `v` during `span` [s]; None: there is none."""
+    """The kind of the jump on the path from `p` at velocity `v` for `span` [s]; None: no jump."""
     begin = 0.0
     for _ in range(HALVINGS):
         span *= 0.5
@@ -73,16 +75,16 @@ def locate(goal: GoalFrame, obstacles: Rows, p: Rows, v: Rows, span: float) -> s
 
 
 def field(goal: GoalFrame, obstacles: Rows, p_n: Rows, v_n: Rows) -> CompositeArrays:
-    """The composite field at points (N, 3) that move with (N, 3)."""
+    """The composite field at points (N, 3) [m] that move with velocities (N, 3) [m/s]."""
     return composite_fields(goal, p_n, v_n, 0.0, obstacles, NOBODY, ALONE)
 
 
 def part(fields: CompositeArrays, points: slice) -> CompositeArrays:
-    """Some of the points."""
+    """The fields at some of the points."""
     return CompositeArrays(*(array[points] for array in fields))
 
 
 def mismatch(start: CompositeArrays, end: CompositeArrays, dt: float) -> Rows:
-    """How far the turns of R_a are from the mean of Omega_a times `dt`, (N,) [rad]."""
+    """Angles between the turns of R_a and the mean of Omega_a times `dt`, (N,) [rad]."""
     turned = Rotation.from_matrix(np.swapaxes(start.R_na, -1, -2) @ end.R_na).as_rotvec()
     return np.linalg.norm(turned - 0.5 * dt * (start.Omega_a + end.Omega_a), axis=-1)

@@ -1,7 +1,7 @@
 """Random lies about the frames that an autopilot sends: values, order, time and identity.
 
-Roll, pitch and position are told as they are. A lie takes each message with the time [s] at which
-it is sent, and gives the messages that arrive in its place.
+Roll, pitch and position stay true. A lie is a function that takes each message with the time [s] at
+which it is sent, and returns the messages that arrive in its place.
 """
 
 import math
@@ -29,21 +29,21 @@ from vfguide.link.messages import (
 
 Lie = Callable[[float, Message], Sequence[Message]]
 COUNTER_LIMIT = 1 << 32
-"""Number at which a counter of milliseconds begins anew."""
+"""Count at which a counter of milliseconds starts again at zero [ms]: it has 32 bits."""
 UNTOLD = (WindCov, VfrHud, SystemTime, Timesync, GlobalPositionInt)
 """The kinds of message that a lie may keep back or delay: those without roll, pitch, position."""
 
 
 @dataclass(frozen=True)
 class While:
-    """A change of values that is on for a while, and may grow."""
+    """A lie that changes values for some time, and may grow."""
 
     begin: float
     """When it begins [s]."""
     end: float
     """When it ends [s]."""
     ramp: float
-    """Time in which it grows [s]."""
+    """Time in which it grows from nothing [s]."""
     change: Callable[[Message, float], Sequence[Message]]
     """The messages in place of one, for the share 0 to 1 to which the lie has grown."""
 
@@ -56,7 +56,7 @@ class While:
 
 
 class Late:
-    """Messages of some kinds that arrive late, each by a time of its own."""
+    """A lie by which messages of some kinds arrive late, each by a random time."""
 
     def __init__(self, rng: Generator, kinds: tuple[type, ...], least: float, most: float):
         self._rng, self._kinds, self._delays = rng, kinds, (least, most)
@@ -74,7 +74,7 @@ class Late:
 
 
 def yaw(angle: float) -> Callable[[Message, float], Sequence[Message]]:
-    """A yaw that is wrong by an angle [rad]."""
+    """A change that makes yaw wrong by an angle [rad]."""
 
     def change(m: Message, share: float) -> Sequence[Message]:
         if not isinstance(m, AttitudeQuaternion):
@@ -86,7 +86,7 @@ def yaw(angle: float) -> Callable[[Message, float], Sequence[Message]]:
 
 
 def velocity(north: float, east: float, down: float) -> Callable[[Message, float], list[Message]]:
-    """A ground velocity that is wrong by a vector [m/s]."""
+    """A change that makes ground velocity wrong by a vector, NED [m/s]."""
 
     def change(m: Message, share: float) -> list[Message]:
         n, e, d = share * north, share * east, share * down
@@ -101,7 +101,7 @@ def velocity(north: float, east: float, down: float) -> Callable[[Message, float
 
 
 def wind(north: float, east: float) -> Callable[[Message, float], list[Message]]:
-    """A wind that is wrong by a vector [m/s]."""
+    """A change that makes the wind wrong by a vector [m/s]."""
 
     def change(m: Message, share: float) -> list[Message]:
         if not isinstance(m, WindCov):
@@ -112,7 +112,7 @@ def wind(north: float, east: float) -> Callable[[Message, float], list[Message]]
 
 
 def airspeed(ratio: float) -> Callable[[Message, float], list[Message]]:
-    """An airspeed that is a ratio of the right one."""
+    """A change that multiplies the airspeed by a ratio."""
 
     def change(m: Message, share: float) -> list[Message]:
         if not isinstance(m, VfrHud):
@@ -123,7 +123,7 @@ def airspeed(ratio: float) -> Callable[[Message, float], list[Message]]:
 
 
 def body_rates(p: float, q: float, r: float) -> Callable[[Message, float], list[Message]]:
-    """Body rates that are wrong by a vector [rad/s]."""
+    """A change that makes body rates wrong by a vector, FRD [rad/s]."""
 
     def change(m: Message, share: float) -> list[Message]:
         if not isinstance(m, AttitudeQuaternion):
@@ -135,22 +135,22 @@ def body_rates(p: float, q: float, r: float) -> Callable[[Message, float], list[
 
 
 def untold(kinds: tuple[type, ...]) -> Callable[[Message, float], list[Message]]:
-    """Messages of some kinds that do not arrive."""
+    """A change by which messages of some kinds do not arrive."""
     return lambda m, _: [] if isinstance(m, kinds) else [m]
 
 
 def lost(rng: Generator, share: float) -> Callable[[Message, float], list[Message]]:
-    """A share of all messages that do not arrive."""
+    """A change by which a random share of all messages does not arrive."""
     return lambda m, _: [] if rng.random() < share else [m]
 
 
 def repeated(times: int) -> Callable[[Message, float], list[Message]]:
-    """Each message several times."""
+    """A change by which each message arrives several times."""
     return lambda m, _: times * [m]
 
 
 def counter(offset_ms: int) -> Callable[[Message, float], list[Message]]:
-    """A time since the start of the autopilot that is wrong by a time [ms]."""
+    """A change that makes the time since the autopilot's start wrong by an offset [ms]."""
 
     def change(m: Message, _: float) -> list[Message]:
         if not isinstance(m, AttitudeQuaternion | LocalPositionNed | GlobalPositionInt):
@@ -161,7 +161,7 @@ def counter(offset_ms: int) -> Callable[[Message, float], list[Message]]:
 
 
 def date(offset_us: int) -> Callable[[Message, float], list[Message]]:
-    """A date that is wrong by a time [us]."""
+    """A change that makes the date wrong by an offset [us]."""
 
     def change(m: Message, _: float) -> list[Message]:
         if not isinstance(m, SystemTime):
@@ -172,7 +172,7 @@ def date(offset_us: int) -> Callable[[Message, float], list[Message]]:
 
 
 def answers(rng: Generator) -> Callable[[Message, float], list[Message]]:
-    """Answers of TIMESYNC with random stamps."""
+    """A change that adds answers of TIMESYNC with random stamps."""
 
     def change(m: Message, _: float) -> list[Message]:
         if not isinstance(m, Timesync):
@@ -184,7 +184,7 @@ def answers(rng: Generator) -> Callable[[Message, float], list[Message]]:
 
 
 def stranger(rng: Generator) -> Callable[[Message, float], list[Message]]:
-    """Heartbeats of somebody else under the autopilot's numbers, between its own."""
+    """A change that adds heartbeats of another sender with the autopilot's identity."""
     makes = (MavAutopilot.INVALID, MavAutopilot.GENERIC, MavAutopilot.ARDUPILOTMEGA)
     autopilot = int(makes[int(rng.integers(len(makes)))])
     kind = int((MavType.QUADROTOR, MavType.GCS, MavType.FIXED_WING)[int(rng.integers(3))])
@@ -200,24 +200,24 @@ def stranger(rng: Generator) -> Callable[[Message, float], list[Message]]:
 
 Change = Callable[[Message, float], Sequence[Message]]
 LEAST_SHARE = 0.03
-"""Least size of a lie as a share of the most."""
+"""Least size of a lie, as a share of the largest; chosen."""
 
 
 class Size(NamedTuple):
     """How wrong a lie is."""
 
     share: float
-    """Of the most, LEAST_SHARE to 1; small ones are as likely as large ones."""
+    """Share of the largest size, from LEAST_SHARE to 1, distributed evenly in its logarithm."""
     sign: float
     """Minus or plus one."""
     north: float
-    """North of a random horizontal direction."""
+    """North component of a random horizontal unit vector."""
     east: float
-    """East of it."""
+    """East component of the same."""
 
 
 def over_decades(size: Size, least: float, most: float) -> float:
-    """A number between a least and a most one; its logarithm goes with that of the share."""
+    """A number from `least` to `most`, whose logarithm is linear in that of the share."""
     return most * (most / least) ** (-math.log(size.share) / math.log(LEAST_SHARE))
 
 
@@ -242,11 +242,11 @@ CHANGES: dict[str, Callable[[Generator, Size], Change]] = {
 }
 """The changes of values, by the names of the lies."""
 NAMES = (*CHANGES, "late", "reordered")
-"""The lies."""
+"""The names of all lies."""
 
 
 def draw_size(rng: Generator) -> Size:
-    """A random size."""
+    """A random size of a lie."""
     toward = rng.uniform(-math.pi, math.pi)
     share, sign = LEAST_SHARE ** rng.uniform(0.0, 1.0), float(rng.choice((-1.0, 1.0)))
     return Size(share, sign, math.cos(toward), math.sin(toward))
@@ -274,7 +274,7 @@ def draw_lies(rng: Generator, longest: float) -> dict[str, Lie]:
 
 
 def through(lies: Sequence[Lie], t: float, message: Message) -> Iterator[Message]:
-    """What arrives of a message at a time [s] that passes several lies, one after the other."""
+    """The messages that arrive of one that passes several lies in turn at a time [s]."""
     told: Sequence[Message] = [message]
     for lie in lies:
         told = [each for m in told for each in lie(t, m)]
@@ -282,5 +282,5 @@ def through(lies: Sequence[Lie], t: float, message: Message) -> Iterator[Message
 
 
 def seeded(seed: int, number: int) -> Generator:
-    """The random numbers of flight `number`."""
+    """The generator of the random numbers of flight `number`."""
     return np.random.default_rng(np.random.SeedSequence((seed, number)))

@@ -14,7 +14,7 @@ The reference flies in a work tree of its own. Its flights are kept below `~/.ca
 (or XDG_CACHE_HOME), by commit and by kind of machine, so that the next time only the tree flies.
 
 A recording is a `vehicle-ID.tlog` beside the `scenario.toml` that was flown, of a real link or not.
-Both sides replay it, and have to receive and send the same.
+Both checkouts replay it, and have to receive and send the same.
 
 The exit status is 0 if all is identical, 1 if not, 2 for bad input, 130 when interrupted.
 """
@@ -43,41 +43,41 @@ REFERENCE = "1dcd7e3"
 SAME, DIFFERENT, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 RUN = "from vfguide.cli.main import main; main()"
 PACKAGES = ("jsbsim", "llvmlite", "numba", "numpy", "scipy")
-"""What else computes."""
+"""Packages beside this one on which the bits of a flight depend."""
 WIDE = "10000"
-"""Columns of a terminal that breaks no line."""
+"""Number of columns of a terminal that breaks no line, as text."""
 
 Job = TypeVar("Job")
 Done = TypeVar("Done")
 
 
 class BadInputError(Exception):
-    """What was asked for cannot be compared; the message says why."""
+    """The comparison that was asked for cannot be made; the message says why."""
 
 
 class NoFlightError(Exception):
-    """A scenario was not flown to its end; the message says what the program said last."""
+    """A scenario was not flown to its end; the message is the last line of the program."""
 
 
 class Verdict(NamedTuple):
-    """What a comparison found."""
+    """The result of a comparison."""
 
     name: str
-    """Of the scenario or the recording."""
+    """Name of the scenario or the recording."""
     same: bool
     told: str
 
 
-class Side(NamedTuple):
-    """One of the two that fly."""
+class Checkout(NamedTuple):
+    """A checkout that flies: the reference, or the working tree."""
 
     tree: Path
     """The checkout whose package and scenarios are used."""
     environment: dict[str, str]
-    """Of its programs, beside that of this one."""
+    """Environment variables of its programs, added to those of this one."""
 
     def vfguide(self, *words: str | Path) -> subprocess.CompletedProcess[str]:
-        """A command of its own `vfguide`, in a process of its own."""
+        """Run a command of the checkout's `vfguide`, in a process of its own."""
         paths = {"PYTHONPATH": str(self.tree), "COLUMNS": WIDE}
         return subprocess.run(
             [sys.executable, "-c", RUN, *map(str, words)],
@@ -121,18 +121,18 @@ class Side(NamedTuple):
 
 
 def is_over(done: subprocess.CompletedProcess[str], last: Path) -> bool:
-    """Whether a command came to its end: a fault of Python has the exit status of a bad flight."""
+    """Whether a command came to its end; a traceback has the exit status of a bad flight."""
     judged = done.returncode in (0, 1) and last.exists()
     return judged and "Traceback" not in done.stderr
 
 
 def lines_of(done: subprocess.CompletedProcess[str]) -> list[str]:
-    """What a program said, its errors if there are any."""
+    """The lines that a program printed, on standard error if there are any."""
     return (done.stderr.strip() or done.stdout.strip()).splitlines()
 
 
 def last_line(done: subprocess.CompletedProcess[str]) -> str:
-    """What a program said last."""
+    """The last line that a program printed."""
     return (lines_of(done) or [f"exit status {done.returncode}"])[-1]
 
 
@@ -163,7 +163,7 @@ def commit_of(reference: str) -> str:
 
 
 def names_of(files: Iterable[str]) -> list[str]:
-    """The names of the scenarios among files, of paths below the folder of scenarios."""
+    """The names of the scenarios among paths below the folder of scenarios."""
     paths = map(PurePath, files)
     names = {each.with_suffix("") for each in paths if each.suffix == ".toml"}
     return sorted(name.as_posix() for name in names if "aircraft" not in name.parts)
@@ -181,7 +181,7 @@ def names_here() -> list[str]:
 
 
 def machine() -> str:
-    """What the bits of a flight depend on beside the code: processor and libraries."""
+    """What the bits of a flight depend on besides the code, in words: processor and libraries."""
     processor = (platform.machine(), llvmlite.binding.get_host_cpu_name())
     features = llvmlite.binding.get_host_cpu_features().flatten()
     libraries = ("python", platform.python_version(), *platform.libc_ver())
@@ -200,7 +200,7 @@ def kept_flights(commit: str) -> Path:
 
 
 @contextmanager
-def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Side]:
+def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Checkout]:
     """The reference as a work tree in `folder`, with the machine code that belongs to it.
 
     Raises:
@@ -212,14 +212,14 @@ def checkout(commit: str, folder: Path, *, keep: bool) -> Iterator[Side]:
     elif git("rev-parse", "HEAD", at=tree) != commit or git("status", "--porcelain", at=tree):
         raise BadInputError(f"{tree}: not a clean checkout of that commit")
     try:
-        yield Side(tree, {"XDG_CACHE_HOME": str(folder / "cache")})
+        yield Checkout(tree, {"XDG_CACHE_HOME": str(folder / "cache")})
     finally:
         if not keep:
             git("worktree", "remove", "--force", tree)
 
 
 def in_turn(work: Callable[[Job], Done], jobs: Sequence[Job], workers: int) -> Iterator[Done]:
-    """The first job alone, since it compiles for all; then so many at a time. In their order."""
+    """The results of all jobs, in order; the first runs alone, since it compiles for the others."""
     yield from map(work, jobs[:1])
     with ThreadPoolExecutor(workers) as pool:
         yield from pool.map(work, jobs[1:])
@@ -237,28 +237,28 @@ def reference_flights(
     missing = [name for name in names if not (kept / name / "result.json").exists()]
     say(f"reference {commit[:12]}: {len(missing)} of {len(names)} to fly, kept in {kept}")
     if missing:
-        with checkout(commit, scratch, keep=args.keep is not None) as side:
-            for _ in in_turn(partial(fly_reference, side, kept), missing, args.workers):
+        with checkout(commit, scratch, keep=args.keep is not None) as reference:
+            for _ in in_turn(partial(fly_reference, reference, kept), missing, args.workers):
                 pass
     return kept
 
 
-def fly_reference(side: Side, kept: Path, name: str) -> None:
+def fly_reference(reference: Checkout, kept: Path, name: str) -> None:
     """Fly one scenario as the reference does.
 
     Raises:
         BadInputError: it does not.
     """
     try:
-        side.fly(name, kept / name)
+        reference.fly(name, kept / name)
     except NoFlightError as error:
         raise BadInputError(f"the reference does not fly {name}: {error}") from error
 
 
-def compare(side: Side, kept: Path, flown: Path, name: str) -> Verdict:
+def compare(tree: Checkout, kept: Path, flown: Path, name: str) -> Verdict:
     """Fly one scenario as the tree does, and compare it with the kept flight."""
     try:
-        side.fly(name, flown / name)
+        tree.fly(name, flown / name)
     except NoFlightError as error:
         return Verdict(name, same=False, told=f"does not fly: {error}")
     found = flight_difference(kept / name, flown / name)
@@ -267,7 +267,7 @@ def compare(side: Side, kept: Path, flown: Path, name: str) -> Verdict:
 
 
 def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
-    """All scenarios that were asked for."""
+    """Verdicts of all scenarios that were asked for."""
     commit = commit_of(args.reference)
     before, here = names_at(commit), names_here()
     if wrong := set(args.scenarios).difference(before, here):
@@ -280,7 +280,7 @@ def compare_flights(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict
             lacking = "reference" if name in here else "tree"
             yield Verdict(name, same=name in here, told=f"the {lacking} lacks it")
     flown = Path(tempfile.mkdtemp(prefix="tree-", dir=scratch))
-    yield from in_turn(partial(compare, Side(ROOT, {}), kept, flown), both, args.workers)
+    yield from in_turn(partial(compare, Checkout(ROOT, {}), kept, flown), both, args.workers)
 
 
 def recordings_in(folder: Path) -> list[Path]:
@@ -290,12 +290,12 @@ def recordings_in(folder: Path) -> list[Path]:
 
 
 def name_of(log: Path) -> str:
-    """The name of a recording."""
+    """The name of a recording, from its folder and its file."""
     return f"{log.parent.name}/{log.name}"
 
 
 def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verdict]:
-    """All recordings below a folder, replayed by both sides.
+    """All recordings below a folder, replayed by both checkouts.
 
     Raises:
         BadInputError: the reference does not replay one of them.
@@ -308,27 +308,27 @@ def compare_recordings(scratch: Path, args: argparse.Namespace) -> Iterator[Verd
     commit = commit_of(args.reference)
     kept = {log: kept_replay(commit, log) for log in logs}
     if missing := [log for log in logs if not kept[log].exists()]:
-        with checkout(commit, scratch, keep=args.keep is not None) as side:
+        with checkout(commit, scratch, keep=args.keep is not None) as reference:
             for log in missing:
-                replay_reference(side, log, kept[log])
+                replay_reference(reference, log, kept[log])
     new = Path(tempfile.mkdtemp(prefix="replay-", dir=scratch))
     yield from in_turn(lambda log: compare_replay(log, kept[log], new), logs, args.workers)
 
 
 def kept_replay(commit: str, log: Path) -> Path:
-    """The folder for what a commit makes of a recording, by what is in it and was flown."""
+    """The folder for a commit's replay of a recording, named by the content of both files."""
     content = log.read_bytes() + (log.parent / "scenario.toml").read_bytes()
     return kept_flights(commit) / "recordings" / hashlib.sha256(content).hexdigest()[:16]
 
 
-def replay_reference(side: Side, log: Path, kept: Path) -> None:
+def replay_reference(reference: Checkout, log: Path, kept: Path) -> None:
     """Replay one recording as the reference does.
 
     Raises:
         BadInputError: it does not.
     """
     try:
-        side.replay(log, kept)
+        reference.replay(log, kept)
     except NoFlightError as error:
         raise BadInputError(f"the reference does not replay {name_of(log)}: {error}") from error
 
@@ -337,7 +337,7 @@ def compare_replay(log: Path, kept: Path, new: Path) -> Verdict:
     """Replay one recording as the tree does, and compare it with the kept replay."""
     name, folder = f"recording {name_of(log)}", new / log.parent.name / log.stem
     try:
-        Side(ROOT, {}).replay(log, folder)
+        Checkout(ROOT, {}).replay(log, folder)
     except NoFlightError as error:
         return Verdict(name, same=False, told=f"is not replayed: {error}")
     found = log_difference(kept / log.name, folder / log.name)
@@ -351,14 +351,14 @@ def say(line: str) -> None:
 
 
 def whole(text: str) -> int:
-    """A number of processes."""
+    """The number of processes in an argument of the command line."""
     if (number := int(text)) < 1:
         raise argparse.ArgumentTypeError(f"{number}, allowed is 1 or more")
     return number
 
 
 def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
-    """The options."""
+    """The options of the command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -373,7 +373,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
 
 
 def verdicts(args: argparse.Namespace) -> Iterator[Verdict]:
-    """Everything that is compared."""
+    """The verdicts of everything that is compared."""
     if args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
@@ -383,7 +383,7 @@ def verdicts(args: argparse.Namespace) -> Iterator[Verdict]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Compare; returns the exit status."""
+    """Compare, and print the verdicts; returns the exit status."""
     status = SAME
     try:
         for verdict in verdicts(parse(arguments)):

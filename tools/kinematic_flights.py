@@ -13,22 +13,22 @@ from vfguide.kernels.rows import columns
 from vfguide.sim.kinematic import Bodies, Commands, advance
 
 DT = 0.02
-"""Between two evaluations of the law [s], as in a run."""
+"""Time between two evaluations of the law [s], as in a run."""
 ARRIVED = 0.05
-"""[m], as in a run."""
+"""Distance from its goal at which a robot has arrived [m], as in a run."""
 GAINS = PaperGains(0.25, 3.5, DT)
 
 
 @dataclass(frozen=True)
 class Flight:
-    """N robots, from their starts until all stand or the time is over."""
+    """The flight of N robots, from their starts until all are at rest or the time is over."""
 
     p_n: Vectors
-    """(T, N, 3) [m]."""
+    """(T, N, 3) positions, NED [m]."""
     R_nb: Matrices
-    """(T, N, 3, 3)."""
+    """(T, N, 3, 3) attitudes, body FRD to NED."""
     standing: np.ndarray
-    """(N,) whether each is at its goal."""
+    """(N,) whether each is at rest at its goal."""
 
     def headings(self, goals: Rows) -> Series:
         """Angles between body x and the goal's direction at the end, (N,) [rad]."""
@@ -46,10 +46,10 @@ def fly(
     gains: PaperGains = GAINS,
     arrived: float = ARRIVED,
 ) -> Flight:
-    """Law `paper` and the kinematic plant, exactly as a run flies them.
+    """Fly law `paper` on the kinematic plant, exactly as a run does.
 
-    `goals` are of `goal_rows`, N rows; the order of the robots is that of their priority. Nearer
-    than `arrived` to its goal [m] a robot stands still.
+    `goals` are N rows of `goal_rows`; the order of the robots is that of their priority. A robot
+    nearer to its goal than `arrived` [m] stays at rest.
     """
     ends = columns(GoalFrame, goals).p_n
     bodies, moving = start, np.ones(len(goals), bool)

@@ -15,9 +15,9 @@ from vfguide.kernels.rows import columns
 from vfguide.sim.kinematic import Bodies
 
 WORLD = 100.0
-"""Half the edge of the cube that starts, goals and obstacles are drawn from [m]."""
+"""Half the edge of the cube from which starts, goals and obstacles are drawn [m]; chosen."""
 ROOM = 1.0
-"""Between two reactive areas, and between them and starts and goals [m]."""
+"""Least distance between two reactive areas, and from them to starts and goals [m]; chosen."""
 
 
 @dataclass(frozen=True)
@@ -25,34 +25,34 @@ class World:
     """One robot among obstacles."""
 
     goals: Rows
-    """One row of `goal_rows`."""
+    """The goal, one row of `goal_rows`."""
     start: Bodies
     obstacles: Rows
 
 
 def random_bodies(rng: np.random.Generator, p_n: Rows) -> Bodies:
-    """Bodies at these places (N, 3), of any attitude."""
+    """Bodies at places (N, 3), NED [m], with random attitudes."""
     return Bodies(
         p_n, np.ascontiguousarray(Rotation.random(len(p_n), random_state=rng).as_matrix())
     )
 
 
 def random_goals(rng: np.random.Generator, p_n: Rows) -> Rows:
-    """Goals at these places (N, 3), of any heading and of climbs up to 60 degrees."""
+    """Goals at places (N, 3), NED [m], with random headings and climbs up to 60 degrees."""
     headings, climbs = rng.uniform(-math.pi, math.pi, len(p_n)), rng.uniform(-1.05, 1.05, len(p_n))
     places = [(float(x), float(y), float(z)) for x, y, z in p_n]
     return goal_rows([goal_frame(*each) for each in zip(places, headings, climbs, strict=True)])
 
 
 def starts_in_free_space(seed: tuple[int, int], count: int) -> tuple[Rows, Bodies]:
-    """Goals and starts, every one drawn anew."""
+    """`count` goals and starts, each drawn independently."""
     rng = np.random.default_rng(seed)
     goals = random_goals(rng, rng.uniform(-WORLD, WORLD, (count, 3)))
     return goals, random_bodies(rng, rng.uniform(-WORLD, WORLD, (count, 3)))
 
 
 def random_obstacle(rng: np.random.Generator) -> Obstacle:
-    """A superquadric of 5 to 20 m; its reactive level makes the reactive area 1.5 to 2 times it."""
+    """A superquadric of 5 to 20 m, with a reactive area that is 1.5 to 2 times as large."""
     exponents = rng.uniform(1.0, 4.0, 3)
     level = rng.uniform(1.5, 2.0) ** (2.0 * float(exponents.min()))
     return Obstacle(
@@ -84,7 +84,7 @@ def random_world(seed: int, number: int) -> World:
 
 
 def free_place(rng: np.random.Generator, obstacles: Rows) -> Rows:
-    """A place outside the balls of all reactive areas, (3,)."""
+    """A place outside the balls around all reactive areas, (3,), NED [m]."""
     found = columns(PlacedObstacle, obstacles)
     while True:
         p_n = rng.uniform(-WORLD, WORLD, 3)
@@ -109,7 +109,7 @@ def random_swarm(seed: int, count: int, apart: float) -> tuple[Rows, Bodies]:
 
 
 def spread(rng: np.random.Generator, count: int, size: float, apart: float) -> Rows:
-    """Places in a cube of this edge, each pair farther apart than `apart` [m], (count, 3)."""
+    """Places (count, 3) in a cube with the edge `size`, each two farther apart than `apart` [m]."""
     places = np.empty((0, 3))
     while len(places) < count:
         p_n = rng.uniform(0.0, size, 3)
@@ -119,5 +119,5 @@ def spread(rng: np.random.Generator, count: int, size: float, apart: float) -> R
 
 
 def level_at(p_n: Rows, obstacles: Rows) -> Rows:
-    """U of every obstacle at time zero, (..., M)."""
+    """Level U of every obstacle at time zero at places (..., 3), (..., M)."""
     return levels(p_n, 0.0, obstacles)

@@ -1,6 +1,6 @@
 """Sequences of lies about a point-mass aeroplane that the control loop flies to a pose in wind.
 
-Roll, pitch and position are told as they are.
+Roll, pitch and position stay true.
 """
 
 import math
@@ -26,20 +26,20 @@ from vfguide.loop.state import read_state, write_state
 from vfguide.loop.step import step
 
 UPDATE = 0.04
-"""Time between two steps of the guidance [s]."""
+"""Time between two steps of guidance [s]; chosen."""
 SUBSTEPS = 2
-"""Steps of the aeroplane in that time, a number."""
+"""Number of steps of the aeroplane in that time; chosen."""
 YAW, VELOCITY, WIND, AIRSPEED, RATE, NO_WIND, NO_AIRSPEED, OLD, SILENT, TWICE, LEAP = range(11)
 NAMES = (
     *("yaw", "velocity", "wind", "airspeed", "rate", "no wind", "no airspeed"),
     *("old", "silent", "twice", "leap"),
 )
 HISTORY = 51
-"""Number of updates that are remembered for old frames, 2 s."""
+"""Number of updates that are remembered for old frames; chosen as 2 s."""
 
 
 class Lie(NamedTuple):
-    """One thing that is told wrong for a while."""
+    """One quantity that is reported wrong for some time."""
 
     kind: int
     begin: float
@@ -47,31 +47,31 @@ class Lie(NamedTuple):
     end: float
     """When it ends [s]."""
     ramp: float
-    """Time in which it grows [s]."""
+    """Time in which it grows from nothing [s]."""
     size: float
-    """How wrong it is, 0 to 1 of the most."""
+    """Size of the error, as a share of the largest, 0 to 1."""
     direction: float
-    """In which direction it is wrong [rad]."""
+    """Direction of the error [rad]."""
 
 
 class Extremes(NamedTuple):
-    """The truth of a sequence."""
+    """Extreme values of the truth in a sequence."""
 
     bank: float
     """Largest bank [rad]."""
     least_load: float
     most_load: float
     lost: float
-    """Height lost below start and goal [m]."""
+    """Greatest depth below start and goal [m]."""
     silent_from: float
-    """When nothing was sent any more [s]; infinite: never."""
+    """Time from which nothing was sent any more [s]; infinite: there is none."""
     is_finite: bool
-    """Whether every setpoint was made of numbers."""
+    """Whether every setpoint was finite."""
 
 
 @compiled
 def random_lie(longest: float) -> Lie:
-    """A lie within a time [s], from the random numbers of compiled code."""
+    """A random lie that begins and ends within a time [s]; uses numba's random numbers."""
     begin = np.random.uniform(0.0, longest) if np.random.random() < 0.8 else -1.0
     end = begin + np.random.uniform(0.1, 8.0) if np.random.random() < 0.5 else math.inf
     ramp = np.random.uniform(0.2, 5.0) if np.random.random() < 0.3 else 0.0
@@ -121,7 +121,7 @@ def is_on(lies: tuple[Lie, Lie, Lie, Lie], kind: int, t: float) -> bool:
 
 @compiled
 def random_lies(seed: int) -> tuple[float, tuple[Lie, Lie, Lie, Lie]]:
-    """The lies of a sequence, and how long it is [s]; later ones than the first may be none."""
+    """The lies of a sequence, of which all but the first may be none, and its length [s]."""
     np.random.seed(seed)
     longest, number = np.random.uniform(2.0, 10.0), np.random.randint(1, 5)
     a, b = random_lie(longest), random_lie(longest)
@@ -137,7 +137,7 @@ def random_lies(seed: int) -> tuple[float, tuple[Lie, Lie, Lie, Lie]]:
 
 @compiled
 def rates_told(omega_b: Vec3, lies: tuple[Lie, Lie, Lie, Lie], t: float) -> Vec3:
-    """Body rates with the lies of a time [s] in them [rad/s]."""
+    """Body rates as they are reported at a time `t` [s], with the lies about them [rad/s]."""
     for lie in lies:
         if lie.kind == RATE and lie.begin <= t < lie.end:
             wrong = (math.cos(lie.direction), math.sin(lie.direction), 0.0)
@@ -149,10 +149,10 @@ def rates_told(omega_b: Vec3, lies: tuple[Lie, Lie, Lie, Lie], t: float) -> Vec3
 def fly_sequence(
     seed: int, legs: Legs, law: Law, vehicle: Row, fresh: Row, down: float
 ) -> Extremes:
-    """One sequence.
+    """Fly one sequence.
 
     Args:
-        seed: of its random numbers.
+        seed: seed of its random numbers.
         legs: legs to a goal at the origin.
         law: the law of guidance.
         vehicle: row of the vehicle.
@@ -210,7 +210,7 @@ def fly_sequence(
 
 @compiled
 def bank_of(R_nb: Mat3) -> float:
-    """Angle of the right wing from the horizon about the nose [rad], not negative."""
+    """Bank, the angle of the right wing from the horizon about the nose [rad], not negative."""
     return abs(bank_angle(R_nb))
 
 
@@ -218,5 +218,5 @@ def bank_of(R_nb: Mat3) -> float:
 def fly_sequences(
     first: int, number: int, legs: Legs, law: Law, vehicle: Row, fresh: Row, down: float
 ) -> list[Extremes]:
-    """The sequences of some seeds; arguments as of `fly_sequence`."""
+    """The extremes of `number` sequences, from seed `first` on; others as of `fly_sequence`."""
     return [fly_sequence(first + k, legs, law, vehicle, fresh, down) for k in range(number)]

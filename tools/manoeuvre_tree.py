@@ -1,7 +1,7 @@
 """Whether an escape existed: every sequence of hard manoeuvres, by branch and bound.
 
 Nine actions (bank hard left, none, hard right; climb, level, descend), four of them in sequence,
-each for 2 s, where nothing else is asked for. The collision check is the exact distance at every
+each for 2 s by default. The collision check is the exact distance at every
 0.05 s.
 """
 
@@ -32,7 +32,10 @@ def act(
     bound: float,
     hold: float,
 ) -> tuple[PointMass, float]:
-    """The motion after one action, and the least distance on the way; ended below `bound`."""
+    """The point mass after one action, and the least distance on the path [m].
+
+    It ends early where that is below `bound` [m].
+    """
     bank = limits.bank_max * (action % 3 - 1)
     gamma = limits.climb_max if action // 3 == 1 else 0.0
     gamma = -limits.descent_max if action // 3 == 2 else gamma
@@ -57,10 +60,10 @@ def best_escape(
     levels: int = LEVELS,
     hold: float = HOLD,
 ) -> float:
-    """The largest least distance of all sequences [m], not looked for above `enough`.
+    """The largest of the least distances of all sequences [m]; the search ends at `enough`.
 
-    `rows` are the obstacles as they move at time `t`, all of them, known or not. A sequence has
-    `levels` actions, each for `hold` [s].
+    `rows` are all obstacles, known or not, as they move at time `t` [s]. A sequence has `levels`
+    actions, each for `hold` [s].
     """
     best, _ = true_distance(world, rows, motion.p_n, t)
     if best <= 0.0:

@@ -30,37 +30,37 @@ from vfguide.sim.signals import Controls, Inner
 from vfguide.sim.trim import TrimError, trim
 
 CLEAR_OF_GROUND = 1000.0
-"""Height above the ground of the tests [m]."""
+"""Height of the tests above the ground [m]; chosen."""
 STEADY = (0.0, 0.0, 0.0)
 RATES_DPS = (100.0, 80.0, 60.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0)
-"""Body rates that are tried, the fastest that is followed is taken [deg/s]."""
+"""Body rates that are tried, of which the fastest that is followed is taken [deg/s]; chosen."""
 
 
 class Answers(NamedTuple):
-    """What a model does after a step, sample by sample."""
+    """The response of a model to a step, n samples."""
 
     omega_b: Vectors
-    """(n, 3) body rates [rad/s]."""
+    """(n, 3) body rates, FRD [rad/s]."""
     thrust: Series
-    """(n,) [N]."""
+    """(n,) thrust [N]."""
 
 
 def answer_of(plant: Plant) -> tuple[Vec3, float]:
-    """Body rates [rad/s] and thrust [N] of this instant."""
+    """Body rates, FRD [rad/s], and thrust [N] at this instant."""
     now = Inner(*plant.inner())
     return (now.p, now.q, now.r), plant.readings.thrust()
 
 
 @dataclass(frozen=True)
 class FlightTest:
-    """One model at one altitude [m] and cruise [m/s]."""
+    """Flight tests of one model, at one altitude [m] and true airspeed of cruise [m/s]."""
 
     model: Model
     cruise: float
     altitude: float
 
     def trims(self, airspeed: float, climb: float = 0.0) -> bool:
-        """Whether it flies steadily so."""
+        """Whether the model flies steadily at a true airspeed [m/s] and a path angle [rad]."""
         try:
             trim(Bench(self.model, self.altitude), airspeed, climb)
         except TrimError:
@@ -68,7 +68,7 @@ class FlightTest:
         return True
 
     def responses(self, omega_b: tuple[float, ...], thrust: float, seconds: float) -> Answers:
-        """What the model does from a step at cruise on."""
+        """The response of the model to a step of setpoints at cruise, for `seconds`."""
         each = identify(self.model, self.cruise, self.altitude)
         start = Start(0.8, 0.1, self.altitude, 0.0, each.cruise)
         plant = Plant(self.model, start, ground_altitude=self.altitude - CLEAR_OF_GROUND)
@@ -82,13 +82,13 @@ class FlightTest:
         return Answers(np.array(omega_b), np.array(thrusts))
 
     def share(self, axis: int, rate: float) -> Series:
-        """Body rate after a step of `rate` [rad/s] about one axis, as a share of it."""
+        """Body rate after a step of `rate` [rad/s] about one axis, as a share of `rate`, (n,)."""
         omega_b = tuple(rate if axis == i else 0.0 for i in range(3))
         return self.responses(omega_b, 0.0, 0.6).omega_b[:, axis] / rate
 
 
 def last_that(holds: Callable[[float], bool], good: float, bad: float, close: float) -> float:
-    """The farthest from `good` towards `bad` at which something holds."""
+    """The value farthest from `good` towards `bad` at which `holds` is true, to within `close`."""
     while abs(bad - good) > close:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if holds(middle) else (good, middle)
@@ -96,13 +96,13 @@ def last_that(holds: Callable[[float], bool], good: float, bad: float, close: fl
 
 
 def is_followed(test: FlightTest, axis: int, rate: float) -> bool:
-    """Whether steps to both sides are followed within 0.2 s, and to 20 %."""
+    """Whether steps to both sides are followed within 0.2 s, to within 20 %."""
     shares = [test.share(axis, rate), test.share(axis, -rate)]
     return all(time_to_63(s) < 0.2 and (abs(s[60:] - 1.0) < 0.2).all() for s in shares)
 
 
 def time_to_63(share: Series) -> float:
-    """63 % of a step [s]; infinite if it does not get there."""
+    """Time to 63 % of a step [s]; infinite if that is not reached."""
     late = share > 1.0 - math.exp(-1.0)
     return STEP * float(np.argmax(late)) if late.any() else math.inf
 
@@ -113,7 +113,7 @@ def fastest_rate(test: FlightTest, axis: int) -> float:
 
 
 def drag_of_lift(test: FlightTest) -> float:
-    """Induced drag at cruise [N]: D = a V^2 + b / V^2 through two speeds of level flight."""
+    """Induced drag at cruise [N], from D = a V^2 + b / V^2 at two speeds of level flight."""
     bench, speeds = Bench(test.model, test.altitude), np.array([1.0, 1.15]) * test.cruise
     drags = [bench.thrust(trim(bench, float(v))) for v in speeds]
     (_, b) = np.linalg.solve(np.column_stack([speeds**2, speeds**-2]), drags)
@@ -121,7 +121,7 @@ def drag_of_lift(test: FlightTest) -> float:
 
 
 def lift_fit(test: FlightTest) -> tuple[float, float]:
-    """alpha_zero [deg] and alpha_load [deg m^2/s^2] through the trims about cruise."""
+    """alpha_zero [deg] and alpha_load [deg m^2/s^2] by a fit to the trims around cruise."""
     bench, speeds = Bench(test.model, test.altitude), np.array([0.9, 1.0, 1.15]) * test.cruise
     alphas = [trim(bench, float(v)).alpha / DEG for v in speeds]
     load, zero = np.polyfit(speeds**-2, alphas, 1)
@@ -140,7 +140,7 @@ def full_at(test: FlightTest, airspeed: float) -> float:
 
 
 def measure(test: FlightTest, name: str, stock: str | None) -> str:
-    """The whole file."""
+    """The values of the whole aircraft file."""
     each, bench = identify(test.model, test.cruise, test.altitude), Bench(test.model, test.altitude)
     stall = last_that(test.trims, test.cruise, 0.2 * test.cruise, 0.01 * test.cruise)
     fastest = last_that(test.trims, test.cruise, 2.0 * test.cruise, 0.01 * test.cruise)
@@ -200,7 +200,7 @@ thrust_s = {thrust_s:.2f}
 
 
 def main() -> None:
-    """Measure and print."""
+    """Measure the model and print the file."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

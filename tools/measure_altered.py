@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Flights during which random lies are told on the link, judged by the truth, as a table.
+"""Flights with random lies on the link, judged by the truth, as a table.
 
     python tools/measure_altered.py --runs 100
 
@@ -8,7 +8,7 @@ first flight, in calm air that moves with up to 0.45 of the airspeed. One to fou
 wrong yaw, ground velocity, wind, airspeed or body rates, at once or as a ramp; messages that are
 kept back, late, out of order, repeated or lost, up to a second of silence; a wrong counter or date,
 answers to questions that nobody asked, heartbeats of a stranger under the autopilot's numbers.
-Roll, pitch and position are told as they are. What must hold: bank 55 degrees, load factor 0 to
+Roll, pitch and position stay true. What must hold: bank 55 degrees, load factor 0 to
 2.6, airspeed 1.1 x stall, 50 m of height, and no setpoint in a phase in which none may go out.
 """
 
@@ -25,9 +25,9 @@ from altered import fly_altered
 from frame_lies import draw_lies, seeded, through
 
 DURATION = 60.0
-"""Length of a flight [s]."""
+"""Longest time of a flight [s]; chosen."""
 MOST_BANK, LOADS, MOST_LOST, STALL_RATIO = 55.0, (0.0, 2.6), 50.0, 1.1
-"""What must hold: bank [deg], load factor, height lost [m], airspeed over the stall."""
+"""Limits of bank [deg], load factor, height lost [m] and airspeed over that of the stall."""
 STALL = 17.5
 """Stalling speed of the Aerosonde [m/s]."""
 
@@ -41,7 +41,7 @@ class Outcome:
     bank: float
     load: tuple[float, float]
     airspeed: float
-    """Least airspeed over the stall."""
+    """Ratio of the least airspeed to that of the stall."""
     lost: float
     """Height lost below the lower one of start and goal [m]."""
     unpermitted: int
@@ -50,7 +50,7 @@ class Outcome:
 
     @property
     def is_inside(self) -> bool:
-        """Whether all holds that must."""
+        """Whether everything holds that must hold."""
         return (
             self.bank <= MOST_BANK
             and LOADS[0] <= self.load[0]
@@ -97,7 +97,7 @@ def line_of(each: Outcome) -> str:
 
 
 def main() -> None:
-    """Fly, and print."""
+    """Fly, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=100)
     parser.add_argument("--first", type=int, default=0, help="number of the first flight")

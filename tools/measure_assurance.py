@@ -37,7 +37,7 @@ from vfguide.kernels.rows import Table, columns
 
 REPEATS = 20
 ENOUGH = 5.0
-"""The tree does not look for a larger distance than this [m]."""
+"""Distance above which the tree looks for no larger one [m]; chosen."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Outcome:
     without: Flown
     assured: Flown
     best: float
-    """Least distance that the tree found to be possible [m], where something was hit."""
+    """Least distance that was possible by the tree [m], where something was hit."""
 
 
 def the_aircraft() -> Assurance:
@@ -58,9 +58,9 @@ def the_aircraft() -> Assurance:
 
 
 def best_possible(world: World, log: Table, aircraft: Assurance) -> float:
-    """The least of what the tree finds at the moments at which something came in sight [m].
+    """The least, over all moments at which an obstacle is detected, of what the tree finds [m].
 
-    Obstacles that turn are taken as they are drawn: the tree then says nothing of value.
+    It says nothing in worlds with obstacles that turn, since the tree takes them as going straight.
     """
     moments = [0, *(np.flatnonzero(np.diff(columns(Logged, log).known) > 0) + 1)]
     best = ENOUGH
@@ -105,7 +105,7 @@ def show(kind: str, outcomes: list[Outcome], args: argparse.Namespace) -> None:
 
 
 def show_cost(args: argparse.Namespace) -> None:
-    """Print what a decision takes, at states along flights among 15 obstacles."""
+    """Print the processor time of decisions, at states along flights among 15 obstacles."""
     aircraft, took = the_aircraft(), list[float]()
     number = 0
     while len(took) < args.runs * 100:
@@ -127,7 +127,7 @@ def show_cost(args: argparse.Namespace) -> None:
 
 
 def show_flight(kind: str, args: argparse.Namespace) -> None:
-    """Print the decisions of one flight, four a second where the assurance acts."""
+    """Print decisions of one flight, four a second, while the assurance acts."""
     world = draw_world(kind, args.seed, args.only, args.duration)
     log: Table = np.zeros((round(args.duration / TICK), LOGGED_WIDTH))
     print(fly(world, the_aircraft(), True, log))
@@ -143,7 +143,7 @@ def show_flight(kind: str, args: argparse.Namespace) -> None:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all worlds and print the table."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

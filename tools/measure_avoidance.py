@@ -46,7 +46,7 @@ from vfguide.scenario.obstacles import rows_of
 TREE = {"hit": 0.0, "near": 12.0, "all": math.inf, "none": -math.inf}
 """Clearance up to which the tree is asked [m], by the names of the option."""
 CLOSE = 5.0
-"""Where the tree finds no escape, at most so much deeper than its best is asked for [m]."""
+"""Where the tree finds no escape, the largest depth below its best that is allowed [m]; chosen."""
 
 
 @dataclass(frozen=True)
@@ -58,36 +58,36 @@ class Outcome:
     miss_m: float
     angle_deg: float
     clearance_m: float
-    """Least, of all obstacles, other aircraft, the fence and the ground."""
+    """Least clearance from obstacles, other aircraft, the fence and the ground."""
     time_s: float
     wall_s: float
     acting: float
     """Share of the setpoints that the assurance chose."""
     length_m: float
-    """Flown to the goal."""
+    """Length of the path to the goal."""
     reference_m: float
-    """Of the shortest path that BIT* finds; infinite where none, NaN where it was not asked."""
+    """Length of the shortest path by BIT*; infinite: it finds none, NaN: not asked for."""
     free_m: float
-    """Of the shortest path without obstacles, by Dubins."""
+    """Length of the shortest path without obstacles, by Dubins."""
     best_m: float
-    """Least clearance that the tree finds to be possible; NaN where it was not asked."""
+    """Least clearance that was possible by the tree; NaN where it was not asked for."""
     reasons: tuple[str, ...]
     field: FieldResult | None = None
-    """Who led, in law field."""
+    """What law field followed; None: another law was flown."""
 
     @property
     def meets(self) -> bool:
-        """Whether the goal was reached as exactly as the issue of avoidance asks for."""
+        """Whether the goal was reached within 5 m and 5 deg."""
         return self.reached and self.miss_m <= 5.0 and self.angle_deg <= 5.0
 
     @property
     def hits(self) -> bool:
-        """Whether something was entered."""
+        """Whether an obstacle, a volume, the fence or the ground was entered."""
         return self.clearance_m <= 0.0
 
     @property
     def allowed(self) -> bool:
-        """Whether that is as good as the tree finds possible, but for CLOSE."""
+        """Whether nothing was entered, or nothing that was avoidable, by the tree and CLOSE."""
         return not self.hits or (self.best_m <= 0.0 and self.clearance_m >= self.best_m - CLOSE)
 
 
@@ -97,7 +97,7 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
 
 
 def fly_table(table: Table, number: int, args: argparse.Namespace, steps: Steps = STEPS) -> Outcome:
-    """Fly a world as it is written."""
+    """Fly the world of a scenario table."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         path = folder / "world.toml"
@@ -160,7 +160,7 @@ def free_length(loaded: LoadedScenario) -> float:
 
 
 def ends_between(loaded: LoadedScenario, wind: float) -> tuple[Pose, Pose, float]:
-    """Start and goal in the plane, and the radius [m] of turns downwind in so much wind [m/s]."""
+    """Start and goal in the plane, and the radius of turns [m] in a wind of a speed [m/s]."""
     vehicle = loaded.scenario.vehicles[0]
     goal, gains = vehicle.goals[0], loaded.gains(vehicle)
     start = Pose(*vehicle.position_m[:2], math.radians(vehicle.euler_deg[2]))
@@ -169,7 +169,7 @@ def ends_between(loaded: LoadedScenario, wind: float) -> tuple[Pose, Pose, float
 
 
 def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
-    """Print the row, and the worst flights."""
+    """Print the row of the table, and the worst flights."""
     n = len(outcomes)
     within = [
         sum(o.reached and o.miss_m <= miss and o.angle_deg <= angle for o in outcomes)
@@ -197,7 +197,7 @@ def show(outcomes: Sequence[Outcome], args: argparse.Namespace) -> None:
 
 
 def show_failures(outcomes: Sequence[Outcome]) -> None:
-    """Print what was hit and what was not reached."""
+    """Print the flights in which something was hit or the goal was not reached."""
     for o in outcomes:
         if o.hits or not o.meets:
             print(
@@ -208,7 +208,7 @@ def show_failures(outcomes: Sequence[Outcome]) -> None:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all worlds and print the table."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

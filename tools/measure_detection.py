@@ -25,15 +25,15 @@ HEIGHT = 400.0
 LEG = (3000.0, 5000.0)
 """Least and greatest distance from the start to the goal [m]; chosen."""
 SIZES = (20.0, 500.0)
-"""Least and greatest radius of a standing obstacle [m]; chosen, drawn evenly in its logarithm."""
+"""Least and greatest radius of an obstacle at rest [m]; chosen. Its logarithm is drawn evenly."""
 FREE = 600.0
-"""Distance of surfaces from start and goal [m]; chosen, two turn radii and some more."""
+"""Least distance of surfaces from start and goal [m]; chosen, two turn radii and some more."""
 BEFORE = 300.0
-"""Detection range of every plan before it followed the aircraft [m]."""
+"""Detection range of every plan before it was made to follow the aircraft [m]."""
 
 
 class Outcome(NamedTuple):
-    """How one flight went."""
+    """The result of one flight."""
 
     clearance: float
     """Least clearance from an obstacle [m]."""
@@ -42,12 +42,12 @@ class Outcome(NamedTuple):
 
 
 def along(place: np.ndarray, angle: float, distance: float) -> np.ndarray:
-    """A place at a distance [m] in a direction [rad] from another one."""
+    """The place at a distance [m] in a direction [rad] from another place."""
     return place + distance * np.array((math.cos(angle), math.sin(angle)))
 
 
 def standing(rng: np.random.Generator, begin: np.ndarray, end: np.ndarray) -> Table:
-    """An obstacle near the straight between two poses."""
+    """An obstacle at rest near the straight line between two places."""
     radius = float(np.exp(rng.uniform(*np.log(SIZES))))
     at = begin + rng.uniform(0.2, 0.8) * (end - begin) + rng.normal(0.0, 0.5 * radius + 30.0, 2)
     place = [*map(float, at), -HEIGHT]
@@ -64,7 +64,7 @@ def standing(rng: np.random.Generator, begin: np.ndarray, end: np.ndarray) -> Ta
 
 
 def moving(rng: np.random.Generator, begin: np.ndarray, end: np.ndarray, speed: float) -> Table:
-    """An obstacle that would meet a vehicle that flies straight at `speed` [m/s] from the start."""
+    """An obstacle that would meet a vehicle that flies straight from the start at `speed` [m/s]."""
     part, course, own = rng.uniform(0.3, 0.8), rng.uniform(0.0, 2.0 * math.pi), rng.uniform(5, 35)
     when = part * float(np.linalg.norm(end - begin)) / speed
     at = along(begin + part * (end - begin), course, -own * when)
@@ -77,7 +77,7 @@ def moving(rng: np.random.Generator, begin: np.ndarray, end: np.ndarray, speed: 
 
 
 def distance(table: Table, place: np.ndarray) -> float:
-    """Horizontal distance of a place from the surface [m], at least."""
+    """Lower bound of the horizontal distance of a place from the surface of an obstacle [m]."""
     length, width, _ = table.get("size_m", (0.0, 0.0, 0.0))
     radius = table.get("radius_m", math.hypot(length, width) / 2.0)
     north, east, _ = table["position_m"]
@@ -85,7 +85,7 @@ def distance(table: Table, place: np.ndarray) -> float:
 
 
 def world(seed: int) -> Table:
-    """A scenario of a goal behind obstacles; the same seed draws the same."""
+    """The scenario, with a goal behind obstacles, that a seed draws."""
     rng = np.random.default_rng(seed)
     start, course = np.array((0.0, 0.0)), rng.uniform(0.0, 2.0 * math.pi)
     places = (start, along(start, course, rng.uniform(*LEG)))
@@ -116,7 +116,7 @@ def world(seed: int) -> Table:
 
 
 def fly(table: Table) -> Outcome | None:
-    """The outcome of a scenario; None where it is refused."""
+    """The outcome of a scenario; None where the checks refuse it."""
     with tempfile.TemporaryDirectory() as name:
         file = Path(name) / "world.toml"
         file.write_text(tomli_w.dumps(table))
@@ -133,7 +133,7 @@ def fly(table: Table) -> Outcome | None:
 
 
 def show(name: str, outcomes: list[Outcome]) -> None:
-    """One row of the table."""
+    """Print one row of the table."""
     hits = [each.clearance for each in outcomes if each.clearance <= 0.0]
     reached, goals = sum(each.reached for each in outcomes), sum(each.goals for each in outcomes)
     deepest = f", the deepest {min(hits):.1f} m" if hits else ""
@@ -145,7 +145,7 @@ def show(name: str, outcomes: list[Outcome]) -> None:
 
 
 def main() -> None:
-    """Fly every world at both ranges."""
+    """Fly every world at both detection ranges, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--worlds", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)

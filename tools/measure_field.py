@@ -39,10 +39,11 @@ SHAPES = {
     "cone": shape.cone(50.0, 80.0),
 }
 HALF_STEPS = (5e-4, 5e-5, 5e-6, 5e-8)
-"""Of the differences [s]; the best counts: G' may flip within a long one, a short one rounds."""
+"""Half steps of the differences [s], of which the best counts; chosen, since G' may flip within a
+long one, and a short one suffers from rounding."""
 IN_A_SCENE = 50
 NEIGHBOURS = 6.0
-"""Robots within range of each on average, whatever their number."""
+"""Average number of robots within range of each, whatever their number; chosen."""
 
 
 class Scene(NamedTuple):
@@ -55,7 +56,7 @@ class Scene(NamedTuple):
     others: Rows
 
     def at(self, s: float) -> CompositeArrays:
-        """The field a time `s` later, everything moved on."""
+        """The field a time `s` later [s], when all points, obstacles and robots have moved on."""
         robots = columns(Robot, self.others)
         others = np.hstack([robots.p_n + s * robots.v_n, robots.v_n])
         return composite_fields(
@@ -69,7 +70,7 @@ def floats(a: np.ndarray) -> tuple[float, ...]:
 
 
 def lengths(a: Vectors) -> Series:
-    """Of the vectors in the last axis."""
+    """Lengths of the vectors along the last axis."""
     return np.linalg.norm(a, axis=-1)
 
 
@@ -86,7 +87,7 @@ def random_goal(rng: np.random.Generator, size: float) -> GoalFrame:
 
 
 def on_level(body: shape.Shape, level: float, towards: Vectors) -> Vectors:
-    """Points where U has a value: those of the surface, scaled until it has."""
+    """Points in directions `towards` at which U has the value `level`."""
     rows = obstacle_rows([Obstacle(body, STILL)])
     points = []
     for direction in towards:
@@ -166,7 +167,7 @@ def errors_of(scene: Scene) -> tuple[float, float]:
 
 
 def least_time(call: Callable[[], object], repeats: int) -> float:
-    """The shortest of some calls [s]."""
+    """Time of the fastest of some calls [s]."""
     times = []
     for _ in range(repeats):
         start = time.perf_counter()
@@ -194,7 +195,7 @@ def point_time(rng: np.random.Generator) -> float:
 
 
 def robots_time(rng: np.random.Generator, count: int) -> tuple[float, float]:
-    """A step of so many robots with their neighbours [s], and how many these are on average."""
+    """Time of a step of `count` robots [s], and the average number of their neighbours."""
     size = (count * 4.0 / 3.0 * math.pi * SPACING.detection_range**3 / NEIGHBOURS) ** (1 / 3)
     robots = np.hstack([rng.uniform(0.0, size, (count, 3)), 20.0 * rng.normal(size=(count, 3))])
     goals = goal_rows([random_goal(rng, size) for _ in range(count)])
@@ -207,7 +208,7 @@ def robots_time(rng: np.random.Generator, count: int) -> tuple[float, float]:
 
 
 def exactness(seed: int, points: int) -> Iterator[tuple[str, str, str]]:
-    """Rows of the table: what, of how many points, the worst."""
+    """Rows of the table: name, number of points, worst value."""
     for kind, (name, body) in enumerate(SHAPES.items()):
         worst = penetration(np.random.default_rng([seed, 0, kind]), body, points // 10)
         yield f"|F_OA.n| / |F_OA||n| on the {name}", f"{points // 10 * 10}", f"{worst:.1e}"
@@ -225,7 +226,7 @@ def exactness(seed: int, points: int) -> Iterator[tuple[str, str, str]]:
 
 
 def speed(seed: int) -> Iterator[tuple[str, str, str]]:
-    """Rows of the table: what, of how many, how long."""
+    """Rows of the table: name, number, time."""
     rng = np.random.default_rng([seed, 3])
     yield "F, R_a, Omega_a among 10 obstacles", "1", f"{1e6 * point_time(rng):.2f} us"
     few, _ = robots_time(rng, 1000)

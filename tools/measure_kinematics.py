@@ -15,7 +15,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from frame_jumps import PositionResets, count_jumps
+from frame_jumps import FrameJumps, count_jumps
 from kinematic_flights import fly
 from kinematic_worlds import level_at, random_swarm, random_world, starts_in_free_space
 from scipy.spatial import KDTree
@@ -34,17 +34,18 @@ NOTHING = obstacle_rows([])
 SWARMS = (7, 50, 200)
 SPACING = Spacing(4.0, 20.0)
 LONGEST = 300.0
-"""A flight is over after this at the latest [s]."""
+"""Longest time of a flight [s]; chosen."""
 DECAYED = 8.0
-"""The attitude error is looked at until k_w t is this."""
+"""Value of k_w t up to which the attitude error is compared, dimensionless; chosen."""
 NEAR = 0.001
-"""Starts in free space fly on to here [m]: at 0.05 m the field still turns round small circles."""
+"""Distance from the goal to which robots in free space fly [m]; chosen, since at 0.05 m the field
+still turns round small circles."""
 CHUNK = 500
-"""So many starts fly side by side."""
+"""Number of starts that fly side by side; chosen."""
 
 
 class Outcome(NamedTuple):
-    """Of the flight through one world."""
+    """The result of the flight through one world."""
 
     number: int
     reached: bool
@@ -52,11 +53,11 @@ class Outcome(NamedTuple):
     """Error of the direction at the end [rad]."""
     level: float
     """Least U of an obstacle on the path."""
-    jumps: PositionResets | None
+    jumps: FrameJumps | None
 
 
 def main() -> None:
-    """Print the tables."""
+    """Fly, and print the tables."""
     options = parse()
     gains = PaperGains(K_V, K_W, 1.0 / options.rate)
     print(f"seed {options.seed}, law at {options.rate:g} Hz, k_v {K_V}, k_w {K_W} 1/s")
@@ -73,7 +74,7 @@ def main() -> None:
 
 
 def parse() -> argparse.Namespace:
-    """The options."""
+    """The options of the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--rate", type=float, default=200.0, help="of the law [Hz]")
@@ -98,7 +99,7 @@ def print_starts(seed: int, count: int, gains: PaperGains) -> None:
 
 
 def fly_starts(seed: tuple[int, int], count: int, gains: PaperGains) -> tuple[Rows, Rows, Rows]:
-    """Who arrived, direction errors, and how far the attitude errors were from Lemma 4's, (N,)."""
+    """Who arrived, direction errors [rad], and largest deviations from Lemma 4 [rad], (N,) each."""
     goals, start = starts_in_free_space(seed, count)
     flight = fly(goals, start, NOTHING, None, LONGEST, gains, NEAR)
     steps = min(len(flight.p_n), round(DECAYED / (gains.k_w * gains.dt)))
@@ -128,7 +129,7 @@ def print_worlds(options: argparse.Namespace, gains: PaperGains) -> None:
     row("least U", f"{min(each.level for each in outcomes):.4f}")
     row("penetrations", f"{len(inside)}, in worlds {inside}")
     jumps = [each.jumps for each in outcomes if each.jumps is not None]
-    total = PositionResets(*(sum(column) for column in zip(*jumps, strict=True)))
+    total = FrameJumps(*(sum(column) for column in zip(*jumps, strict=True)))
     print(f"R_a along the paths through the first {len(jumps)}")
     row("steps that turn unlike Omega_a", f"{total.suspect}, looked into")
     row("jumps where chi is zero", f"{total.at_chi_zero}, n . G changes its sign")
@@ -137,7 +138,7 @@ def print_worlds(options: argparse.Namespace, gains: PaperGains) -> None:
 
 
 def fly_world(seed: int, gains: PaperGains, paths: int, number: int) -> Outcome:
-    """The flight through one world; R_a is watched in those before `paths`."""
+    """The flight through one world; jumps of R_a are counted in worlds numbered below `paths`."""
     world = random_world(seed, number)
     flight = fly(world.goals, world.start, world.obstacles, None, LONGEST, gains)
     (p_n,) = np.swapaxes(flight.p_n, 0, 1)
@@ -150,7 +151,7 @@ def fly_world(seed: int, gains: PaperGains, paths: int, number: int) -> Outcome:
 
 
 def goal_of(goals: Rows) -> GoalFrame:
-    """The only goal."""
+    """The goal of a world with one robot."""
     (row,) = goals
     return read_goal(row)
 
@@ -171,12 +172,12 @@ def print_swarm(seed: int, count: int, gains: PaperGains) -> None:
 
 
 def row(label: str, text: str) -> None:
-    """A line of a table."""
+    """Print a line of a table."""
     print(f"  {label:<34} {text}")
 
 
 def spread_of(values: Sequence[float] | Rows) -> str:
-    """Median, 99th percentile and most."""
+    """Median, 99th percentile and greatest value, in words."""
     median, high, most = np.quantile(np.asarray(values), (0.5, 0.99, 1.0))
     return f"median {median:.4f}, 99 % {high:.4f}, most {most:.4f}"
 

@@ -4,7 +4,7 @@
     python tools/measure_lies.py --sequences 100000
 
 Each sequence is 2 to 10 s of a point-mass aeroplane that the control loop flies to a pose in wind.
-Roll, pitch and position are told as they are. Up to four lies begin and end at random times, at
+Roll, pitch and position stay true. Up to four lies begin and end at random times, at
 once or as a ramp: a wrong yaw, ground velocity, wind, airspeed or body rate; wind or airspeed not
 told; ground velocity and wind from up to 2 s ago; no frame at all for up to 1 s; each frame twice;
 a leap of the clock by up to 2 s. The truth is judged: bank 55 degrees, load factor 0 to 2.6, 50 m
@@ -29,11 +29,11 @@ from vfguide.preflight.load import load_scenario
 from vfguide.scenario.plans import plan_of
 
 BANK_LIMIT = 55.0 * DEG
-"""Largest bank that is allowed [rad]."""
+"""Largest bank that is allowed [rad]; chosen."""
 LOAD_LIMITS = (0.0, 2.6)
-"""Least and largest load factor that are allowed, numbers."""
+"""Least and largest load factor that are allowed, dimensionless; chosen."""
 HEIGHT_LIMIT = 50.0
-"""Height that may be lost [m]."""
+"""Largest depth below start and goal that is allowed [m]; chosen."""
 
 
 def plan_for(aircraft: str) -> Plan:
@@ -43,7 +43,7 @@ def plan_for(aircraft: str) -> Plan:
 
 
 def measure(first: int, number: int, aircraft: str) -> list[Extremes]:
-    """The truth of the sequences of some seeds."""
+    """The extremes of `number` sequences, from seed `first` on."""
     plan = plan_for(aircraft)
     goal = Goal((0.0, 0.0, -130.0), 90.0 * DEG, 0.0, 5.0, 10.0 * DEG)
     legs = leg_rows((goal,), plan.loiter_side, plan.loiter_radius)
@@ -75,7 +75,7 @@ def lies_of(seed: int) -> str:
 
 
 def main() -> None:
-    """Measure, and print."""
+    """Fly the sequences, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sequences", type=int, default=10_000)
     parser.add_argument("--first", type=int, default=0, help="the first seed")

@@ -34,14 +34,14 @@ from vfguide.runs.lockstep import fly_scenario
 AIRCRAFT = {"aerosonde": 25.0, "easystar": 10.5, "c172p": 50.0}
 """Airspeeds by the names of the aircraft [m/s]."""
 TURN = 1.6
-"""Room for turns, over V^2 / g, by which everything is scaled; chosen."""
+"""Ratio of the room for turns, by which everything is scaled, to V^2 / g; chosen."""
 MOST_WIND = 0.48
-"""Largest wind over the airspeed, a ratio."""
+"""Largest ratio of the wind to the airspeed; chosen."""
 Table = dict[str, Any]
 
 
 class Pose(NamedTuple):
-    """A goal: where it is, NED [m], and its course [deg]."""
+    """A goal: its position, NED [m], and its course [deg]."""
 
     north: float
     east: float
@@ -59,7 +59,7 @@ class Outcome:
     goals: int
     reached: int
     clearance_m: float
-    """Least, of all obstacles, the fence and the ground."""
+    """Least clearance from obstacles, the fence and the ground."""
     reasons: tuple[str, ...]
 
 
@@ -100,7 +100,7 @@ def world_of(seed: int, number: int) -> Table:
 
 
 def route(rng: Generator, unit: float, number: int) -> list[Pose]:
-    """Poses some turns apart, each somewhere ahead of the one before."""
+    """`number` poses, 4 to 9 `unit` [m] apart, each somewhere ahead of the one before."""
     north, east, course = 0.0, 0.0, rng.uniform(0.0, 2.0 * math.pi)
     low, poses = -round(float(rng.uniform(120.0, 180.0)), 1), list[Pose]()
     for _ in range(number):
@@ -123,7 +123,7 @@ def goal_of(pose: Pose) -> Table:
 
 
 def obstacles(rng: Generator, unit: float, speed: float, poses: Sequence[Pose]) -> list[Table]:
-    """Bodies that stand and move, clear of the start and the goals for two turns."""
+    """Obstacles at rest and moving, two `unit` [m] clear of the start and the goals."""
     kept, places = [], [np.zeros(2), *(np.array((p.north, p.east)) for p in poses)]
     for _ in range(int(rng.integers(0, 7))):
         k = int(rng.integers(1, len(places)))
@@ -147,7 +147,7 @@ def obstacles(rng: Generator, unit: float, speed: float, poses: Sequence[Pose]) 
 def mover(
     rng: Generator, centre: np.ndarray, velocity: np.ndarray, down: float, unit: float
 ) -> Table:
-    """A sphere that flies straight on."""
+    """A sphere that moves straight on."""
     return {
         "shape": "sphere",
         "radius_m": round(float(rng.uniform(10.0, 30.0)), 1),
@@ -158,7 +158,7 @@ def mover(
 
 
 def standing(rng: Generator, centre: np.ndarray, radius: float) -> Table:
-    """A sphere, a cylinder or a box with about a radius [m]."""
+    """A sphere, a cylinder or a box of about a radius [m]."""
     north, east = np.round(centre, 1).tolist()
     kind = str(rng.choice(["sphere", "cylinder", "box"]))
     if kind == "sphere":
@@ -205,7 +205,7 @@ def fly(number: int, seed: int, changes: Sequence[str]) -> Outcome:
 
 
 def show(outcomes: Sequence[Outcome]) -> None:
-    """Print the table, and the flights that were not good."""
+    """Print the table, and the flights with a bad verdict."""
     groups = [("all", outcomes)]
     groups += [(name, [o for o in outcomes if o.aircraft == name]) for name in AIRCRAFT]
     kinds = ("none", "light", "moderate")
@@ -227,7 +227,7 @@ def show(outcomes: Sequence[Outcome]) -> None:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all worlds and print the table."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -38,34 +38,34 @@ from vfguide.sim.trim import TrimError, trim
 
 FIRST = "first-flight"
 GOAL_HEIGHT = 150.0
-"""Above the ground [m], or more for large aircraft."""
+"""Height of the goal above the ground [m], or more for large aircraft; chosen."""
 HEADING_DEG = 30.0
 SMOOTHED_S = 5.0
-"""The true wind is smoothed over this before an estimate is compared with it."""
+"""Time over which the true wind is smoothed before an estimate is compared with it [s]; chosen."""
 MOST_COURSE_DEG, MOST_BANK_DEG, LOADS, MARGIN, MOST_BELOW = 3.0, 55.0, (0.3, 2.2), 1.2, 50.0
-"""What must hold: course at the goal, bank, load factor, airspeed over stall, depth [m]."""
+"""Limits: course error and bank [deg], load factor, airspeed over that of the stall, depth [m]."""
 
 
 @dataclass(frozen=True)
 class Frame:
-    """The size of the draw for one aircraft."""
+    """The scale of random starts for one aircraft."""
 
     changes: tuple[str, ...]
-    """That put the aircraft into the scenario."""
+    """Overrides that put the aircraft into the scenario."""
     airspeed: float
-    """Cruise [m/s]."""
+    """True airspeed of cruise [m/s]."""
     radius: float
-    """R of the draw [m]."""
+    """The turn radius R to which lengths are scaled [m]."""
     scale: float
-    """R over that of the Aerosonde."""
+    """Ratio of R to that of the Aerosonde."""
     stall: float
-    """Slowest level flight of its model at the goal's altitude, taken as the 1-g stall [m/s]."""
+    """True airspeed of the slowest level flight at the goal's altitude, the 1-g stall [m/s]."""
     goal: tuple[float, float, float]
-    """North, east, down [m]."""
+    """Position of the goal, NED [m]."""
 
     @property
     def most_miss(self) -> float:
-        """2 % of the turn radius and half a metre [m]."""
+        """Largest miss that is allowed: 2 % of the turn radius, and half a metre [m]."""
         return 0.02 * self.radius + 0.5
 
 
@@ -119,21 +119,21 @@ class Outcome:
     load: tuple[float, float]
     airspeed: tuple[float, float]
     length: float
-    """Of the path to the goal, over the reference."""
+    """Ratio of the length of the path to the goal to the reference."""
     circles: float
-    """By which it is longer."""
+    """Number of circles of the reference by which the path is longer."""
     error_m: float
-    """Of the position that the guidance was given, at the pass."""
+    """Error of the position that guidance was given, at the pass."""
     beyond_m: float
-    """The miss that this error does not explain: distance of the given position from the goal."""
+    """Distance of that position from the goal: the miss that its error does not explain."""
     wind_sigmas: float
-    """Largest error of the believed wind, the true one smoothed, in its standard deviations."""
+    """99 % quantile of the estimated wind less the smoothed true one, in standard deviations."""
     wind_mps: float
-    """Median of that error."""
+    """Median error of the estimated wind."""
     speed_mps: float
-    """Median error of the believed airspeed."""
+    """Median error of the estimated airspeed."""
     below_m: float
-    """Depth below the lower of start and goal."""
+    """Greatest depth below the lower one of start and goal."""
     rate_hz: float
 
 
@@ -198,7 +198,7 @@ def fly(number: int, args: argparse.Namespace) -> Outcome:
 
 
 def beyond(record: FlightRecord, time: float | None, goal: Sequence[float]) -> tuple[float, float]:
-    """Error of the given position at the pass [m], and the miss that it does not explain [m]."""
+    """Error of the position given to guidance at the pass, and that position's miss [m]."""
     if time is None or record.position_error_n is None:
         return math.nan, math.nan
     columns = np.hstack((record.p_n, record.position_error_n)).T
@@ -211,7 +211,7 @@ def beyond(record: FlightRecord, time: float | None, goal: Sequence[float]) -> t
 
 
 def believed(record: FlightRecord) -> tuple[float, float, float]:
-    """Errors of the believed wind, in deviations (99 %) and in m/s (median); of the airspeed."""
+    """Errors of estimates: wind in deviations (99 %) and m/s (median), airspeed in m/s (median)."""
     if (air := record.air) is None:
         return math.nan, math.nan, math.nan
     steps = max(1, round(SMOOTHED_S / (record.time[1] - record.time[0])))
@@ -258,7 +258,7 @@ def over_reference(
 
 
 def spread(values: list[float]) -> str:
-    """Median, 95 % and most of some values."""
+    """Median, 95th percentile and greatest of some values, in words."""
     known = np.array([value for value in values if math.isfinite(value)])
     if not known.size:
         return "none"
@@ -309,7 +309,7 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
 
 
 def show_row(outcomes: list[Outcome], frame: Frame) -> None:
-    """Print in how many starts each part of the row does not hold."""
+    """Print for each limit the number of starts in which it does not hold."""
     broken = {
         "not reached": sum(not o.reached for o in outcomes),
         f"miss above {frame.most_miss:.2f} m": sum(
@@ -333,7 +333,7 @@ def show_row(outcomes: list[Outcome], frame: Frame) -> None:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all starts and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)

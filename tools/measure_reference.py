@@ -63,12 +63,12 @@ SMOOTH = 0.01
 
 
 class Seen(NamedTuple):
-    """One step."""
+    """What is recorded of one step."""
 
     orthogonality: float
     """Largest entry of R_na^T R_na - I."""
     rate_error: float
-    """Of the body rates of the reference [rad/s]; not a number at a switch."""
+    """Error of the body rates of the reference [rad/s]; not a number at a switch."""
     attitude_error: float
     """Angle from the attitude to the reference [rad]."""
     leader: int
@@ -81,7 +81,7 @@ without_learning = replacing(Gains, "k_alpha")
 
 
 class Guided(NamedTuple):
-    """What the law was given at a step, and what it gave."""
+    """Inputs and outputs of the law at one step."""
 
     nav: NavState
     objective: Objective
@@ -91,7 +91,7 @@ class Guided(NamedTuple):
     command: GuidanceCommand
     after: GuidanceState
     leader: int
-    """Who led."""
+    """The value of a `Leader`: what the law followed."""
 
 
 @compiled
@@ -171,23 +171,23 @@ def reference(
     objective = Objective(goal.target, state, False, goal.is_goal)
     around = airspace_later(airspace, dt)
     there, _ = commanded(Given(leader, law.remedies, then, objective, route, around, s, vehicle))
-    aircraft, gains, is_point = vehicle
-    held = Vehicle(aircraft, without_learning(gains, 0.0), is_point)
+    aircraft, gains, is_rigid_body = vehicle
+    held = Vehicle(aircraft, without_learning(gains, 0.0), is_rigid_body)
     _, left = control.update(then, there, control_state, held)
     return left.R_na
 
 
 class Watch:
-    """The step of the loop with law field, which notes its reference attitude."""
+    """The step of the control loop with law field, which records its reference attitude."""
 
     def __init__(self) -> None:
-        """Nothing was seen."""
+        """Start with no step recorded."""
         self.seen: list[Seen] = []
 
     def step(
         self, measured: Any, origin: Any, before: Any, legs: Any, airspace: Any, *rest: Any
     ) -> Any:
-        """The step, noted."""
+        """The result of the step, which is recorded."""
         _, vehicle = rest
         known = origin, before, legs, airspace, FIELD_LAW, vehicle
         out = step_measured(measured, *known)
@@ -199,7 +199,7 @@ class Watch:
 
 
 def seen(after: LoopState, R_nb: Mat3, earlier: Mat3, now: Mat3, later: Mat3) -> Seen:
-    """What is noted of a step."""
+    """The record of a step."""
     R_na = np.array(after.control.R_na)
     backward, forward = rate(earlier, now), rate(now, later)
     acts = after.assurance.decision.reason != Reason.NOMINAL
@@ -222,7 +222,7 @@ def rate(a: Mat3, b: Mat3) -> Vector:
 
 
 def fly(kind: str, args: argparse.Namespace, number: int) -> list[Seen]:
-    """All steps of one flight."""
+    """The records of all steps of one flight."""
     watch = Watch()
     table = scenario_of(kind, args.seed, number)
     fly_table(table, number, args, Steps(measured=watch.step))
@@ -230,7 +230,7 @@ def fly(kind: str, args: argparse.Namespace, number: int) -> list[Seen]:
 
 
 def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
-    """The options."""
+    """The options of the command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -245,7 +245,7 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
 
 
 def main() -> None:
-    """Fly them and say what was seen."""
+    """Fly all worlds, and print their figures."""
     args = parse()
     fly("field", args, 0)
     with ProcessPoolExecutor(args.jobs, get_context("fork")) as pool:
@@ -255,7 +255,7 @@ def main() -> None:
 
 
 def report(kind: str, flights: int, steps: Sequence[Seen]) -> None:
-    """One line of figures of the steps of one kind."""
+    """Print the figures of all steps in worlds of one kind."""
     table = np.array(steps, dtype=float)
     off, rates, errors, leader, switches = table.T
     field = leader == Leader.FIELD

@@ -22,7 +22,7 @@ from vfguide.runs.lockstep import fly_scenario
 
 START = (-300.0, 0.0, -200.0)
 MOST_MISS_M, MOST_ANGLE_DEG = 1.0, 2.0
-"""What must hold at every pose."""
+"""Limits of miss [m] and of the errors of course and climb [deg] at every pose."""
 
 
 @dataclass(frozen=True)
@@ -31,12 +31,12 @@ class Outcome:
 
     number: int
     reached: int
-    """Of its poses."""
+    """Number of poses that were reached."""
     miss_m: tuple[float, ...]
     angle_deg: tuple[float, ...]
     """The larger error of course and climb at each pose."""
     passes: int
-    """Of all poses together."""
+    """Number of passes of all poses together."""
     time_s: float
 
 
@@ -111,7 +111,7 @@ def show(outcomes: list[Outcome], args: argparse.Namespace) -> None:
 
 
 def main() -> None:
-    """Fly them all."""
+    """Fly all routes and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=50)
     parser.add_argument("--poses", type=int, default=5)

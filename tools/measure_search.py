@@ -18,7 +18,7 @@ from reference_path import MISSING, is_installed, reference_length
 from search_worlds import HEIGHT, World, draw
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import NO_FENCE, hazards_of
+from vfguide.airspace.keep_out import NO_FENCE, obstacle_zones
 from vfguide.paths.dubins import length_of
 from vfguide.paths.edge import next_path
 from vfguide.planning.collision_check import Air, Task, route_is_clear
@@ -26,7 +26,7 @@ from vfguide.planning.route_search import FoundRoute, find_route
 
 LEVEL = Band(-HEIGHT, -HEIGHT)
 REPEATS = 3
-"""The fastest of so many runs counts."""
+"""Number of runs of which the fastest counts; chosen."""
 REFERENCE_CLEARANCE = 5.0
 
 
@@ -40,14 +40,14 @@ class Outcome:
     free: float
     """Length without obstacles [m]."""
     reference: float
-    """Infinite where no route was found, NaN where none was looked for."""
+    """Length by BIT* [m]; infinite where it found no route, NaN where it was not asked."""
     time_ms: float
     check_us: float
-    """Of a look at the whole route."""
+    """Time of one check of the whole route."""
 
 
 def seconds_of(function, *args) -> float:
-    """Time that a call takes, the fastest of some."""
+    """Time of the fastest of some calls [s]."""
     least = math.inf
     for _ in range(REPEATS):
         begin = time.perf_counter()
@@ -68,7 +68,7 @@ def measure(world: World, number: int, args: argparse.Namespace) -> Outcome:
         reference = reference_length(
             world, args.radius, REFERENCE_CLEARANCE, args.reference_s, number
         )
-    hazards = hazards_of(world.obstacles, LEVEL, following.clearance)
+    hazards = obstacle_zones(world.obstacles, LEVEL, following.clearance)
     progress = (hazards, task, following.clearance, following.route_edges, 0, 0, 0.0)
     route_is_clear(*progress)
     seconds = seconds_of(find_route, *asked)
@@ -84,7 +84,7 @@ def measure(world: World, number: int, args: argparse.Namespace) -> Outcome:
 
 
 def figures(values: list[float], quantiles: tuple[float, ...]) -> str:
-    """Quantiles, and how many values there are."""
+    """Quantiles and number of some values, in words."""
     if not values:
         return "none"
     found = np.quantile(values, quantiles)
@@ -117,7 +117,7 @@ def show(name: str, outcomes: list[Outcome]) -> None:
 
 
 def main() -> None:
-    """Search them all."""
+    """Search all worlds and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--fields", type=int, default=100)
     parser.add_argument("--dead-ends", type=int, default=200)

@@ -17,7 +17,7 @@ import pytest
 
 
 def processor_time() -> float:
-    """Of this process and of those that it started and that have ended [s]."""
+    """Processor time of this process, and of those that it started and that have ended [s]."""
     each = map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return sum(usage.ru_utime + usage.ru_stime for usage in each)
 
@@ -27,9 +27,9 @@ class Times:
 
     def __init__(self) -> None:
         self.spent = Counter[str]()
-        """By the path of a module [s]."""
+        """Processor time of each module, by its path [s]."""
         self.collecting = 0.0
-        """What importing the modules and finding their tests took [s]."""
+        """Processor time of importing the modules and finding their tests [s]."""
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_collection(self) -> Generator[None, object, object]:

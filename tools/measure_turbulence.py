@@ -40,13 +40,14 @@ HEIGHTS = (50.0, 200.0, 450.0, 800.0)
 """Heights above the ground: two of the low-altitude forms, between, and above [m]."""
 LEVELS = (Turbulence.LIGHT, Turbulence.MODERATE, Turbulence.SEVERE)
 EVERY = 4
-"""Steps of the plant between two samples."""
+"""Number of steps of the plant from one sample to the next; chosen."""
 RESOLUTION = 16
-"""Lines of the spectrum below the lowest octave: what leaks out of them is below 1 % there."""
+"""Number of lines of the spectrum below the lowest octave; chosen, so that leakage from them is
+below 1 % there."""
 
 
 class Aircraft(NamedTuple):
-    """What flies, and how fast."""
+    """An aircraft and its airspeed."""
 
     model: Model
     airspeed: float
@@ -54,7 +55,7 @@ class Aircraft(NamedTuple):
 
 
 class Case(NamedTuple):
-    """One place and weather."""
+    """An aircraft at one height in one intensity of turbulence."""
 
     aircraft: Aircraft
     height: float
@@ -63,7 +64,7 @@ class Case(NamedTuple):
 
 
 def all_aircraft() -> list[Aircraft]:
-    """The three, at the airspeeds at which they are flown."""
+    """The three aircraft, at the airspeeds at which they are flown."""
     own = data_folder() / "aircraft"
     return [
         Aircraft(Model(own, "aerosonde"), 25.0),
@@ -150,7 +151,7 @@ def octaves(case: Case, records: list[Vectors], cycles: int) -> Iterator[float]:
 def show(
     aircraft: Aircraft, height: float, pool: ProcessPoolExecutor, args: argparse.Namespace
 ) -> None:
-    """A row of the table."""
+    """Print a row of the table."""
     columns, ratios = [], []
     for level in LEVELS:
         case = Case(aircraft, height, level)

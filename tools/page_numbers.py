@@ -25,30 +25,30 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parent.parent
 PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
-"""All pages, the README first."""
+"""Paths of all pages, the README first."""
 BLOCK = re.compile(
     r"(?:^ *<!-- (?P<mark>[^>]*) -->\n+)?^ *```(?P<kind>\w*)\n(?P<text>.*?)^ *```$", re.M | re.S
 )
-"""A fenced block with its kind, and with the comment before it."""
+"""Pattern of a fenced block with its kind, and with the comment before it."""
 NUMBER = re.compile(r"(-?\d[\d,]*(?:\.\d+)?)<!-- (\S+\.(?:json|toml)) (\S+) (\S+) -->")
-"""A number in a sentence, the file that it is from, its key and its format."""
+"""Pattern of a number in a sentence with the file that it is from, its key and its format."""
 FIGURE = re.compile(r"-?\d+(?:\.\d+)?")
-"""A number in a line of output."""
+"""Pattern of a number in a line of output."""
 SAVED = re.compile(r"Save it as `([^`]+)`:\n+```toml\n(.*?)^```", re.M | re.S)
-"""A file that the reader saves."""
+"""Pattern of a file that the reader saves."""
 FOR_EVER = ("vfguide sim", "vfguide fly")
-"""Commands that end when they are told to."""
+"""Commands that end only when they are asked to."""
 VFGUIDE = (sys.executable, "-c", "from vfguide.cli.main import main; main()")
-"""The program, as the page's `vfguide`."""
+"""Command that runs the program in the place of the page's `vfguide`."""
 
 
 class Block(NamedTuple):
     """A fenced block of a page."""
 
     kind: str
-    """What stands after the fence: sh, text, toml."""
+    """Word after the fence: sh, text or toml."""
     mark: str
-    """The comment before it; empty: none."""
+    """Comment before the block; empty: none."""
     lines: tuple[str, ...]
 
 
@@ -62,7 +62,7 @@ class Done(NamedTuple):
 
 
 class StaleError(Exception):
-    """A page shows what no command gives; the message says what."""
+    """A page shows something that no command gives; the message says what."""
 
 
 def blocks_of(text: str) -> list[Block]:
@@ -92,7 +92,7 @@ def run_page(text: str, folder: Path) -> list[Done]:
 
 
 def run(line: str, folder: Path) -> Done:
-    """Run a command of a page."""
+    """Run a command of a page in `folder`."""
     words = shlex.split(line)[1:]
     done = subprocess.run(
         [*VFGUIDE, *words],
@@ -126,13 +126,13 @@ def rewritten(text: str, done: list[Done], folder: Path) -> str:
 
 
 def number_with_source(found: re.Match[str], folder: Path) -> str:
-    """A number of a sentence as it is now, with its comment."""
+    """A number of a sentence with its present value, and with its comment."""
     _, file, key, form = found.groups()
     return f"{value_in(folder / file, key):{form}}<!-- {file} {key} {form} -->"
 
 
 def value_in(path: Path, key: str) -> float:
-    """The size of the number of a dotted key in a file of results or a scenario.
+    """The absolute value of the number of a dotted key, in a file of results or a scenario.
 
     Raises:
         StaleError: there is no such file or key.
@@ -161,7 +161,7 @@ def line_given(line: str, output: str) -> str:
 
 
 def squeezed(line: str) -> str:
-    """A line whose spaces are single ones."""
+    """The line with every run of spaces replaced by one."""
     return " ".join(line.split())
 
 

@@ -30,7 +30,7 @@ AXES = "xyz"
 
 
 def fly(name: str) -> Flights:
-    """A shipped scenario, flown."""
+    """Fly a shipped scenario."""
     loaded = load_scenario(name)
     with tempfile.TemporaryDirectory() as folder:
         return Flights(loaded, fly_scenario(loaded, Path(folder)).records)
@@ -78,7 +78,7 @@ def draw_projections(figure: Figure, flights: Flights) -> None:
 
 
 def draw_distances(figure: Figure, flights: Flights) -> None:
-    """Distances between the vehicles, each pair a line; the least of all and what is kept."""
+    """Distances between vehicles, a line each pair; the least of all, and the distance to keep."""
     figure.set_size_inches(8.0, 4.4)
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
@@ -95,7 +95,7 @@ def draw_distances(figure: Figure, flights: Flights) -> None:
 
 
 def draw_space(axes: Any, flights: Flights) -> None:
-    """Obstacles, paths, starts and goals in space; axes to one scale."""
+    """Draw obstacles, paths, starts and goals in space; axes to one scale."""
     for body in flights.bodies:
         axes.plot_surface(
             *np.moveaxis(body.surface, -1, 0), color=OBSTACLE_COLOUR, alpha=0.55, lw=0, shade=True
@@ -118,7 +118,7 @@ def draw_space(axes: Any, flights: Flights) -> None:
 
 
 def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
-    """The same seen along y or x: the coordinate `across` to the right, z upward."""
+    """Draw the same from the side, with coordinate number `across` to the right and z upward."""
     for body in flights.bodies:
         axes.fill(
             *outline(body.surface[..., [across, 2]]).T,
@@ -140,7 +140,7 @@ def draw_plane(axes: Axes, flights: Flights, across: int) -> None:
 
 
 def goals(flights: Flights) -> Iterator[tuple[Vector, Vector]]:
-    """The goals that differ, each with its direction."""
+    """The different goals of all vehicles, each with its direction."""
     seen = {}
     for record in flights.records:
         for goal in record.vehicle.goals:
@@ -151,7 +151,7 @@ def goals(flights: Flights) -> Iterator[tuple[Vector, Vector]]:
 
 
 def box(flights: Flights) -> tuple[Vector, Vector]:
-    """The lowest and highest corner of all that is drawn, with a margin, not too flat."""
+    """The lowest and the highest corner of a box of all that is drawn, with a margin, not flat."""
     paths = [record.p_n for record in flights.records]
     bodies = [body.surface.reshape(-1, 3) for body in flights.bodies]
     points = np.vstack([*paths, *bodies, *(goal for goal, _ in goals(flights))])

@@ -1,4 +1,4 @@
-"""Figures of the paper that need its field only. All in the goal frame: goal 0, direction e_x."""
+"""Figures of the paper that need only its field, in the goal frame: goal at 0, direction e_x."""
 
 import math
 from typing import Any
@@ -38,7 +38,7 @@ LABEL: Any = {
     "bbox": {"fc": "w", "ec": "none", "pad": 0.6},
 }
 ROBOTS = np.array([[0.0, 0.0, 0.0], [-30.0, 80.0, 0.0], [55.0, 25.0, 0.0], [25.0, -75.0, 0.0]])
-"""Placed so that the sets are those of the paper's example [m]."""
+"""Positions of the robots [m], such that their sets are those of the paper's example."""
 DETECTION_RANGE = 110.0
 
 
@@ -63,7 +63,7 @@ def draw_coordinates(figure: Figure) -> None:
 
 
 def draw_frame(axes: Any, along: np.ndarray, outward: np.ndarray) -> None:
-    """The axes x, y, z and the plane xOr, a parallelogram."""
+    """Draw the axes x, y, z and the plane xOr as a parallelogram."""
     for tip, name in zip(np.diag((1.75, 1.4, 1.45)), "xyz", strict=True):
         axes.quiver(0, 0, 0, *tip, color=GOAL_COLOUR, lw=1.2, arrow_length_ratio=0.06)
         axes.text(*(1.06 * tip), f"${name}$", ha="center", va="center")
@@ -73,20 +73,20 @@ def draw_frame(axes: Any, along: np.ndarray, outward: np.ndarray) -> None:
 
 
 def turned(a: Any, b: Any, angle: float) -> np.ndarray:
-    """Unit vectors from `a` towards `b`, (n, 3)."""
+    """Unit vectors (n, 3) from `a` towards `b`, turned by angles (n,) [rad]."""
     steps = np.linspace(0.0, angle, 40)[:, None]
     return np.cos(steps) * a + np.sin(steps) * b
 
 
 def segment(axes: Any, ends: tuple[np.ndarray, np.ndarray], colour: str, name: str) -> None:
-    """A line with its name beside the middle."""
+    """Draw a line with its name beside the middle."""
     axes.plot(*np.column_stack(ends), color=colour)
     middle = 0.5 * (ends[0] + ends[1])
     axes.text(*middle, name, color=colour, ha="right", va="bottom", fontsize=12)
 
 
 def arc(axes: Any, points: Vectors, name: str) -> None:
-    """The bow of an angle with its name."""
+    """Draw the arc of an angle with its name."""
     axes.plot(*points.T, color=GREEN, lw=1.4)
     axes.text(*(1.15 * points[len(points) // 2]), name, color=GREEN)
 
@@ -160,7 +160,7 @@ def draw_surface(figure: Figure) -> None:
 
 
 def draw_triads(axes: Any, obstacle: Obstacle, points: np.ndarray) -> None:
-    """The directions of n, tau_a and tau_b at those points that face the eye."""
+    """Draw the directions of n, tau_a and tau_b at the points that face the viewer."""
     rows, eye = obstacle_rows([obstacle]), direction_of_view(axes)
     for p in points:
         n = np.array(obstacle_surface(rows, 0, Dual3(tuple(p), STILL), 0.0).n.value)
@@ -174,7 +174,7 @@ def draw_triads(axes: Any, obstacle: Obstacle, points: np.ndarray) -> None:
 
 
 def direction_of_view(axes: Any) -> np.ndarray:
-    """Unit vector towards the eye."""
+    """Unit vector towards the viewer."""
     up, round_ = math.radians(axes.elev), math.radians(axes.azim)
     return np.array(
         [math.cos(up) * math.cos(round_), math.cos(up) * math.sin(round_), math.sin(up)]
@@ -182,7 +182,7 @@ def direction_of_view(axes: Any) -> np.ndarray:
 
 
 def draw_robots(figure: Figure) -> None:
-    """fig_four_UAVs: four robots, how far they see, and the sets N_i and N_i^+."""
+    """fig_four_UAVs: four robots, their detection ranges, and the sets N_i and N_i^+."""
     figure.set_size_inches(6.2, 6.6)
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
@@ -207,7 +207,7 @@ def numbers(sets: Neighbours, i: int) -> str:
 
 
 def space(figure: Figure, size: tuple[float, float], elev: float, azim: float) -> Any:
-    """Axes in space, to one scale."""
+    """Add axes in space to a figure, to one scale."""
     figure.set_size_inches(*size)
     figure.set_layout_engine("constrained")
     axes: Any = figure.add_subplot(projection="3d", computed_zorder=False)

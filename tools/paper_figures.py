@@ -20,7 +20,7 @@ from PIL import Image, ImageOps
 from vfguide.report.drawing import Flights, to_png
 
 MARGIN = 16
-"""Of white around a picture [pixels]."""
+"""Width of the white margin around a picture [pixels]; chosen."""
 FIELD: dict[str, Callable[[Figure], None]] = {
     "coordinates": field.draw_coordinates,
     "field-plane": field.draw_plane,
@@ -38,7 +38,7 @@ EXAMPLES: dict[str, tuple[str, Callable[[Figure, Flights], None]]] = {
 
 
 def pictures() -> Iterator[tuple[str, bytes]]:
-    """Name and PNG of every figure."""
+    """The name and the PNG of every figure."""
     fly = cache(examples.fly)
     for name, draw in FIELD.items():
         yield name, to_png(lambda figure, _, draw=draw: draw(figure), None)
@@ -56,7 +56,7 @@ def smaller(png: bytes) -> bytes:
 
 
 def main() -> None:
-    """Write them all."""
+    """Draw all figures and write them."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, required=True)
     out = parser.parse_args().out

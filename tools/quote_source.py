@@ -1,4 +1,4 @@
-"""For the pages: a function quoted from its source by `{{ source FILE FUNCTION }}`."""
+"""Quotes a function from its source on a page, in the place of `{{ source FILE FUNCTION }}`."""
 
 import ast
 import re

@@ -23,7 +23,7 @@ from vfguide.kernels.compiled import compiled
 BODY_LAG = 0.08
 """Time constant of the body rates behind their setpoints [s]; chosen."""
 SIDE_FORCE = 18.0
-"""Lateral acceleration per sideslip [m/s^2]; chosen."""
+"""Lateral acceleration for each radian of sideslip [m/s^2]; chosen."""
 
 LEAST_FORWARD = 0.5
 """Least component of the air velocity along the nose, as a ratio, with which thrust keeps the
@@ -47,7 +47,7 @@ class Body(NamedTuple):
 
 @compiled
 def load_factor(body: Body, aircraft: Performance) -> float:
-    """Lift over weight, a number."""
+    """Load factor: lift over weight, dimensionless."""
     u, _, w = matvec(transpose(body.R_nb), body.air_n)
     speed_2 = body.air_n[0] ** 2 + body.air_n[1] ** 2 + body.air_n[2] ** 2
     return (math.atan2(w, u) - aircraft.alpha_zero) * speed_2 / aircraft.alpha_load
@@ -58,10 +58,10 @@ def advance(body: Body, wanted_b: Vec3, wind_n: Vec3, aircraft: Performance, dt:
     """The aeroplane `dt` [s] later; thrust along its nose keeps its airspeed.
 
     Args:
-        body: where and how it flies.
+        body: the aeroplane before.
         wanted_b: setpoint of its body rates, FRD [rad/s].
-        wind_n: the wind, blowing toward, NED [m/s].
-        aircraft: its lift.
+        wind_n: wind vector, NED [m/s].
+        aircraft: the performance from which its lift is taken.
         dt: time step [s].
     """
     speed = math.sqrt(body.air_n[0] ** 2 + body.air_n[1] ** 2 + body.air_n[2] ** 2)

@@ -1,7 +1,7 @@
 """Reference for the length of routes: BIT* of the Open Motion Planning Library on Dubins paths.
 
-Not a dependency of the project; `pip install ompl`. Clearance is looked up on a fine grid of exact
-distances from the obstacles.
+ompl is no dependency of the project: `pip install ompl`. Clearance is looked up on a fine grid of
+exact distances from the obstacles.
 """
 
 import math
@@ -22,13 +22,13 @@ except ImportError:
 
 MISSING = "the reference is BIT* of ompl, which is not installed: pip install ompl"
 CELL = 2.5
-"""Of the grid [m]."""
+"""Side of a cell of the grid [m]; chosen."""
 AROUND = 500.0
-"""Beyond start and goal the reference may fly so far [m]."""
+"""Distance that the reference may fly beyond start and goal [m]; chosen."""
 
 
 def is_installed() -> bool:
-    """Whether the reference can be asked."""
+    """Whether ompl is installed, so that there is a reference."""
     return base is not None
 
 
@@ -36,7 +36,7 @@ def is_installed() -> bool:
 def free_cells(
     obstacles: Rows, low: tuple[float, float], shape: tuple[int, int], apart: float
 ) -> NDArray[np.bool_]:
-    """Which cells of a grid at HEIGHT are farther than `apart` [m] from all obstacles."""
+    """Whether each cell of a grid at HEIGHT is farther than `apart` [m] from all obstacles."""
     free = np.ones(shape, np.bool_)
     for m in range(shape[0]):
         for n in range(shape[1]):

@@ -13,18 +13,18 @@ from vfguide.geometry.shapes.shape import Shape
 from vfguide.geometry.vector import Vec3
 
 HEIGHT = 100.0
-"""At which all is flown [m]."""
+"""Height at which everything is flown [m]; chosen."""
 TALL = 400.0
-"""Height of walls, which begin far below [m]."""
+"""Height of walls, which begin far below HEIGHT [m]; chosen."""
 ROOM = 60.0
-"""Around start and goal in fields [m]."""
+"""Distance that obstacles of fields leave free around start and goal [m]; chosen."""
 THICK = (8.0, 25.0)
-"""Of walls [m]."""
+"""Least and greatest thickness of walls [m]; chosen."""
 
 
 @dataclass(frozen=True)
 class World:
-    """One task."""
+    """A random world, and the task of the search in it."""
 
     kind: str
     start: Pose
@@ -74,14 +74,14 @@ def field(rng: np.random.Generator) -> World:
 
 
 def wall(begin: tuple[float, float], end: tuple[float, float], thick: float) -> Obstacle:
-    """A wall from one place to another, thick [m]."""
+    """A wall from one place to another, with a thickness [m]."""
     dx, dy = end[0] - begin[0], end[1] - begin[1]
     centre: Vec3 = (0.5 * (begin[0] + end[0]), 0.5 * (begin[1] + end[1]), -HEIGHT)
     return Obstacle(shape.box((math.hypot(dx, dy), thick, TALL)), centre, math.atan2(dy, dx))
 
 
 def courses(rng: np.random.Generator) -> tuple[float, float]:
-    """Any at the start and at the goal [rad]."""
+    """Random courses at the start and at the goal [rad]."""
     a, b = rng.uniform(-math.pi, math.pi, 2)
     return float(a), float(b)
 

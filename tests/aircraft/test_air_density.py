@@ -101,5 +101,5 @@ def test_the_airspeed_to_fly_is_within_the_limits_in_any_air(density, airspeed):
 
 
 def test_the_rigid_body_of_the_paper_knows_no_air():
-    body = Vehicle(AEROSONDE, Gains(60.0), is_point=True)
+    body = Vehicle(AEROSONDE, Gains(60.0), is_rigid_body=True)
     assert vehicle_in_air(body, 0.6) == body

@@ -8,8 +8,8 @@ from vfguide.aircraft.vehicle import Vehicle, read_vehicle, vehicle_numbers
 from vfguide.kernels.rows import width
 
 
-@pytest.mark.parametrize("is_point", [False, True])
-def test_the_row_of_a_vehicle_holds_every_number_in_its_place(is_point):
+@pytest.mark.parametrize("is_rigid_body", [False, True])
+def test_the_row_of_a_vehicle_holds_every_number_in_its_place(is_rigid_body):
     numbers = iter(range(1, 100))
     aircraft = Performance(
         *(
@@ -18,8 +18,8 @@ def test_the_row_of_a_vehicle_holds_every_number_in_its_place(is_point):
         )
     )
     gains = Gains(*(float(next(numbers)) for _ in Gains._fields))
-    vehicle = Vehicle(aircraft, gains, is_point)
+    vehicle = Vehicle(aircraft, gains, is_rigid_body)
     row = np.array(vehicle_numbers(vehicle))
     assert read_vehicle(row) == vehicle
     assert len(row) == width(Vehicle)
-    assert row.tolist() == [*range(1, len(row)), float(is_point)]
+    assert row.tolist() == [*range(1, len(row)), float(is_rigid_body)]

@@ -15,7 +15,7 @@ from vfguide.airspace.footprint import (
     section_in,
     sides_round,
 )
-from vfguide.airspace.keep_out import hazards_of
+from vfguide.airspace.keep_out import obstacle_zones
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import Obstacle, obstacle_distance, obstacle_rows
 from vfguide.kernels.rows import columns
@@ -35,7 +35,7 @@ def test_an_obstacle_is_at_least_as_far_as_its_footprint(number):
     velocity = (3.0, -2.0, float(rng.choice([0.0, -2.0, 4.0])))
     rows = obstacle_rows([Obstacle(random_shape(rng), place, heading, velocity)])
     band = Band(-15.0, 10.0)
-    hazards = hazards_of(rows, band, MARGIN)
+    hazards = obstacle_zones(rows, band, MARGIN)
     for x, y, z in random_points(rng, 40, band):
         t = float(rng.uniform(0.0, 20.0))
         covered = min(clearance_at(hazards, x, y, t).distance, MARGIN)
@@ -46,7 +46,7 @@ def test_an_obstacle_is_at_least_as_far_as_its_footprint(number):
 @pytest.mark.parametrize("name", SHAPES)
 def test_a_footprint_is_hardly_larger_than_the_widest_section(name):
     rows = obstacle_rows([Obstacle(SHAPES[name], (0.0, 0.0, 0.0), 0.4)])
-    hazards = hazards_of(rows, Band(-1.0, SHAPES[name].semi_axes[2]), 0.0)
+    hazards = obstacle_zones(rows, Band(-1.0, SHAPES[name].semi_axes[2]), 0.0)
     for bearing in np.linspace(0.0, 6.0, 25):
         at = np.array([math.cos(bearing), math.sin(bearing)]) * 200.0
         heights = np.linspace(0.0, SHAPES[name].semi_axes[2], 40)
@@ -74,15 +74,15 @@ def test_the_corners_of_a_polygon_lie_on_the_sides_that_meet_there():
 
 def test_what_flies_above_or_below_is_none():
     rows = obstacle_rows([Obstacle(SHAPES["sphere"], (0.0, 0.0, 0.0))])
-    assert len(hazards_of(rows, Band(-100.0, -70.0), 25.0).table) == 0
-    assert len(hazards_of(rows, Band(-100.0, -70.0), 31.0).table) == 1
+    assert len(obstacle_zones(rows, Band(-100.0, -70.0), 25.0).table) == 0
+    assert len(obstacle_zones(rows, Band(-100.0, -70.0), 31.0).table) == 1
     assert section_in(rows, 0, Band(-100.0, -70.0)).a == 0.0
 
 
 def test_what_climbs_is_in_the_band_for_a_while():
     rows = obstacle_rows([Obstacle(SHAPES["sphere"], (0.0, 0.0, 200.0), v_n=(0.0, 0.0, -4.0))])
     assert crossing_times(rows, 0, Band(-10.0, 10.0)) == (37.5, 62.5)
-    hazards = hazards_of(rows, Band(-10.0, 10.0), 0.0)
+    hazards = obstacle_zones(rows, Band(-10.0, 10.0), 0.0)
     assert clearance_at(hazards, 0.0, 0.0, 37.0).distance == math.inf
     assert clearance_at(hazards, 0.0, 0.0, 50.0).distance == pytest.approx(-40.0)
 

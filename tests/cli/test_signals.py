@@ -10,7 +10,7 @@ import time
 import pytest
 from programs import VFGUIDE, free_vehicles, offboard_port
 
-from vfguide.terminal.signals import INTERRUPTION, STOP_SIGNALS, Requests
+from vfguide.terminal.signals import INTERRUPTION, STOP_SIGNALS, EndRequests
 
 pytestmark = pytest.mark.slow
 
@@ -164,7 +164,7 @@ def test_while_the_report_is_drawn(tmp_path):
 @pytest.fixture
 def requests():
     """Requests that are heard, and how the process would have been ended by them."""
-    asked, ended = Requests(), []
+    asked, ended = EndRequests(), []
     with asked.heard(INTERRUPTION, ended.append):
         yield asked, ended
 

@@ -6,7 +6,7 @@ from flight_states import GAINS, VEHICLE, is_within_limits, state
 from flown_stages import fresh_memory, guide_within_limits
 
 from vfguide.geometry.units import DEG
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import PlanarState
 from vfguide.paths.leg import ON_PATH, OUTBOUND, new_leg
 from vfguide.paths.leg_phases import fly_leg, leg_course
 from vfguide.paths.leg_start import Paths
@@ -100,7 +100,7 @@ def test_a_goal_circle_that_the_start_lies_in_is_not_forbidden(start, heading, c
 
 def test_on_the_way_for_height_the_goal_counts_as_near_so_that_the_path_is_steep():
     leg = new_leg()._replace(phase=OUTBOUND, radius=80.0, final_approach=40.0)
-    here = Planar(0.0, -80.0, 25.0, 0.0)
+    here = PlanarState(0.0, -80.0, 25.0, 0.0)
     assert leg_course(leg, here, 30.0).remaining == pytest.approx(80.0 + 40.0)
     assert fly_leg(leg, here, Paths(1000.0, 1.0, 1000.0), GAINS).phase == OUTBOUND
     assert fly_leg(leg, here, Paths(0.0, 1.0, 0.0), GAINS).phase == ON_PATH

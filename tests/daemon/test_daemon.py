@@ -10,7 +10,7 @@ from vfguide.autopilots.px4 import Px4Mode
 from vfguide.companion.companion import Companion
 from vfguide.companion.session import Session
 from vfguide.daemon.clock import Clock
-from vfguide.daemon.daemon import HOLD_TIMEOUT, Daemon, Outcome
+from vfguide.daemon.daemon import HOLD_TIMEOUT, Daemon, HandoverResult
 from vfguide.daemon.flight_log import FLUSH_INTERVAL, FlightLog
 from vfguide.daemon.warm_up import warm_up
 from vfguide.estimation.local_frame import distance_from
@@ -94,14 +94,14 @@ FLIES = [heartbeat(Px4Mode.HOLD), heartbeat(Px4Mode.OFFBOARD)]
 
 def test_a_companion_that_never_flew_ends_at_once(fly):
     outcome, _, said = fly([heartbeat(Px4Mode.HOLD)], [0, 0, 1])
-    assert outcome is Outcome.HANDED_OVER
+    assert outcome is HandoverResult.HANDED_OVER
     assert said[0].startswith("the autopilot is found, it flies HOLD")
 
 
 def test_it_waits_until_the_autopilot_confirms(fly):
     script = [*FLIES, [], [], heartbeat(Px4Mode.OFFBOARD), [], heartbeat(Px4Mode.HOLD)]
     outcome, sent, said = fly(script, [0, 0, 0, 1])
-    assert outcome is Outcome.HANDED_OVER
+    assert outcome is HandoverResult.HANDED_OVER
     asked = [m for m in sent if isinstance(m, CommandLong) and m.command == MavCmd.DO_SET_MODE]
     assert {(m.param2, m.param3) for m in asked} == {(4.0, 3.0)}
     assert said[-1] == "ended: the autopilot flies HOLD"
@@ -110,19 +110,19 @@ def test_it_waits_until_the_autopilot_confirms(fly):
 def test_its_patience_has_an_end(fly):
     script = [*FLIES, *[heartbeat(Px4Mode.OFFBOARD)] * 1000]
     outcome, sent, _ = fly(script, [0, 0, 0])
-    assert outcome is Outcome.UNCONFIRMED
+    assert outcome is HandoverResult.UNCONFIRMED
     assert len([m for m in sent if isinstance(m, Heartbeat)]) <= 2 + HOLD_TIMEOUT / 1e6
 
 
 def test_a_link_that_is_lost_meanwhile_is_no_confirmation(fly):
     outcome, _, said = fly(FLIES, [0, 0, 0])
-    assert outcome is Outcome.UNLINKED
+    assert outcome is HandoverResult.UNLINKED
     assert "without a link" in said[-1]
 
 
 def test_the_second_wish_ends_at_once(fly):
     outcome, _, _ = fly([*FLIES, *[heartbeat(Px4Mode.OFFBOARD)] * 10], [0, 0, 0, 1, 2])
-    assert outcome is Outcome.CUT_SHORT
+    assert outcome is HandoverResult.CUT_SHORT
 
 
 def test_what_comes_after_the_end_is_neither_answered_nor_logged(fly, tmp_path):

@@ -2,10 +2,10 @@
 
 import math
 
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import PlanarState
 
 SPEED = 25.0
 
 
 def at(x, y, course=0.0):
-    return Planar(x, y, SPEED * math.cos(course), SPEED * math.sin(course))
+    return PlanarState(x, y, SPEED * math.cos(course), SPEED * math.sin(course))

@@ -10,7 +10,7 @@ from planar_states import SPEED, at
 
 from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.geometry.se2 import Pose, after_turn, composed
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import PlanarState
 from vfguide.paths.dubins import CLOSED_TURN, length_of, shortest_path, turn_of
 from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, edge_end
 from vfguide.paths.path_progress import (
@@ -114,7 +114,7 @@ def test_a_path_is_followed_alike_wherever_it_lies(x, y, course, end, segment):
     )
     c, s = math.cos(end.course), math.sin(end.course)
     here, there = at(x, y, course), composed(end, Pose(x, y, course))
-    vehicle = Planar(there.x, there.y, c * here.vx - s * here.vy, s * here.vx + c * here.vy)
+    vehicle = PlanarState(there.x, there.y, c * here.vx - s * here.vy, s * here.vx + c * here.vy)
     one, other = path_course(own, here), path_course(moved, vehicle)
     assert wrap(other.chi - end.course - one.chi) == pytest.approx(0.0, abs=1e-6)
     assert other.chi_rate == pytest.approx(one.chi_rate, abs=1e-6)

@@ -21,7 +21,7 @@ from dubins import dubins_length
 from search_worlds import draw
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import KEEP_IN, NO_FENCE, circle, hazards_of, joined, polygon
+from vfguide.airspace.keep_out import KEEP_IN, NO_FENCE, circle, joined, obstacle_zones, polygon
 from vfguide.field.obstacle import Obstacle, obstacle_rows
 from vfguide.geometry.angles import wrap
 from vfguide.geometry.shapes.shape import cone
@@ -72,7 +72,7 @@ def test_ways_through_fields_join_and_are_clear(number):
     assert 0 < len(following.route_edges) <= MAX_ROUTE_EDGES
     assert_joined(task, following)
     assert least_clearance(world.obstacles, task, following) >= following.clearance
-    hazards = hazards_of(world.obstacles, LEVEL, following.clearance)
+    hazards = obstacle_zones(world.obstacles, LEVEL, following.clearance)
     assert route_is_clear(hazards, task, following.clearance, following.route_edges, 0, 0, 0.0)
 
 
@@ -233,9 +233,9 @@ def test_the_same_task_has_the_same_way():
 
 def test_a_way_is_not_clear_any_more_where_something_new_stands_ahead():
     task, following = find([], (0.0, 0.0, 0.0), (1000.0, 0.0, 0.0))
-    hazards = hazards_of(obstacle_rows([ball(500.0, 30.0, 40.0)]), LEVEL, 12.0)
+    hazards = obstacle_zones(obstacle_rows([ball(500.0, 30.0, 40.0)]), LEVEL, 12.0)
     assert not route_is_clear(hazards, task, 12.0, following.route_edges, 0, 0, 0.0)
     beyond = task_of((600.0, 0.0, 0.0), (1000.0, 0.0, 0.0))
     assert route_is_clear(hazards, beyond, 12.0, following.route_edges, 0, 1, 600.0)
-    nothing = joined(hazards_of(NOTHING, LEVEL, 12.0), NO_FENCE)
+    nothing = joined(obstacle_zones(NOTHING, LEVEL, 12.0), NO_FENCE)
     assert route_is_clear(nothing, task, 12.0, following.route_edges, 0, 0, 0.0)

@@ -17,7 +17,7 @@ from vfguide.files.data import shipped_scenarios
 from vfguide.geometry.vector import ZERO
 from vfguide.preflight.detection_range import Escape, escape_of, escape_range, side_step, turn_back
 from vfguide.preflight.load import load_scenario
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 
 pytestmark = pytest.mark.slow
 
@@ -39,7 +39,7 @@ height_m = 1000
 
 
 @cache
-def flies(aircraft: str, share: float) -> Flies:
+def guided(aircraft: str, share: float) -> GuidedAircraft:
     """An aircraft at an airspeed between its slowest and its fastest."""
     speed = f"vehicle.0.airspeed_mps={CRUISE[aircraft]}"
     loaded = load_scenario("first-flight", [f"vehicle.0.aircraft={aircraft}", speed])
@@ -47,7 +47,7 @@ def flies(aircraft: str, share: float) -> Flies:
     speeds = loaded.aircraft[aircraft].airspeed
     slow = 1.2 * speeds.min_mps
     gains = loaded.gains(vehicle)._replace(airspeed=slow + share * (speeds.max_mps - slow))
-    return Flies(loaded.performance(vehicle), gains)
+    return GuidedAircraft(loaded.performance(vehicle), gains)
 
 
 class Block(NamedTuple):
@@ -68,7 +68,7 @@ class Block(NamedTuple):
         return outside if outside > 0.0 else max(ahead, aside)
 
 
-def clearance(each: Flies, aside: float, width: float, block: Block) -> float:
+def clearance(each: GuidedAircraft, aside: float, width: float, block: Block) -> float:
     """Least distance from a block straight ahead; the aircraft turns by up to `aside` [rad].
 
     It flies on for the latency, turns to the right until it is past the block or has turned so
@@ -87,7 +87,9 @@ def clearance(each: Flies, aside: float, width: float, block: Block) -> float:
     return least
 
 
-def best_clearance(each: Flies, width: float, closing: float, seen: float, latency: float) -> float:
+def best_clearance(
+    each: GuidedAircraft, width: float, closing: float, seen: float, latency: float
+) -> float:
     """Of a turn aside and of one back."""
     block = Block(width, closing, seen, latency)
     return max(clearance(each, aside, width, block) for aside in (0.5 * math.pi, math.pi))
@@ -103,7 +105,7 @@ def best_clearance(each: Flies, width: float, closing: float, seen: float, laten
 def test_who_sees_an_obstacle_from_the_range_escapes(
     aircraft: str, share: float, width: float, closing: float, latency: float
 ) -> None:
-    each = flies(aircraft, share)
+    each = guided(aircraft, share)
     seen = escape_range(escape_of(each, latency), width, closing)
     assert best_clearance(each, width, closing, seen, latency) >= assurance(*each).margin
 
@@ -112,7 +114,7 @@ def test_who_sees_an_obstacle_from_the_range_escapes(
 def test_three_hundred_metres_are_too_little_for_a_fast_cessna(
     width: float, closing: float
 ) -> None:
-    each = flies("c172p", 0.7)
+    each = guided("c172p", 0.7)
     assert each.gains.airspeed > 49.0
     assert best_clearance(each, width, closing, 300.0, 0.5) < assurance(*each).margin
     assert escape_range(escape_of(each, 0.5), width, closing) > 300.0
@@ -137,7 +139,7 @@ def test_figures_by_hand() -> None:
 def test_what_is_larger_or_faster_has_to_be_seen_from_farther(
     width: float, wider: float, closing: float, faster: float
 ) -> None:
-    escape = escape_of(flies("c172p", 0.6), 0.1)
+    escape = escape_of(guided("c172p", 0.6), 0.1)
     needed = escape_range(escape, width, closing)
     assert escape_range(escape, width + wider, closing) >= needed
     assert escape_range(escape, width, closing + faster) > needed

@@ -21,7 +21,7 @@ from vfguide.report.field_drawing import AREA_COLOURS
 from vfguide.report.field_figure import MAX_GOALS, draw_field
 from vfguide.report.figures import draw_figures
 from vfguide.report.meshes import section
-from vfguide.report.obstacle_drawing import body_of
+from vfguide.report.obstacle_drawing import drawn_obstacle
 from vfguide.results.record import Decisions
 
 pytestmark = pytest.mark.slow
@@ -180,7 +180,7 @@ def test_it_takes_few_points(tmp_path):
 
 def test_a_section_is_as_wide_as_the_body_there(tmp_path):
     sphere = flights_of(tmp_path, MINIMAL + MOVING).loaded.scenario.obstacles[0]
-    surface = body_of(sphere, 0.0).surface
+    surface = drawn_obstacle(sphere, 0.0).surface
     corners = section(surface, -112.0)
     assert np.hypot(*(corners - (-250.0, -300.0)).T) == pytest.approx(16.0, rel=0.02)
     assert len(section(surface, -121.0)) == len(section(surface, -79.0)) == 0

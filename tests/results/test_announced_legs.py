@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scenario_samples import loaded_from
 from scenario_texts import MINIMAL
 
-from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, GoalOutcome
 from vfguide.results.announced_legs import AnnouncedLegs, TimedAnnouncement, announced_legs
 from vfguide.results.goal_passages import Legs, Sample
 from vfguide.results.judge import judge
@@ -42,7 +42,7 @@ def northward(seconds: float) -> list[Sample]:
 
 
 def said(
-    time: float, number: int, miss: float = 1.0, outcome: Outcome = Outcome.REACHED
+    time: float, number: int, miss: float = 1.0, outcome: GoalOutcome = GoalOutcome.REACHED
 ) -> TimedAnnouncement:
     return TimedAnnouncement(time, GoalAnnouncement(number, outcome, miss, 0))
 
@@ -123,7 +123,7 @@ def test_a_vehicle_that_goes_round_is_followed_whatever_is_true(
     goals = [goal(0.0, east) for _ in range(1 + sum(onward))]
     number, announced, laps_of = 0, [], [0 for _ in goals]
     for lap, (goes, late) in enumerate(laps):
-        outcome = Outcome.REACHED if goes else Outcome.MISSED
+        outcome = GoalOutcome.REACHED if goes else GoalOutcome.MISSED
         announced.append(said(4.0 + lap * LAP + late, number, 1.0, outcome))
         laps_of[number] += 1
         number += goes
@@ -208,7 +208,8 @@ def test_the_pass_that_ends_a_leg_is_not_one_of_the_next() -> None:
 
 
 def test_a_goal_that_was_given_up_ends_the_flight_once_it_is_passed() -> None:
-    legs, given_up = AnnouncedLegs([goal(0.0, 7.0)]), GoalAnnouncement(0, Outcome.GIVEN_UP, 6.0, 1)
+    legs = AnnouncedLegs([goal(0.0, 7.0)])
+    given_up = GoalAnnouncement(0, GoalOutcome.GIVEN_UP, 6.0, 1)
     seen = []
     for sample in northward(6.0):
         legs.feed(sample)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vfguide.annunciations.goal_announcement import Outcome
+from vfguide.annunciations.goal_announcement import GoalOutcome
 from vfguide.preflight.load import load_scenario
 from vfguide.results.announced_legs import TimedAnnouncement
 from vfguide.results.judge import judge
@@ -67,7 +67,7 @@ def fly(folder: Path, seed: int) -> tuple[FlightRecord, Result]:
 
 def onward(record: FlightRecord) -> list[TimedAnnouncement]:
     assert record.announced is not None
-    return [each for each in record.announced if each.said.outcome is not Outcome.MISSED]
+    return [each for each in record.announced if each.said.outcome is not GoalOutcome.MISSED]
 
 
 def test_goals_after_one_that_was_missed_in_truth_are_judged_on_their_own_legs(

@@ -9,7 +9,7 @@ import pytest
 
 from vfguide.preflight.encounter_checks import encounters
 from vfguide.preflight.load import load_scenario
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.results.verdict import min_separation
 from vfguide.runs.lockstep import fly_scenario
 
@@ -84,8 +84,10 @@ def compared(plant: str, folder: Path) -> Compared:
         file = folder / "pair.toml"
         file.write_text(pair(seed, plant))
         loaded = load_scenario(file)
-        flies = [Flies(loaded.performance(v), loaded.gains(v)) for v in loaded.scenario.vehicles]
-        flown = list(zip(loaded.scenario.vehicles, flies, strict=True))
+        guided = [
+            GuidedAircraft(loaded.performance(v), loaded.gains(v)) for v in loaded.scenario.vehicles
+        ]
+        flown = list(zip(loaded.scenario.vehicles, guided, strict=True))
         ((_, _, meeting),) = encounters(loaded.scenario, flown)
         separation = min_separation(fly_scenario(loaded, folder).records)
         assert separation is not None

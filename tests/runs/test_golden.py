@@ -209,7 +209,7 @@ def two_sides(monkeypatch, tmp_path):
 
     asked = []
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(golden.Side, "fly", fly)
+    monkeypatch.setattr(golden.Checkout, "fly", fly)
     monkeypatch.setattr(golden, "names_at", lambda _: names("before"))
     monkeypatch.setattr(golden, "names_here", lambda: names("here"))
     monkeypatch.setattr(golden, "commit_of", lambda _: "c0ffee")
@@ -290,9 +290,9 @@ def test_a_flight_that_ends_too_soon_leaves_nothing(tmp_path, monkeypatch, statu
         write_flight(Path(words[words.index("--out") + 1]))
         return golden.subprocess.CompletedProcess([], status, "", f"{last}\n")
 
-    monkeypatch.setattr(golden.Side, "vfguide", run)
+    monkeypatch.setattr(golden.Checkout, "vfguide", run)
     with pytest.raises(golden.NoFlightError) as raised:
-        golden.Side(tmp_path, {}).fly("a", tmp_path / "flights" / "a")
+        golden.Checkout(tmp_path, {}).fly("a", tmp_path / "flights" / "a")
     assert str(raised.value) == last.splitlines()[-1]
     assert list((tmp_path / "flights").iterdir()) == []
 
@@ -313,7 +313,7 @@ def test_recordings(two_sides, capsys, monkeypatch, tmp_path):
         if is_tree and name == "other":
             changed_log(folder, list.pop)
 
-    monkeypatch.setattr(golden.Side, "replay", replay)
+    monkeypatch.setattr(golden.Checkout, "replay", replay)
     expected = [
         "recording good/vehicle-7.tlog: identical, 80 frames",
         "recording lost/vehicle-7.tlog: is not replayed: vfguide: no such key",
@@ -337,7 +337,7 @@ def test_a_recording_that_the_reference_does_not_replay(two_sides, capsys, monke
     def refuse(*_):
         raise golden.NoFlightError("vfguide: no such key")
 
-    monkeypatch.setattr(golden.Side, "replay", refuse)
+    monkeypatch.setattr(golden.Checkout, "replay", refuse)
     assert golden.main(["--recordings", str(tmp_path / "recorded")]) == 2
     expected = "golden.py: the reference does not replay bad/vehicle-7.tlog: vfguide: no such key\n"
     assert capsys.readouterr().err == expected

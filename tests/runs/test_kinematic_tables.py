@@ -3,7 +3,7 @@
 import measure_kinematics
 import numpy as np
 import pytest
-from frame_jumps import PositionResets, count_jumps
+from frame_jumps import FrameJumps, count_jumps
 from kinematic_flights import GAINS, fly
 from kinematic_worlds import level_at, random_world, starts_in_free_space
 
@@ -83,7 +83,7 @@ def test_the_worlds_respect_the_assumptions(number):
 
 def test_a_path_across_the_goals_axis_jumps_there():
     jumps = count_jumps(GOAL, NOTHING, line((-50.0, -1.0, 0.0), (-50.0, 1.01, 0.0)), 0.005)
-    assert jumps == PositionResets(suspect=1, at_chi_zero=0, at_axis=1, elsewhere=0)
+    assert jumps == FrameJumps(suspect=1, at_chi_zero=0, at_axis=1, elsewhere=0)
 
 
 def test_a_path_close_by_the_axis_turns_fast_and_does_not_jump():

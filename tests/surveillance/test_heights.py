@@ -11,6 +11,7 @@ from reported import ALL, ORIGIN, said
 from vfguide.earth.pressure_altitude import isa_pressure, pressure_altitude
 from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
+from vfguide.surveillance.height_difference import FOLLOWING_SPEED, difference_after
 from vfguide.surveillance.height_notes import ANSWER_TIME
 from vfguide.surveillance.heights import (
     PRESSURE_ERROR,
@@ -22,7 +23,6 @@ from vfguide.surveillance.heights import (
 )
 from vfguide.surveillance.picture import Picture
 from vfguide.surveillance.report import SMALL_AIRCRAFT, report_of
-from vfguide.surveillance.told_height import FOLLOWING_SPEED, told_again
 
 PRESSURE = {"altitude_type": AdsbAltitudeType.PRESSURE_QNH}
 altitudes = st.floats(0.0, 3000.0)
@@ -99,7 +99,7 @@ def test_what_was_told_once_stays_among_what_may_be_for_a_minute(told, right, he
     """Before, the newest of any messages was believed: traffic was put 100 m off by one."""
     known = None
     for k, other in enumerate([*told[:right], height, *told[right:]]):
-        known = told_again(known, other, 5000 + 1500 * k)
+        known = difference_after(known, other, 5000 + 1500 * k)
         assert known.least <= other <= known.greatest
         since = 1.5 * max(0, k - min(right, len(told)))
         if k >= right:
@@ -109,9 +109,9 @@ def test_what_was_told_once_stays_among_what_may_be_for_a_minute(told, right, he
 
 
 def test_a_change_that_lasts_is_followed():
-    known = told_again(None, 47.0, 5000)
+    known = difference_after(None, 47.0, 5000)
     for k in range(1, 1000):
-        known = told_again(known, -53.0, 5000 + 1000 * k)
+        known = difference_after(known, -53.0, 5000 + 1000 * k)
     assert (known.least, known.greatest) == (-53.0, pytest.approx(-52.9))
 
 

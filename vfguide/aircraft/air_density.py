@@ -77,8 +77,8 @@ def vehicle_in_air(vehicle: Vehicle, density: float) -> Vehicle:
 
     The paper's rigid body knows no air.
     """
-    aircraft, gains, is_point = vehicle
-    if is_point:
+    aircraft, gains, is_rigid_body = vehicle
+    if is_rigid_body:
         return vehicle
     here = in_air(aircraft, density, gains.airspeed)
     airspeed = max(here.airspeed_min, min(here.airspeed_max, gains.airspeed))

@@ -12,7 +12,7 @@ class Vehicle(NamedTuple):
     aircraft: Performance
     gains: Gains
     """Gains that suit its roll response."""
-    is_point: bool = False
+    is_rigid_body: bool = False
     """Whether it is the paper's rigid body without weight, which flies where its nose points."""
 
 

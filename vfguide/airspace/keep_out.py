@@ -79,7 +79,7 @@ class KeepOutZones(NamedTuple):
 
 
 @compiled
-def hazards_of(obstacles: Rows, band: Band, margin: float) -> KeepOutZones:
+def obstacle_zones(obstacles: Rows, band: Band, margin: float) -> KeepOutZones:
     """Keep-out zones of obstacles in a band of heights, widened by `margin` [m] on both sides.
 
     A point in the band that is farther than `margin` from every zone is farther than that from

@@ -16,7 +16,7 @@ MASK_BITS = 62
 are safe to shift."""
 
 
-class Nearest(NamedTuple):
+class NearestHazard(NamedTuple):
     """The nearest hazard."""
 
     distance: float
@@ -72,7 +72,7 @@ def zone_row_distance(
 
 
 @compiled
-def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> Nearest:
+def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> NearestHazard:
     """Distance of (x, y), NED [m], from the nearest hazard at time `t` [s]."""
     least, nearest = math.inf, NO_HAZARD
     for i in range(len(hazards.table)):
@@ -82,7 +82,7 @@ def clearance_at(hazards: KeepOutZones, x: float, y: float, t: float) -> Nearest
         distance = zone_row_distance(zone, hazards.sides, x, y, t, least)
         if distance < least:
             least, nearest = distance, i
-    return Nearest(least, nearest)
+    return NearestHazard(least, nearest)
 
 
 @compiled
@@ -121,7 +121,7 @@ def free_path(
     wanted: float,
     speed: float,
     step: float,
-) -> Nearest:
+) -> NearestHazard:
     """Length that can be flown from (x, y) before a hazard can be nearer than `wanted` [m].
 
     Negative where a hazard is nearer already. Zones are taken to approach while the path is flown.
@@ -149,4 +149,4 @@ def free_path(
             free = max(free, speed * (zone.since - t), step)
         if free < least:
             least, nearest = free, i
-    return Nearest(least, nearest)
+    return NearestHazard(least, nearest)

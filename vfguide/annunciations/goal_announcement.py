@@ -10,7 +10,7 @@ from vfguide.loop.state import LoopState, state_of_row
 _missed_of_row = getter(LoopState, "mission.attempts.missed")
 
 
-class Outcome(IntEnum):
+class GoalOutcome(IntEnum):
     """What became of a goal in the companion's belief."""
 
     REACHED = 0
@@ -26,7 +26,7 @@ class GoalAnnouncement(NamedTuple):
 
     goal: int
     """Index of the goal, from 0."""
-    outcome: Outcome
+    outcome: GoalOutcome
     miss: float
     """Distance from the goal that the companion believes [m]; not a number where it has none."""
     missed: int
@@ -44,9 +44,9 @@ def is_passed(before: Row, after: Row) -> bool:
 def announcement(before: Row, after: Row, miss: float) -> GoalAnnouncement:
     """What is announced of a goal passed with a `miss` [m] between two rows of `LoopState`."""
     was, now = state_of_row(before).mission, state_of_row(after).mission
-    outcome = Outcome.REACHED
+    outcome = GoalOutcome.REACHED
     if now.attempts.given_up > was.attempts.given_up:
-        outcome = Outcome.GIVEN_UP
+        outcome = GoalOutcome.GIVEN_UP
     elif now.goal == was.goal:
-        outcome = Outcome.MISSED
+        outcome = GoalOutcome.MISSED
     return GoalAnnouncement(was.goal, outcome, miss, was.attempts.missed)

@@ -1,6 +1,6 @@
 """Notes of the goals: which one is flown to, and how one was passed."""
 
-from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, GoalOutcome
 
 
 def leg_note(goal: int, goals: int) -> str:
@@ -11,9 +11,9 @@ def leg_note(goal: int, goals: int) -> str:
 def passage_note(said: GoalAnnouncement, goals: int) -> str:
     """Note of one of `goals` goals that was passed."""
     goal = said.goal + 1
-    if said.outcome is Outcome.GIVEN_UP:
+    if said.outcome is GoalOutcome.GIVEN_UP:
         return f"goal {goal} missed {times(said.missed + 1)}: {onward(goal, goals)}"
-    if said.outcome is Outcome.MISSED:
+    if said.outcome is GoalOutcome.MISSED:
         return f"goal {goal} missed by {said.miss:.1f} m or by its course: going round"
     return f"goal {goal} reached, {said.miss:.1f} m off; {leg_note(goal, goals)}"
 

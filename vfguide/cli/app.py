@@ -1,6 +1,7 @@
-"""The commands of `vfguide`: what users type.
+"""The commands of `vfguide`, as users type them.
 
-The modules of the commands import the program only when a command runs: `--help` answers at once.
+The modules of the commands import the rest of the program only when a command runs, so that
+`--help` answers at once.
 """
 
 from typing import Annotated
@@ -30,7 +31,7 @@ warm.add_to(app)
 
 
 def show_version(wanted: bool) -> None:
-    """Print the version and leave."""
+    """Print the version if it is wanted, and end the program then."""
     if wanted:
         typer.echo(f"vfguide {__version__}")
         raise typer.Exit
@@ -42,4 +43,4 @@ def options(
         bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show version.")
     ] = False,
 ) -> None:
-    """Options of every command."""
+    """Take the options that come before a command."""

@@ -1,4 +1,4 @@
-"""`vfguide bench`."""
+"""The command `vfguide bench`, which measures the program against bare JSBSim."""
 
 from typing import Annotated
 
@@ -33,5 +33,5 @@ def bench(
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide bench` to the commands of `app`."""
     app.command()(bench)

@@ -1,4 +1,4 @@
-"""`vfguide check`."""
+"""The command `vfguide check`, which validates a scenario or aircraft file."""
 
 from pathlib import Path
 from typing import Annotated
@@ -27,5 +27,5 @@ def check(
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide check` to the commands of `app`."""
     app.command()(check)

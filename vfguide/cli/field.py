@@ -1,4 +1,4 @@
-"""`vfguide field`."""
+"""The command `vfguide field`, which evaluates a field at points."""
 
 from pathlib import Path
 from typing import Annotated, Literal
@@ -39,5 +39,5 @@ def field(
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide field` to the commands of `app`."""
     app.command()(field)

@@ -1,4 +1,4 @@
-"""`vfguide fly`."""
+"""The command `vfguide fly`, which guides one vehicle over a link."""
 
 from contextlib import ExitStack, closing
 from datetime import UTC, datetime
@@ -38,14 +38,14 @@ def fly(
     from vfguide.companion.companion import Companion
     from vfguide.companion.session import Session
     from vfguide.daemon.clock import Clock
-    from vfguide.daemon.daemon import Daemon, Outcome
+    from vfguide.daemon.daemon import Daemon, HandoverResult
     from vfguide.daemon.flight_log import FlightLog
     from vfguide.daemon.warm_up import warm_up
     from vfguide.preflight.load import load_scenario
     from vfguide.scenario.plans import plan_of, vehicle_of
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, warn
-    from vfguide.terminal.signals import REQUESTS, Ending
+    from vfguide.terminal.signals import REQUESTS, CommandEnd
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -66,27 +66,27 @@ def fly(
         daemon = Daemon(session, transport, flight_log, Clock(), say, save)
         stack.enter_context(REQUESTS)
         outcome = daemon.run(REQUESTS.seen)
-        status = GOOD if outcome is Outcome.HANDED_OVER else BAD
-        REQUESTS.ending = Ending(status, "ended")
-    if outcome is Outcome.UNCONFIRMED:
+        status = GOOD if outcome is HandoverResult.HANDED_OVER else BAD
+        REQUESTS.ending = CommandEnd(status, "ended")
+    if outcome is HandoverResult.UNCONFIRMED:
         complain("the autopilot did not confirm its hold: look what it flies")
-    if outcome is Outcome.CUT_SHORT:
+    if outcome is HandoverResult.CUT_SHORT:
         complain("ended at once: the autopilot has not confirmed its hold")
     raise typer.Exit(status)
 
 
 def say(line: str) -> None:
-    """One line for the operator, with the time of day."""
+    """Print one line for the operator, with the time of day, UTC."""
     from vfguide.terminal.console import out
 
     out.print(f"{datetime.now(UTC):%H:%M:%S} {line}")
 
 
 def open_transport(text: str, sysid: int) -> "Transport":
-    """The link that a URL names.
+    """The link to the vehicle `sysid` that a URL names.
 
     Raises:
-        InputError: it names none, or one that cannot be opened.
+        InputError: the URL names none, or one that cannot be opened.
     """
     from vfguide.daemon.connect import connect
     from vfguide.daemon.transport import ConnectError
@@ -100,10 +100,12 @@ def open_transport(text: str, sysid: int) -> "Transport":
 
 
 def log_path(asked: Path | None, name: str, sysid: int) -> Path:
-    """Where the log goes: a .tlog as it is named, else vehicle-ID.tlog in a folder.
+    """The path of the log: the .tlog that is asked for, else vehicle-ID.tlog in a folder.
+
+    The folder is the one that is asked for, else a new one in `runs`.
 
     Raises:
-        InputError: a folder is needed that cannot be made.
+        InputError: a new folder cannot be made.
     """
     from vfguide.files.new_folder import new_folder
 
@@ -114,10 +116,11 @@ def log_path(asked: Path | None, name: str, sysid: int) -> Path:
 
 
 def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWriter":
-    """A new log; in a folder of its own with what is flown beside it, where a replay looks for it.
+    """A new log; `in_folder`, with the scenario beside it, where a replay looks for it.
 
     Raises:
-        InputError: one of the two cannot be written, or something else is there already.
+        InputError: log or scenario cannot be written, the log is there already, or the scenario
+            there is another one.
     """
     from vfguide.cli.logs import new_log
     from vfguide.files.errors import InputError
@@ -139,7 +142,7 @@ def open_log(path: Path, in_folder: bool, loaded: "LoadedScenario") -> "TlogWrit
 def save_identified(
     loaded: "LoadedScenario", sysid: int, found: "Identified", *, folder: Path
 ) -> None:
-    """Write the aircraft as the test flight has shown it beside the log."""
+    """Write the aircraft as the test flight has shown it into `folder`, and tell the operator."""
     from vfguide.scenario.plans import vehicle_of
 
     try:
@@ -150,5 +153,5 @@ def save_identified(
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide fly` to the commands of `app`."""
     app.command()(fly)

@@ -9,10 +9,10 @@ from vfguide.link.tlog_writer import TlogWriter
 
 
 def new_log(path: Path) -> TlogWriter:
-    """A new log; its folder is made if need be.
+    """A new log at `path`; its folder is made if need be.
 
     Raises:
-        InputError: there is one already, it cannot be made, or not be looked for.
+        InputError: there is a file already, or the log cannot be made.
     """
     if is_there(path):
         raise InputError(f"--log {path}: already there, allowed is a new file")

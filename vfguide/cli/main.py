@@ -1,13 +1,14 @@
-"""Where the program `vfguide` begins: the requests to end are held back until they can be heard.
+"""The entry point of the program `vfguide`, where signals that ask for its end are held back.
 
-Whatever takes time is imported after that, so that Ctrl-C ends it as told from the first moment.
+What takes long to import is imported after that, so that Ctrl-C ends the program in good order from
+the first moment.
 """
 
 import signal
 
 
 def main() -> None:
-    """Run the command line; bad input and Ctrl-C end with one line and their exit status."""
+    """Block the signals that ask for an end until they can be heard, and run the command line."""
     signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
     from vfguide.cli.program import run_program
 

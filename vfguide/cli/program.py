@@ -1,7 +1,7 @@
 """The program `vfguide`: its streams, its signals, and how it ends.
 
-Everything else is imported when these are in order, so that nothing that is printed can end it,
-and Ctrl-C ends it from the first moment.
+Everything else is imported when these are set up, so that no failure to print can end the program,
+and Ctrl-C can from the first moment.
 """
 
 import atexit
@@ -13,36 +13,38 @@ from functools import partial
 from typing import NoReturn
 
 from vfguide.terminal.exit_status import BAD_INPUT, GOOD
-from vfguide.terminal.signals import INTERRUPTION, REQUESTS, Ending
+from vfguide.terminal.signals import INTERRUPTION, REQUESTS, CommandEnd
 from vfguide.terminal.streams import TolerantStream, tolerant_streams
 
 LAST_WORDS = 0.3
-"""Longest time that a program waits for its reader after it was asked to end [s]; chosen."""
+"""Longest time for which the program waits for the reader of its output after it was asked to end
+[s]; chosen."""
 WIPE_BAR = "\r\x1b[2K\x1b[?25h"
-"""Text that wipes the line of a progress bar off a terminal and shows the cursor again (ECMA-48
-EL, DEC's DECTCEM; no unit)."""
+"""Text that erases the line of a progress bar and shows the cursor again (EL of ECMA-48, DECTCEM of
+DEC terminals; no unit)."""
 
 ENDINGS = {
-    "fly": Ending(GOOD, "ended before anything was sent"),
-    "sim": Ending(GOOD, "ended before the flight"),
+    "fly": CommandEnd(GOOD, "ended before anything was sent"),
+    "sim": CommandEnd(GOOD, "ended before the flight"),
 }
-"""How commands end that are asked to before their loop looks for it; the others are interrupted."""
+"""Ends of commands that are asked to end before their loop looks for requests; other commands are
+interrupted."""
 
 
 def end_in_good_order(status: int) -> NoReturn:
-    """End the process, which has done its work; what libraries left is cleaned up.
+    """End the process, which has done its work, after the exit functions of libraries.
 
-    Taking Python down with the machine code in it takes a second, in which a signal would be the
-    exit status.
+    Python does not end as usual: with the machine code in it that takes a second, in which a signal
+    would change the exit status.
     """
     atexit._run_exitfuncs()  # pyright: ignore[reportPrivateUsage]
     os._exit(status)
 
 
 def run_program(leave: Callable[[int], NoReturn] = end_in_good_order) -> NoReturn:
-    """Run the command line; bad input and Ctrl-C end with one line and their exit status.
+    """Run the command line; bad input and Ctrl-C end with one line and an exit status of their own.
 
-    `leave` ends the process with a status, when the work is done.
+    `leave` ends the process with an exit status when the work is done.
     """
     ending = ENDINGS.get(next(iter(sys.argv[1:]), ""), INTERRUPTION)
     with (
@@ -57,8 +59,8 @@ def run_program(leave: Callable[[int], NoReturn] = end_in_good_order) -> NoRetur
         leave(status)
 
 
-def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
-    """End the process, with its last words; a progress bar is wiped off."""
+def end_at_once(streams: Sequence[TolerantStream], ending: CommandEnd) -> NoReturn:
+    """Erase a progress bar, print the last words, and end the process."""
     *_, err = streams
     bar = WIPE_BAR if err.isatty() else ""
     err.conclude(f"{bar}vfguide: {ending.words}\n")
@@ -68,7 +70,7 @@ def end_at_once(streams: Sequence[TolerantStream], ending: Ending) -> NoReturn:
 
 
 def run_command() -> int:
-    """Run a command; the exit status of those that end of themselves."""
+    """Run the command of the command line; returns its exit status."""
     from vfguide.cli.app import app
     from vfguide.files.errors import InputError
     from vfguide.terminal.console import complain, tell_warnings

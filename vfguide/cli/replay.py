@@ -1,4 +1,4 @@
-"""`vfguide replay`."""
+"""The command `vfguide replay`, which repeats a recorded flight and compares its setpoints."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -77,14 +77,14 @@ def replay(
 
 
 def ignore(_: int, __: "Sequence[bytes]") -> None:
-    """Record nothing."""
+    """Record nothing of the frames that a companion receives and sends."""
 
 
 def open_log(path: Path) -> "TlogReader":
-    """The log at `path`, open.
+    """An open reader of the log at `path`.
 
     Raises:
-        InputError: it cannot be read.
+        InputError: it is no .tlog, or cannot be read.
     """
     from vfguide.files.errors import InputError
     from vfguide.link.tlog import TlogError, TlogReader
@@ -98,10 +98,10 @@ def open_log(path: Path) -> "TlogReader":
 
 
 def only_vehicle(path: Path, reader: "TlogReader") -> int:
-    """The system id of the vehicle whose companion speaks in the log.
+    """The system id of the one vehicle whose companion speaks in the log.
 
     Raises:
-        InputError: it is not one.
+        InputError: none speaks in it, or several do.
     """
     from vfguide.files.errors import InputError
     from vfguide.replay.compare import companions_in
@@ -120,7 +120,7 @@ def only_vehicle(path: Path, reader: "TlogReader") -> int:
 
 
 def flaws_of(path: Path, reader: "TlogReader") -> list[str]:
-    """What is wrong with a log that was read, in words."""
+    """What is wrong with a log that was read, one message each."""
     flaws: list[str] = []
     if damage := reader.damage:
         places = "a place" if len(damage) == 1 else f"{len(damage)} places"
@@ -132,7 +132,7 @@ def flaws_of(path: Path, reader: "TlogReader") -> list[str]:
 
 
 def require_setpoints(path: Path, sysid: int, found: "Comparison") -> None:
-    """Make sure that there was something to compare.
+    """Make sure that the log has setpoints to compare.
 
     Raises:
         InputError: the log has no setpoint of this vehicle.
@@ -144,5 +144,5 @@ def require_setpoints(path: Path, sysid: int, found: "Comparison") -> None:
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide replay` to the commands of `app`."""
     app.command()(replay)

@@ -1,4 +1,4 @@
-"""`vfguide run`."""
+"""The command `vfguide run`, which flies a scenario and judges it."""
 
 import shlex
 from pathlib import Path
@@ -56,10 +56,10 @@ def run(
 
 
 def status_of(result: "Result") -> int:
-    """The exit status of a verdict."""
+    """The exit status of the verdict of a run."""
     return GOOD if result.verdict == "good" else BAD
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide run` to the commands of `app`."""
     app.command()(run)

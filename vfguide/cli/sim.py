@@ -1,4 +1,4 @@
-"""`vfguide sim`."""
+"""The command `vfguide sim`, which simulates autopilots over UDP."""
 
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from vfguide.sim.vehicle import Vehicle as SimVehicle
 
 MAX_SPEED = 1000.0
-"""Largest ratio of simulated to real time; chosen."""
+"""Largest ratio of simulated to real time, dimensionless; chosen."""
 MIN_SPEED = 0.01
-"""Least ratio of simulated to real time; chosen."""
+"""Least ratio of simulated to real time, dimensionless; chosen."""
 
 
 def sim(
@@ -46,7 +46,7 @@ def sim(
     from vfguide.sim.vehicle import steps_between_updates
     from vfguide.terminal.compiling import COMPILING
     from vfguide.terminal.console import complain, out
-    from vfguide.terminal.signals import REQUESTS, Ending
+    from vfguide.terminal.signals import REQUESTS, CommandEnd
 
     COMPILING.stage("the checks of the plan")
     loaded = load_scenario(scenario)
@@ -73,12 +73,12 @@ def sim(
             raise InputError(str(error)) from error
         out.print(f"ended after {flight.sim_s:.1f} s, {lateness(flight.pace)}")
         status = GOOD if flight.flying else BAD
-        REQUESTS.ending = Ending(status, "ended")
+        REQUESTS.ending = CommandEnd(status, "ended")
     raise typer.Exit(status)
 
 
 def open_sockets(scenario: "Scenario", stack: ExitStack) -> "list[tuple[socket, socket]]":
-    """The sockets of every vehicle, to the companion and to the ground station.
+    """The two sockets of every vehicle: to its companion, and to the ground station.
 
     Raises:
         InputError: a port is in use.
@@ -100,7 +100,7 @@ def open_sockets(scenario: "Scenario", stack: ExitStack) -> "list[tuple[socket, 
 def station_of(
     loaded: "LoadedScenario", vehicle: "Vehicle", offboard: "socket", ground: "socket"
 ) -> "Station":
-    """A vehicle at its start, and its channels.
+    """A simulated vehicle at its start, with its channels over the two sockets.
 
     Raises:
         InputError: its model cannot be flown.
@@ -119,7 +119,7 @@ def station_of(
 
 
 def describe(station: "Station") -> str:
-    """Where a vehicle listens, and where it sends to, in words."""
+    """The ports on which a vehicle listens and to which it sends, in words."""
     offboard, ground = (channel.numbers for channel in station.channels)
     return (
         f"vehicle {station.vehicle.sysid}: companion {offboard.own} -> {offboard.peer}, "
@@ -128,7 +128,7 @@ def describe(station: "Station") -> str:
 
 
 def lateness(pace: "RealTimePacing") -> str:
-    """How well the machine kept up, in words: the largest delay, and the time given up."""
+    """How well the machine kept up with the clock, in words: the largest delay, the time lost."""
     from vfguide.geometry.units import MS
 
     lost = f", {pace.lost:.1f} s given up" if pace.lost else ""
@@ -136,7 +136,9 @@ def lateness(pace: "RealTimePacing") -> str:
 
 
 def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[SimVehicle], None]":
-    """What notes the truth of a vehicle in `folder`/truth.tlog; nothing without a folder.
+    """A function that records the truth of a vehicle in `folder`/truth.tlog.
+
+    Without a folder it does nothing.
 
     Raises:
         InputError: the log cannot be written, or is there already.
@@ -158,5 +160,5 @@ def truth_writer(folder: Path | None, stack: ExitStack) -> "Callable[[SimVehicle
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide sim` to the commands of `app`."""
     app.command()(sim)

@@ -1,4 +1,4 @@
-"""`vfguide warm`."""
+"""The command `vfguide warm`, which compiles everything ahead."""
 
 import typer
 
@@ -22,5 +22,5 @@ def warm() -> None:
 
 
 def add_to(app: typer.Typer) -> None:
-    """Make it a command."""
+    """Add `vfguide warm` to the commands of `app`."""
     app.command()(warm)

@@ -48,7 +48,7 @@ SPARE_TIME = 10.0
 """Time that is added to the longest time of a leg [s]; chosen."""
 
 
-class Manoeuvre(NamedTuple):
+class CircuitLeg(NamedTuple):
     """One leg of the test flight."""
 
     name: str
@@ -63,7 +63,7 @@ class Manoeuvre(NamedTuple):
     """Positions along it, no farther than ROOM_SPACING apart, NED [m]."""
 
 
-def circuit(state: FlightState, vehicle: Vehicle, side: float) -> tuple[Manoeuvre, ...]:
+def circuit(state: FlightState, vehicle: Vehicle, side: float) -> tuple[CircuitLeg, ...]:
     """The legs of a test flight of a vehicle in the present air that begins and ends at `state`.
 
     Its turns are to the right with `side` +1, to the left with -1.
@@ -87,13 +87,13 @@ def circuit(state: FlightState, vehicle: Vehicle, side: float) -> tuple[Manoeuvr
         ("slow flight", slow, 0.0, STRAIGHT_TIME * fast, 0.0),
         ("a turn back", speed, turn, end, 0.0),
     )
-    at, manoeuvres = state.p_n, list[Manoeuvre]()
+    at, manoeuvres = state.p_n, list[CircuitLeg]()
     for name, airspeed, turned, length, height in legs:
         places = places_along(at, course, radius, turned, length, height)
         at, course = places[-1], course + turned
         longest = LEG_TIME_FACTOR * (radius * abs(turned) + length) / airspeed + SPARE_TIME
         goal = Goal(at, course, 0.0, MET_DISTANCE, MET_ANGLE, attempts=1)
-        manoeuvres.append(Manoeuvre(name, goal, airspeed, longest, places))
+        manoeuvres.append(CircuitLeg(name, goal, airspeed, longest, places))
     return tuple(manoeuvres)
 
 
@@ -125,7 +125,7 @@ def places_along(
     return tuple(places)
 
 
-def least_room(legs: Sequence[Manoeuvre], hazards: Hazards | None, t: float) -> float:
+def least_room(legs: Sequence[CircuitLeg], hazards: Hazards | None, t: float) -> float:
     """Least distance of the legs from a hazard [m] at the time `t` [s]; infinite without any."""
     return min(room(place, hazards, t) for leg in legs for place in leg.places)
 

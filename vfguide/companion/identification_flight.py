@@ -16,7 +16,7 @@ from vfguide.aircraft.state import RateSetpoint
 from vfguide.aircraft.vehicle import Vehicle, vehicle_numbers
 from vfguide.airspace.detection import in_sight
 from vfguide.airspace.hazards import Hazards
-from vfguide.companion.circuit import ROOM_SPACING, Manoeuvre, circuit, least_room, room
+from vfguide.companion.circuit import ROOM_SPACING, CircuitLeg, circuit, least_room, room
 from vfguide.companion.plan import Plan
 from vfguide.earth.atmosphere import DENSITY_0
 from vfguide.estimation.local_frame import Measurement, place_measured
@@ -48,7 +48,7 @@ class IdentificationFlight:
         """What is flown now."""
         self._known = plan
         self._then = replace(plan, roll_time=max(plan.roll_time, CAREFUL_ROLL), identify=False)
-        self._legs: tuple[Manoeuvre, ...] = ()
+        self._legs: tuple[CircuitLeg, ...] = ()
         self._vehicles: tuple[Row, ...] = ()
         self._flown: list[Sample] = []
         self._leg, self._began = 0, 0.0

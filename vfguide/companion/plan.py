@@ -62,7 +62,7 @@ class Plan:
     """Address of the own transponder; 0: there is none."""
     law: Law = FLIGHT
     """The law of guidance."""
-    is_point: bool = False
+    is_rigid_body: bool = False
     """Whether the vehicle is the paper's rigid body."""
     legs: Legs = field(init=False, compare=False)
     """Goals and circle as rows, from `leg_rows`."""
@@ -95,6 +95,6 @@ class Plan:
         object.__setattr__(self, "legs", legs)
         tuned = suited(self.gains, self.roll_time, self.aircraft.rate_max[0])
         object.__setattr__(self, "tuned", tuned)
-        vehicle = Vehicle(self.aircraft, tuned, self.is_point)
+        vehicle = Vehicle(self.aircraft, tuned, self.is_rigid_body)
         object.__setattr__(self, "vehicle", vehicle)
         object.__setattr__(self, "vehicle_row", np.array(vehicle_numbers(vehicle)))

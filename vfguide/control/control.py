@@ -78,7 +78,7 @@ def update(
     that of Lemma 4 (`rate_law`) towards this reference; where it would take back more sideslip than
     MOST_SIDESLIP_ASKED, the reference is turned about the vertical by the rest.
     """
-    if vehicle.is_point:
+    if vehicle.is_rigid_body:
         return point_nose(nav, command, s, vehicle)
     state, (aircraft, gains, _) = nav.state, vehicle
     air, dt = sub(state.v_n, state.wind_n), step_time(nav)

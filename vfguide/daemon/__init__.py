@@ -1,1 +1,1 @@
-"""The companion on a real socket and a real clock."""
+"""The companion on a real link and a real clock."""

@@ -1,4 +1,4 @@
-"""The date, for a process that must not see it step."""
+"""The date and time, for a process that must not see it step."""
 
 import time
 
@@ -12,5 +12,5 @@ class Clock:
         self._offset = time.time_ns() - time.monotonic_ns()
 
     def now(self) -> int:
-        """The date [us since 1970]; it never goes back."""
+        """The date and time, UTC [us since 1970]; it never goes back."""
         return (time.monotonic_ns() + self._offset) // NS_PER_US

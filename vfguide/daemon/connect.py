@@ -1,4 +1,4 @@
-"""From a URL to an open link."""
+"""The open link that a URL names."""
 
 from vfguide.daemon.transport import ConnectError, Transport
 from vfguide.daemon.udp import call, listen

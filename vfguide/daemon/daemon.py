@@ -1,4 +1,4 @@
-"""The companion on a real link: the one loop that has a clock and a socket."""
+"""The companion on a real link: the one loop of a flight with a clock and a socket."""
 
 import selectors
 from collections.abc import Callable
@@ -17,17 +17,17 @@ HOLD_TIMEOUT = 5_000_000
 """Time in which the autopilot must confirm its hold [us]; chosen."""
 
 
-class Outcome(Enum):
+class HandoverResult(Enum):
     """How a flight of the daemon ended."""
 
     HANDED_OVER = auto()
-    """The autopilot flies in a mode of its own, as it says itself."""
+    """The autopilot flies in a mode of its own, as its heartbeat says."""
     UNCONFIRMED = auto()
-    """It is unknown what the autopilot flies: it does not answer."""
+    """It is unknown what the autopilot flies: it did not answer within HOLD_TIMEOUT."""
     UNLINKED = auto()
-    """It is unknown what the autopilot flies: the link is lost, as the last note tells."""
+    """It is unknown what the autopilot flies: the link was lost, as the last note says."""
     CUT_SHORT = auto()
-    """The operator did not want to wait for that."""
+    """It is unknown what the autopilot flies: the operator asked again and did not wait."""
 
 
 class Daemon:
@@ -46,11 +46,11 @@ class Daemon:
 
         Args:
             session: the companion behind bytes; it records to `log`.
-            transport: its link.
-            log: of what it receives and sends.
-            clock: the date.
-            say: shows the operator one line.
-            save: takes what a test flight has shown of the aircraft, once.
+            transport: its link to the autopilot.
+            log: the log of what it receives and sends.
+            clock: the clock of the process.
+            say: prints one line for the operator.
+            save: writes the aircraft as a test flight has shown it, once.
         """
         self._session = session
         self._companion = session.companion
@@ -61,10 +61,11 @@ class Daemon:
         self._save: Callable[[Identified], None] | None = save
         self._stopped_at: int | None = None
 
-    def run(self, stops: Callable[[], int]) -> Outcome:
-        """Fly until `stops`, the number of times the operator asked for an end, is not 0.
+    def run(self, stops: Callable[[], int]) -> HandoverResult:
+        """Fly until the operator asks for an end, or the companion has ended; returns how.
 
-        The first request hands over, the second ends at once.
+        `stops` is the number of times that the operator has asked: after the first request the
+        companion hands over, after the second the flight ends at once.
         """
         with selectors.SelectSelector() as selector:
             selector.register(self._transport, selectors.EVENT_READ)
@@ -81,23 +82,23 @@ class Daemon:
         self._tell()
         return outcome
 
-    def _outcome(self, stops: int) -> Outcome | None:
-        """How it ended, if it did; begins to stop when the operator asks for it."""
+    def _outcome(self, stops: int) -> HandoverResult | None:
+        """How the flight ended; None: it goes on. At the first request the companion hands over."""
         now = self._clock.now()
         if stops and self._stopped_at is None:
             self._stopped_at = now
             self._send(self._session.stop(now))
         if self._companion.phase is Phase.ENDED:
-            return Outcome.HANDED_OVER
+            return HandoverResult.HANDED_OVER
         if self._companion.phase is Phase.UNCONFIRMED:
-            return Outcome.UNLINKED
+            return HandoverResult.UNLINKED
         if stops > 1:
-            return Outcome.CUT_SHORT
+            return HandoverResult.CUT_SHORT
         waited = 0 if self._stopped_at is None else now - self._stopped_at
-        return Outcome.UNCONFIRMED if waited > HOLD_TIMEOUT else None
+        return HandoverResult.UNCONFIRMED if waited > HOLD_TIMEOUT else None
 
     def _take_all(self) -> None:
-        """Take what has arrived; answers go out at once."""
+        """Pass on all frames that have arrived; answers are sent at once."""
         now = self._clock.now()
         for frame in self._transport.receive(now):
             if self._companion.phase in FINAL_PHASES:
@@ -109,7 +110,7 @@ class Daemon:
             self._transport.send(frame)
 
     def _tell(self) -> None:
-        """Show the operator what is new."""
+        """Print new notes and warnings for the operator."""
         warnings = self._transport.warnings + self._log.warnings
         for line in self._companion.news() + warnings:
             self._say(line)

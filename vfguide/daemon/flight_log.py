@@ -1,4 +1,4 @@
-"""The log of a flight that must go on even if the log cannot."""
+"""The log of a flight, which goes on without its log if the disk fails."""
 
 from collections.abc import Sequence
 
@@ -6,16 +6,16 @@ from vfguide.link.tlog import TlogError
 from vfguide.link.tlog_writer import TlogWriter
 
 FLUSH_INTERVAL = 1_000_000
-"""Longest time that frames stay in memory before they are written [us]; chosen as what a power cut
-may cost."""
+"""Longest time for which frames stay in memory before they are written [us]; chosen as what a power
+cut may cost."""
 
 
 class FlightLog:
-    """Writes a log until the disk fails, and says so."""
+    """Writes a log until the disk fails, and then warns the operator."""
 
     def __init__(self, writer: TlogWriter) -> None:
         self.warnings: list[str] = []
-        """What the operator should read; the caller takes it away."""
+        """Warnings for the operator; the caller removes them."""
         self._writer: TlogWriter | None = writer
         self._flushed = 0
         self._left_out = 0
@@ -34,7 +34,7 @@ class FlightLog:
                 self._leave_out(error)
 
     def flush(self, now: int) -> None:
-        """Put into the file what has waited for long enough at `now` [us]."""
+        """Write what is in memory to the file, every FLUSH_INTERVAL; `now` is the time [us]."""
         if self._writer is None or now - self._flushed < FLUSH_INTERVAL:
             return
         self._flushed = now
@@ -44,7 +44,7 @@ class FlightLog:
             self._give_up(error)
 
     def close(self) -> None:
-        """Put everything into the file and close it."""
+        """Write what is in memory to the file and close it."""
         try:
             if self._writer is not None:
                 self._writer.close()
@@ -52,7 +52,7 @@ class FlightLog:
             self._give_up(error)
 
     def _leave_out(self, error: ValueError) -> None:
-        """Tell of the first frame that is left out."""
+        """Note that frames are left out; warns of the first time."""
         self._left_out += 1
         if self._left_out == 1:
             self.warnings.append(f"not in the log: {error}; the flight goes on")

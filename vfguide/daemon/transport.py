@@ -1,4 +1,4 @@
-"""How frames come from the autopilot and go to it."""
+"""The interface of links over which frames come from an autopilot and go to it."""
 
 from typing import Protocol
 
@@ -6,27 +6,27 @@ from vfguide.link.codec import Frame
 
 
 class ConnectError(Exception):
-    """The autopilot cannot be reached this way; the message names the URL and says why."""
+    """A link cannot be opened; the message names its URL and says why."""
 
 
 class Transport(Protocol):
-    """One link to one autopilot. Nothing in it blocks, and nothing that a peer does raises."""
+    """One link to one autopilot; it never blocks, and raises nothing for what a peer does."""
 
     warnings: list[str]
-    """What the operator should read; the caller takes it away."""
+    """Warnings for the operator; the caller removes them."""
 
     def fileno(self) -> int:
-        """The number of what to wait for, as `select` takes it."""
+        """File descriptor to wait for, as `select` takes it."""
         ...
 
     def receive(self, now: int) -> list[Frame]:
-        """The frames that have arrived since the last call, in their order, by `now` [us]."""
+        """The frames that have arrived since the last call, in order; `now` is the time [us]."""
         ...
 
     def send(self, raw: bytes) -> None:
-        """Send one frame; what cannot be sent is lost."""
+        """Send one frame; if it cannot be sent, it is lost."""
         ...
 
     def close(self) -> None:
-        """Give the link back."""
+        """Close the link."""
         ...

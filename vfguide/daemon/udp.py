@@ -1,4 +1,4 @@
-"""The link over UDP: a datagram holds whole frames, and anybody on the network can send one."""
+"""Links over UDP: a datagram holds whole frames, and anybody on the network can send one."""
 
 import socket
 from collections.abc import Iterator
@@ -15,36 +15,37 @@ from vfguide.link.url import NetworkUrl
 MAX_DATAGRAM = 65_535
 """Largest size of a UDP datagram, a number of bytes (RFC 768)."""
 MOST_AT_ONCE = 256
-"""Largest number of datagrams that are taken at once; chosen, so that a flood does not keep the
+"""Largest number of datagrams that are taken in one go; chosen, so that a flood does not keep the
 companion from its other duties."""
 PEER_SILENT = 3_000_000
-"""Time of silence after which a peer may be replaced by another [us]; chosen."""
+"""Time of silence after which a peer may be replaced by another sender [us]; chosen."""
 LONGEST_UNSEEN = 500_000
-"""Time between two looks at the socket above which this program stood still, so that nobody was
-silent [us]; chosen, it looks 20 times a second."""
+"""Time between two reads of the socket above which this program stood still, which is no silence of
+the peer [us]; chosen as ten POLL_INTERVALs."""
 MAX_STRANGERS = 5
-"""Largest number of other senders of which the operator is warned; chosen."""
+"""Largest number of senders other than the peer of which the operator is warned; chosen."""
 
 Address = tuple[Any, ...]
-"""Host and port of a socket, and what its family adds to them."""
+"""Address of a socket: host, port, and what its address family adds."""
 
 
 class UdpLink:
-    """A socket and the one peer that counts; datagrams of all others are left alone."""
+    """A socket and the one peer whose frames are taken; datagrams of all others are ignored."""
 
     def __init__(self, opened: socket.socket, sysid: int, peer: Address | None) -> None:
         """A link to the autopilot of system `sysid`.
 
         Args:
-            opened: bound or connected, and never blocking.
-            sysid: of the vehicle.
-            peer: where its autopilot is; None: where a heartbeat of one that can be flown with
-                comes from first, and from elsewhere only after a silence. Until then, where
-                anything is heard from first that speaks as it: the companion says who that is.
+            opened: the socket, bound or connected, which does not block.
+            sysid: MAVLink system of the vehicle.
+            peer: address of its autopilot. None: it is learned. It is at first that of the first
+                sender that speaks as this autopilot. A sender with a heartbeat of an autopilot that
+                the companion can fly replaces it. After that another one with such a heartbeat does
+                so only after PEER_SILENT.
         """
         self.socket = opened
         self.warnings: list[str] = []
-        """What the operator should read; the caller takes it away."""
+        """Warnings for the operator; the caller removes them."""
         self._sysid = sysid
         self._peer = peer
         self._learns = peer is None
@@ -55,7 +56,7 @@ class UdpLink:
         self._parser = Parser()
 
     def fileno(self) -> int:
-        """The socket's number, to wait for."""
+        """File descriptor of the socket, to wait for."""
         return self.socket.fileno()
 
     def receive(self, now: int) -> list[Frame]:
@@ -71,26 +72,26 @@ class UdpLink:
         return frames
 
     def send(self, raw: bytes) -> None:
-        """Send one frame to the peer; before it is known, nowhere."""
+        """Send one frame to the peer; it is lost while no peer is known."""
         if self._peer is not None:
             with suppress(OSError):  # as on a radio: what cannot be sent is lost
                 self.socket.sendto(raw, self._peer)
 
     def close(self) -> None:
-        """Give the port back."""
+        """Close the socket, which frees its port."""
         self.socket.close()
 
     def _look(self, now: int) -> None:
-        """Note that the socket is looked at: nobody is silent while this program stands still."""
+        """Note that the socket is read; a pause of this program is no silence of the peer."""
         pause = 0 if self._looked is None else now - self._looked
         self._looked = now
         if pause > LONGEST_UNSEEN:
             self._heard += pause
 
     def _hear(self, now: int, sender: Address, sysid: int, *, is_flown: bool) -> None:
-        """Note the sender of our autopilot, which says so itself if it `is_flown`; warn of others.
+        """Note who speaks as the autopilot of system `sysid`, and warn of all but the peer.
 
-        Once it has, nobody takes its place who does not.
+        `is_flown` says that a heartbeat is among its frames of an autopilot that can be flown.
         """
         if sysid != self._sysid:
             self._tell_of(sender, f"vehicle {sysid} is heard, waited for is {self._sysid}")
@@ -104,25 +105,25 @@ class UdpLink:
             self._tell_of(sender, f"ignored as vehicle {sysid}, whose autopilot is at {place}")
 
     def _may_follow(self, now: int, *, is_flown: bool) -> bool:
-        """Whether a sender may be the peer from `now` [us] on."""
+        """Whether a sender may become the peer at `now` [us], as `__init__` explains."""
         if not self._is_sure:
             return self._peer is None or is_flown
         return is_flown and now - self._heard > PEER_SILENT
 
     def _tell_of(self, stranger: Address, text: str) -> None:
-        """Warn the operator once of each of the first strangers."""
+        """Warn the operator once of each of the first MAX_STRANGERS other senders."""
         if stranger not in self._strangers and len(self._strangers) < MAX_STRANGERS:
             self._strangers.add(stranger)
             self.warnings.append(f"{name_of(stranger)}: {text}")
 
 
 def autopilots(frames: list[Frame]) -> set[int]:
-    """Systems whose autopilot sent one of these frames."""
+    """MAVLink systems whose autopilot sent one of these frames."""
     return {frame.sysid for frame in frames if frame.compid == MavComponent.AUTOPILOT1}
 
 
 def has_flown_autopilot(frames: list[Frame], sysid: int) -> bool:
-    """Whether one of these frames is a heartbeat of that system that can be flown with."""
+    """Whether a heartbeat of system `sysid`, of an autopilot that can be flown, is among frames."""
     beats = (
         decode(frame)
         for frame in frames
@@ -133,10 +134,10 @@ def has_flown_autopilot(frames: list[Frame], sysid: int) -> bool:
 
 
 def listen(url: NetworkUrl, sysid: int) -> UdpLink:
-    """A link that waits at `url` to be spoken to.
+    """A link that listens at `url` until an autopilot speaks.
 
     Raises:
-        ConnectError: the port is in use, or the host is not this machine.
+        ConnectError: the host is unknown or not this machine, or the port is in use.
     """
     opened, address = open_socket(url)
     try:
@@ -151,7 +152,7 @@ def call(url: NetworkUrl, sysid: int) -> UdpLink:
     """A link that sends first, to `url`, and receives from there alone.
 
     Raises:
-        ConnectError: there is no route to that host.
+        ConnectError: the host is unknown, or there is no route to it.
     """
     opened, address = open_socket(url)
     try:
@@ -163,10 +164,10 @@ def call(url: NetworkUrl, sysid: int) -> UdpLink:
 
 
 def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
-    """A socket that never blocks, and the address of `url`.
+    """A socket that does not block, and the address of `url`.
 
     Raises:
-        ConnectError: the host is unknown, or what is given is no name of one.
+        ConnectError: the host is unknown, or its name is not valid.
     """
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(
@@ -182,7 +183,7 @@ def open_socket(url: NetworkUrl) -> tuple[socket.socket, Address]:
 
 
 def datagrams(opened: socket.socket) -> Iterator[tuple[bytes, Address]]:
-    """What waits in a socket, with its senders, at most MOST_AT_ONCE datagrams."""
+    """The datagrams that wait in a socket, at most MOST_AT_ONCE, each with its sender."""
     for _ in range(MOST_AT_ONCE):
         try:
             yield opened.recvfrom(MAX_DATAGRAM)

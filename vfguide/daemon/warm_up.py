@@ -1,4 +1,4 @@
-"""A flight of nothing, so that all compiled code is there before a real one."""
+"""A warm-up flight without an autopilot, so that all code is compiled before a real one."""
 
 import math
 
@@ -24,11 +24,11 @@ from vfguide.link.messages import (
 STATE_INTERVAL = 100
 """Time between two states of the warm-up flight [ms]; chosen."""
 NEARBY_TRAFFIC = AdsbFlags.VALID_COORDS | AdsbFlags.VALID_ALTITUDE
-"""Flags of a report of an aircraft near the goal."""
+"""ADSB_FLAGS of MAVLink in the report of an aircraft near the goal."""
 
 
 def warm_up(plan: Plan) -> None:
-    """Fly a scratch companion past the first goal of `plan`; nothing is sent."""
+    """Fly a companion that is then thrown away past the first goal of `plan`; nothing is sent."""
     companion = Companion(1, plan, engage=False)
     goal = plan.goals[0]
     latitude, longitude, altitude = ned_to_geodetic(tangent_plane(*plan.origin), goal.p_n)

@@ -84,8 +84,8 @@ def attitude_of(plan: Plan, azimuth: float, gamma: float, lift: Lift) -> Mat3:
 
     A rigid body points where it flies.
     """
-    aircraft, gains, is_point = plan.vehicle
-    if is_point:
+    aircraft, gains, is_rigid_body = plan.vehicle
+    if is_rigid_body:
         return from_euler(lift.bank, gamma, azimuth)
     alpha = alpha_of_load(lift.load, gains.airspeed, aircraft)
     return attitude_for_lift(azimuth, gamma, lift.bank, alpha)

@@ -1,4 +1,4 @@
-"""The file `aircraft/NAME.toml`: what the companion knows of an aircraft."""
+"""The aircraft file `NAME.toml`: what the companion knows of an aircraft."""
 
 import math
 import re
@@ -15,9 +15,13 @@ from vfguide.files.source import Source
 from vfguide.files.toml_types import Table, above, between, rule_broken
 
 Speed = Annotated[float, above(0, 150)]
+"""An airspeed [m/s]."""
 PathAngle = Annotated[float, above(0, 45)]
+"""The amount of a path angle [deg]."""
 BodyRate = Annotated[float, above(0, 720)]
+"""The amount of a body rate [deg/s]."""
 Alpha = Annotated[float, between(-20, 20)]
+"""An angle of attack [deg]."""
 
 TYPICAL_GLIDE = 10.0
 """Ratio of lift to drag at cruise that is assumed where the thrust was not measured; the shipped
@@ -29,59 +33,73 @@ TYPICAL_ZERO_DEG = -3.0
 """Angle of attack of zero lift that is assumed where the lift was not measured [deg]; the shipped
 aircraft have -2.5 to -3.5 (`tools/measure_aircraft.py`)."""
 TYPICAL_STALL_DEG = 11.0
-"""Angle of attack above that of zero lift in the slowest level flight, assumed where the lift was
-not measured [deg]; the shipped aircraft have 11 to 16 (`tools/measure_aircraft.py`)."""
+"""Angle of attack above that of zero lift, in the slowest level flight, that is assumed where the
+lift was not measured [deg]; the shipped aircraft have 11 to 16 (`tools/measure_aircraft.py`)."""
 
 
 class Airspeed(Table):
     """Equivalent airspeeds of level flight."""
 
     min_mps: Speed
+    """The slowest that is flown, which guidance takes as the stall at load factor 1."""
     cruise_mps: Speed
+    """The one at which trim and slopes of the thrust hold."""
     max_mps: Speed
+    """The fastest that is flown."""
 
 
 class Limits(Table):
-    """The most that the guidance may ask for."""
+    """The limits of what guidance may ask for; path angles are those through the air."""
 
     bank_max_deg: Annotated[float, between(5, 75)]
     load_factor_max: Annotated[float, above(1, 10)]
     load_factor_min: Annotated[float, between(-1, 0.95)]
     climb_max_deg: PathAngle
+    """Steepest climb."""
     descent_max_deg: PathAngle
+    """Steepest descent, positive."""
     roll_rate_max_dps: BodyRate
     pitch_rate_max_dps: BodyRate
     yaw_rate_max_dps: BodyRate
 
 
 class Lift(Table):
-    """alpha = alpha_zero + alpha_load n / V^2: load factor n, equivalent airspeed V."""
+    """Angle of attack alpha_zero + alpha_load n / V^2: load factor n, equivalent airspeed V."""
 
     alpha_zero_deg: Alpha = TYPICAL_ZERO_DEG
+    """Angle of attack of zero lift."""
     alpha_load_deg_m2ps2: Annotated[float, above(0, 100_000)] | None = None
-    """None: TYPICAL_STALL_DEG above zero lift at the slowest airspeed."""
+    """Slope of the angle of attack over n / V^2 [deg m^2/s^2]; None: that which gives
+    TYPICAL_STALL_DEG at the slowest airspeed."""
 
 
 class Thrust(Table):
-    """Thrust setpoint, 0 to 1: trim and slopes at cruise, gains of the airspeed."""
+    """Thrust setpoint, 0 to 1, as a share of full thrust at cruise at sea level."""
 
     trim: Annotated[float, between(0, 1)]
+    """Setpoint of level flight at cruise."""
     per_climb: Annotated[float, above(0, 20)] | None = None
-    """None: TYPICAL_GLIDE times the trim."""
+    """Weight over full thrust: setpoint for each unit of the sine of the path angle; None:
+    TYPICAL_GLIDE times the trim, at least 1."""
     per_load: Annotated[float, between(0, 1)] | None = None
-    """None: TYPICAL_INDUCED of the trim."""
+    """Setpoint for each unit of n^2 - 1, with load factor n; None: TYPICAL_INDUCED of the trim."""
     full_at_max: Annotated[float, between(0, 1)] | None = None
-    """None: what level flight takes at the fastest airspeed."""
+    """Full thrust at the fastest airspeed over that at cruise; None: what level flight takes there,
+    at most 1."""
     per_airspeed: Annotated[float, between(0, 2)] | None = None
+    """Setpoint for each m/s of airspeed missing [s/m]; None: what suits `per_climb` and the
+    response of the thrust."""
     integral: Annotated[float, between(0, 1)] | None = None
-    """None: what suits the slope of a climb and the response of the thrust."""
+    """Setpoint for each m/s of airspeed missing during 1 s [1/m]; None: likewise."""
 
 
 class Response(Table):
-    """How fast the aircraft follows what it is asked for."""
+    """How fast the aircraft follows setpoints."""
 
     roll_s: Annotated[float, above(0, 5)]
+    """Time from a step of the roll rate setpoint to 63 % of it."""
     thrust_s: Annotated[float, between(0, 10)] = 0.5
+    """Time from a step of the thrust setpoint to 63 % of it."""
 
 
 def _folder_name(name: str) -> str:
@@ -91,18 +109,21 @@ def _folder_name(name: str) -> str:
 
 
 class ModelTable(Table):
-    """What the simulator flies."""
+    """The JSBSim model that the simulator flies."""
 
     stock: Annotated[str, AfterValidator(_folder_name)] | None = None
-    """Name of an aircraft that the jsbsim package ships; None: NAME/NAME.xml."""
+    """Name of a model that the package jsbsim ships; None: the model is NAME/NAME.xml."""
 
 
 class Aircraft(Table):
     """One aircraft as the companion knows it."""
 
     name: str
+    """Name of the aircraft and of its file."""
     description: str = ""
+    """What it is, in words."""
     source: str = ""
+    """Where its numbers come from, in words."""
     airspeed: Airspeed
     limits: Limits
     lift: Lift = Lift()
@@ -112,7 +133,7 @@ class Aircraft(Table):
 
     @property
     def alpha_load_deg(self) -> float:
-        """`alpha_load_deg_m2ps2`, or what is typical [deg m^2/s^2]."""
+        """`alpha_load_deg_m2ps2`, or the typical one where it was not measured [deg m^2/s^2]."""
         return self.lift.alpha_load_deg_m2ps2 or TYPICAL_STALL_DEG * self.airspeed.min_mps**2
 
     @property
@@ -128,7 +149,7 @@ class Aircraft(Table):
         return (1.0 - left) / (speeds.max_mps - speeds.cruise_mps)
 
     def performance(self) -> Performance:
-        """The performance at sea-level density for the flight law, in SI units and radians."""
+        """The performance at sea-level density, in SI units and radians."""
         limits, lift, thrust = self.limits, self.lift, self.thrust
         per_climb = thrust.per_climb or max(TYPICAL_GLIDE * thrust.trim, 1.0)
         per_airspeed, integral = airspeed_gains(per_climb, self.response.thrust_s)
@@ -157,7 +178,7 @@ class Aircraft(Table):
         )
 
     def as_identified(self, found: Identified, how: str) -> "Aircraft":
-        """The aircraft with the estimates of a flight; `how` says which flight."""
+        """The aircraft with the estimates of a test flight; `how` tells their source in words."""
         each, used = found.aircraft, [estimate for estimate in found.estimates if estimate.used]
         table = self.model_dump(exclude_none=True)
         table["thrust"] |= {

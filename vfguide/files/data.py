@@ -14,8 +14,8 @@ PACKAGE = Path(__file__).parent.parent
 """Folder of the package `vfguide`."""
 
 ALIKE = 0.6
-"""Least likeness of two names of which one may be meant for the other, a ratio of difflib's;
-chosen, its own default."""
+"""Least likeness of two names of which one may be meant for the other, the ratio of difflib,
+dimensionless; chosen as the default of difflib."""
 
 
 @dataclass(frozen=True)
@@ -24,11 +24,11 @@ class AircraftFiles:
 
     name: str
     root: Path
-    """The `aircraft` folder that contains them: the aircraft path of JSBSim."""
+    """The `aircraft` folder that contains the files: the aircraft path of JSBSim."""
     performance: Path
     """The aircraft file, which the companion reads: `NAME.toml` or `NAME/NAME.toml`."""
     model: Path | None
-    """The JSBSim model `NAME/NAME.xml`; None where there is none."""
+    """The JSBSim model, `NAME/NAME.xml` in that folder; None where there is none."""
 
 
 def data_folder() -> Path:
@@ -49,7 +49,7 @@ def find_scenario(name_or_path: str | Path) -> Path:
 
     Raises:
         InputError: there is neither, and the message lists the shipped names; or the path cannot
-            be looked for.
+            be looked up.
     """
     path = Path(name_or_path)
     if is_file(path):
@@ -73,7 +73,7 @@ def find_aircraft(name: str, beside: Path | None = None) -> AircraftFiles:
 
     Raises:
         InputError: there is no aircraft of that name, and the message lists all names; or it
-            cannot be looked for.
+            cannot be looked up.
     """
     own = [beside.parent / "aircraft"] if beside else []
     roots = [*own, data_folder() / "aircraft"]
@@ -92,7 +92,10 @@ def close_match(wrong: str, right: Iterable[str]) -> str:
 
 
 def close_matches(wrong: str, right: Sequence[str]) -> str:
-    """The same of up to three names, the nearest first, with or without their folders."""
+    """A hint as of `close_match`, of up to three names, the most similar first.
+
+    Names are compared with and without their folders, in lower case.
+    """
     likeness = {
         name: max(
             SequenceMatcher(None, wrong.lower(), part).ratio()

@@ -11,6 +11,7 @@ from vfguide.files.toml_types import Table, above, between, rule_broken, word
 from vfguide.geometry.crossing_sides import crossing_sides
 
 Height = Annotated[float, between(-500, 10_000)]
+"""A height above the origin [m]."""
 
 
 def _two(value: object) -> object:
@@ -20,16 +21,20 @@ def _two(value: object) -> object:
 
 
 Place = Annotated[tuple[float, float], BeforeValidator(_two)]
-"""North and east of the origin [m]."""
+"""Coordinates north and east of the origin [m]."""
 
 
 class ZoneEntry(Table):
-    """An upright polygon or circle to stay in or out of."""
+    """A vertical prism or cylinder to stay in or out of, as it is written."""
 
     kind: Annotated[Literal["include", "exclude"], word("include", "exclude")]
+    """Whether vehicles have to stay in it or out of it."""
     polygon_m: list[Place] | None = None
+    """Corners of its polygon; None: it is a circle."""
     centre_m: Place | None = None
+    """Centre of its circle; None: it is a polygon."""
     radius_m: Annotated[float, above(0, 100_000)] | None = None
+    """Radius of its circle; None: it is a polygon."""
     lowest_m: Height | None = None
     """Least height above the origin at which the zone holds; None: any."""
     highest_m: Height | None = None
@@ -40,12 +45,14 @@ class Fence(Table):
     """The region in which every vehicle has to stay; heights are above the origin's altitude."""
 
     floor_m: Height | None = None
+    """Least height; None: any."""
     ceiling_m: Height | None = None
+    """Greatest height; None: any."""
     zone: list[ZoneEntry] = Field(default_factory=list[ZoneEntry])
 
 
 def zone_of(entry: ZoneEntry) -> Zone:
-    """A zone in SI units."""
+    """The zone of an entry, with infinite heights where none are written."""
     corners = entry.polygon_m or [entry.centre_m or (0.0, 0.0)]
     low = -math.inf if entry.lowest_m is None else entry.lowest_m
     high = math.inf if entry.highest_m is None else entry.highest_m
@@ -56,7 +63,8 @@ def check_zones(fence: Fence, source: Source) -> None:
     """Check that every zone is a polygon or a circle, and that all heights are in order.
 
     Raises:
-        InputError: a zone is neither, or a greatest height is not above the least one.
+        InputError: a zone is neither, the sides of a polygon cross or touch, or a greatest height
+            is not above the least one.
     """
     for index, zone in enumerate(fence.zone):
         at: Location = ("fence", "zone", index)

@@ -1,18 +1,18 @@
-"""Whether there is what the user names; where the system does not say, that is bad input."""
+"""Whether a file that the user names exists; where the system refuses to tell, it is bad input."""
 
 from pathlib import Path
 
 from vfguide.files.errors import InputError
 
 LONGEST_SHOWN = 80
-"""Largest number of characters of a path in a message; chosen, a line of a terminal."""
+"""Largest number of characters of a path in a message; chosen as a line of a terminal."""
 
 
 def is_file(path: Path) -> bool:
-    """Whether there is such a file.
+    """Whether there is a file at `path`.
 
     Raises:
-        InputError: it cannot be looked for: its name is too long, or a folder may not be entered.
+        InputError: it cannot be looked up: its name is too long, or a folder may not be entered.
     """
     try:
         return path.is_file()
@@ -21,10 +21,10 @@ def is_file(path: Path) -> bool:
 
 
 def is_there(path: Path) -> bool:
-    """Whether there is anything of that name.
+    """Whether there is anything at `path`.
 
     Raises:
-        InputError: it cannot be looked for, as of `is_file`.
+        InputError: it cannot be looked up: its name is too long, or a folder may not be entered.
     """
     try:
         return path.exists()
@@ -33,7 +33,7 @@ def is_there(path: Path) -> bool:
 
 
 def refused(path: Path, error: OSError) -> InputError:
-    """What is told of a path that the system refuses."""
+    """The error of a path that the system refuses to look up, cut to LONGEST_SHOWN."""
     text = str(path)
     shown = text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 3]}..."
     return InputError(f"{shown}: cannot be looked for: {error.strerror or error}")

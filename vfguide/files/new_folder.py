@@ -1,4 +1,4 @@
-"""Folders of results that nobody named."""
+"""Folders for results where the user names none."""
 
 from datetime import UTC, datetime
 from itertools import count
@@ -8,7 +8,7 @@ from vfguide.files.errors import InputError
 
 
 def new_folder(name: str) -> Path:
-    """Make a new folder `runs/NAME-UTC`; where there is one already, a number goes behind it.
+    """Make a new folder `runs/NAME-UTC`; where there is one already, a number is appended.
 
     Raises:
         InputError: it cannot be made.
@@ -21,7 +21,11 @@ def new_folder(name: str) -> Path:
 
 
 def _made(folder: Path) -> bool:
-    """Make a folder; whether it is new."""
+    """Make a folder; returns whether it is new.
+
+    Raises:
+        InputError: it cannot be made.
+    """
     try:
         folder.mkdir(parents=True)
     except FileExistsError:

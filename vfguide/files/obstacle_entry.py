@@ -1,4 +1,4 @@
-"""An obstacle as it is written, and which sizes each shape takes."""
+"""An obstacle as it is written, and the sizes that each shape takes."""
 
 from typing import Annotated, Literal
 
@@ -17,10 +17,11 @@ from vfguide.files.toml_types import (
 )
 
 Size = Annotated[float, above(0, 10_000)]
+"""A size of an obstacle [m]."""
 
 
 def _label(text: str) -> str:
-    """A name for one line of a message."""
+    """The name, if it fits into one line of a message."""
     if not text.isprintable() or not text.strip() or len(text) > 100:
         raise rule_broken("allowed are 1 to 100 printable characters")
     return text
@@ -45,6 +46,7 @@ def _velocity(values: tuple[float, float, float]) -> tuple[float, float, float]:
 
 
 Sizes = Annotated[Vector, AfterValidator(_sizes)]
+"""Three sizes of an obstacle along its axes [m]."""
 SIZES: dict[str, tuple[str, ...]] = {
     "sphere": ("radius_m",),
     "ellipsoid": ("semi_axes_m",),
@@ -53,7 +55,7 @@ SIZES: dict[str, tuple[str, ...]] = {
     "box": ("size_m",),
     "cone": ("radius_m", "height_m"),
 }
-"""The keys that give the size of each shape, and no others."""
+"""The keys of the sizes of each shape; it takes no others."""
 ShapeName = Annotated[
     Literal["sphere", "ellipsoid", "superquadric", "cylinder", "box", "cone"], word(*SIZES)
 ]
@@ -64,30 +66,30 @@ class ObstacleEntry(Table):
     """A body to keep clear of; U = 1 is its surface."""
 
     name: Annotated[str, AfterValidator(_label)] | None = None
-    """None: its index."""
+    """Its name; None: its index."""
     shape: ShapeName
     position_m: Position
-    """Position of its centre at time zero."""
+    """Position of its centre at time zero, north, east and down of the origin."""
     radius_m: Size | None = None
     height_m: Size | None = None
     semi_axes_m: Sizes | None = None
     exponents: Annotated[Vector, AfterValidator(_exponents)] | None = None
     size_m: Sizes | None = None
     heading_deg: Angle = 0.0
-    """Turns it about the vertical."""
+    """Angle by which it is turned about the vertical, from north toward east."""
     velocity_mps: Annotated[Vector, AfterValidator(_velocity)] = (0.0, 0.0, 0.0)
-    """North, east, down."""
+    """Its velocity north, east and down."""
     reactive_level: Annotated[float, above(1, 1_000_000)] = 4.0
-    """c-bar of the paper: it acts on the field where U is below this."""
+    """Level U below which it acts on the field, dimensionless: the paper's c-bar."""
     visible_from_m: Annotated[float, above(0, 100_000)] | None = None
-    """Distance from its surface beyond which it is not detected; None: the detection range."""
+    """Largest distance from its surface at which it is detected; None: the detection range."""
 
 
 def check_sizes(entry: ObstacleEntry, source: Source, at: Location) -> None:
-    """The sizes are those of the shape.
+    """Check that the sizes of an obstacle are those of its shape.
 
     Raises:
-        InputError: one is missing, or there is another.
+        InputError: one is missing, or another is given.
     """
     wanted = SIZES[entry.shape]
     every = sorted({key for keys in SIZES.values() for key in keys})

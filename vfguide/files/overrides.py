@@ -16,15 +16,17 @@ class Override:
     text: str
     """As typed: `vehicle.0.heading_deg=90`."""
     location: tuple[int | str, ...]
+    """Keys and indices that lead to the value."""
     value: Any
+    """The new value."""
     origin: str
     """What messages call it: `--set vehicle.0.heading_deg=90`."""
 
 
 def parse_override(text: str) -> Override:
-    """The override `key=value`: dotted key, value in TOML, a bare word is a string.
+    """The override `key=value` with a dotted key and a value in TOML; a bare word is a string.
 
-    Places in lists are counted from 0, as in `vehicle.0.heading_deg` or `vehicle[0].heading_deg`.
+    Indices of lists count from 0, as in `vehicle.0.heading_deg` or `vehicle[0].heading_deg`.
 
     Raises:
         InputError: it is not of that form.

@@ -10,7 +10,9 @@ from pydantic import Field
 from vfguide.files.toml_types import Angle, Position, Table, above, between, word
 
 WindSpeed = Annotated[float, between(0, 50)]
+"""A speed of the wind [m/s]."""
 Delay = Annotated[float, between(0, 2000)]
+"""A delay of the link [ms]."""
 Turbulence = Annotated[
     Literal["none", "light", "moderate", "severe"], word("none", "light", "moderate", "severe")
 ]
@@ -20,38 +22,41 @@ AirspeedFault = Annotated[
 
 
 class Weather(Table):
-    """The pressure of the air; the companion never sees it."""
+    """The pressure of the air."""
 
     qnh_hpa: Annotated[float, between(870, 1085)] = 1013.25
-    """At mean sea level. Pressure altitudes follow it, the density of the air does not."""
+    """Pressure at mean sea level. Pressure altitudes follow it, the density of the air does not."""
 
 
 class WindChange(Table):
-    """A change of the wind."""
+    """A wind that the wind changes to, linearly since the change before."""
 
     time_s: Annotated[float, above(0, 86_400)]
+    """When it is reached."""
     speed_mps: WindSpeed
     from_deg: Angle | None = None
-    """None: where it came from at the beginning."""
+    """Direction from which it comes; None: that of the beginning."""
 
 
 class Wind(Table):
-    """The air's motion; the companion never sees these numbers."""
+    """The motion of the air."""
 
     speed_mps: WindSpeed = 0.0
+    """Speed at the beginning."""
     from_deg: Angle = 0.0
-    """Where it comes from."""
+    """Direction from which it comes at the beginning."""
     turbulence: Turbulence = "none"
+    """Intensity of the gusts, of MIL-F-8785C."""
     shear_mps_per_100m: Annotated[float, between(-20, 20)] = 0.0
-    """What the wind gains on each 100 m of height, along its direction at the beginning."""
+    """Speed that the wind gains with each 100 m of height, in its direction at the beginning."""
     shear_height_m: Annotated[float, between(0, 10_000)] = 100.0
-    """Above the ground: where the wind has the written speed."""
+    """Height above the ground at which the shear adds nothing."""
     change: list[WindChange] = Field(default_factory=list[WindChange])
-    """Linear from one to the next."""
+    """Changes of the wind, in the order of time."""
 
     @property
     def stages(self) -> tuple[tuple[float, float, float], ...]:
-        """The winds between which it changes: from when [s], speed [m/s], where from [deg]."""
+        """The winds between which it changes: when [s], speed [m/s], coming from where [deg]."""
         changes = (
             (each.time_s, each.speed_mps, self.from_deg if each.from_deg is None else each.from_deg)
             for each in self.change
@@ -63,10 +68,11 @@ class Reset(Table):
     """A position reset of every autopilot."""
 
     time_s: Annotated[float, between(0, 86_400)]
+    """When it happens."""
     position_m: Position = (0.0, 0.0, 0.0)
-    """By which the estimate of the position jumps: north, east, down."""
+    """Jump of the estimated position: north, east, down."""
     origin_m: Position = (0.0, 0.0, 0.0)
-    """By which the origin of the local frame moves: north, east, down."""
+    """Jump of the origin of the local frame: north, east, down."""
 
 
 class Autopilot(Table):
@@ -75,16 +81,17 @@ class Autopilot(Table):
     airspeed_fails_at_s: Annotated[float, between(0, 86_400)] | None = None
     """When the airspeed sensor fails; 0: there is none; None: it never does."""
     airspeed_fault: AirspeedFault = "missing"
+    """How it fails."""
     thrust_scale: Annotated[float, above(0, 2)] = 1.0
-    """Thrust at the start, as a share of what the map of the motor says."""
+    """Thrust at the start, as a share of that of the thrust map."""
     thrust_sag_per_min: Annotated[float, between(0, 1)] = 0.0
-    """What the share loses in a minute."""
+    """Decrease of this share in a minute, as a battery runs down."""
     thrust_floor: Annotated[float, between(0, 1)] = 0.5
-    """The share falls no lower than this."""
+    """Least value of this share."""
     wind_message: bool = True
     """Whether WIND_COV is sent."""
     pressure_message: bool = True
-    """Whether SCALED_PRESSURE is sent to who asks for it."""
+    """Whether SCALED_PRESSURE is sent to those who ask for it."""
     reset: list[Reset] = Field(default_factory=list[Reset])
 
 
@@ -92,13 +99,13 @@ class Link(Table):
     """The link between each autopilot and its companion, as `vfguide run` simulates it."""
 
     delay_ms: Delay = 0.0
-    """From the autopilot to the companion."""
+    """Delay from the autopilot to the companion."""
     delay_back_ms: Delay = 0.0
-    """From the companion to the autopilot."""
+    """Delay from the companion to the autopilot."""
 
 
 class Sensors(Table):
-    """Standard deviations of the autopilots' errors: typical of small ones."""
+    """Standard deviations of the autopilots' errors; the defaults are those of small ones."""
 
     position_m: Annotated[float, between(0, 100)] = 1.5
     height_m: Annotated[float, between(0, 100)] = 1.0

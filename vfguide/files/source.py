@@ -1,4 +1,4 @@
-"""The source of the values of a file, and error messages that name it."""
+"""TOML files with overrides of the command line, and error messages that name both."""
 
 import json
 import tomllib
@@ -15,6 +15,7 @@ from vfguide.files.errors import InputError
 from vfguide.files.overrides import Override, apply_override
 
 Location = tuple[int | str, ...]
+"""Keys and indices that lead to a value of a file."""
 Model = TypeVar("Model", bound=BaseModel)
 
 _TYPES = {
@@ -49,10 +50,11 @@ class Source:
         return table
 
     def parse(self, model: type[Model]) -> Model:
-        """The file as a `model`.
+        """The values of the file as a `model`.
 
         Raises:
-            InputError: a value is wrong; the message names the first, unknown keys before others.
+            InputError: the file cannot be read, or a value is wrong; the message names the first
+                one, unknown keys before wrong values.
         """
         try:
             return model.model_validate(self.read())
@@ -67,7 +69,9 @@ class Source:
         return InputError(f"{self._origin(location)}: {dotted(location)}{shown}: {rule}")
 
     def check_distinct(self, table: str, key: str, values: Sequence[object]) -> None:
-        """No two tables of one kind, `table`, have one value of `key`; `values` are in their order.
+        """Check that no two tables of the list `table` have the same value of `key`.
+
+        `values` has that of each table, in order.
 
         Raises:
             InputError: two have.
@@ -78,7 +82,7 @@ class Source:
                 raise self.error((table, index, key), rule, value)
 
     def _origin(self, location: Location) -> str:
-        """The file, and the override that set something at, above or below `location`."""
+        """The file, with the override that set something at, above or below `location`, if any."""
         for override in reversed(self.overrides):
             shorter = min(len(override.location), len(location))
             if override.location[:shorter] == location[:shorter]:
@@ -127,7 +131,7 @@ def dotted(location: Location) -> str:
 
 
 def as_toml(value: object) -> str:
-    """A value as it is written in TOML, cut short where it is long."""
+    """A value as it is written in TOML, cut to 80 characters; a table is not written out."""
     if isinstance(value, datetime):
         return value.isoformat()
     if isinstance(value, dict):

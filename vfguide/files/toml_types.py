@@ -1,4 +1,4 @@
-"""The vocabulary of the TOML files: strict tables, bounded numbers, vectors, words."""
+"""Types of values in TOML files: strict tables, bounded numbers, vectors, words."""
 
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar
@@ -10,17 +10,17 @@ from vfguide.files.data import close_match
 
 
 class Table(BaseModel):
-    """A table of which every key is known, every type is exact and every number finite."""
+    """A table whose keys are all known, whose types are exact and whose numbers are finite."""
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True, allow_inf_nan=False)
 
     not_yet: ClassVar[dict[str, str]] = {}
-    """Purposes of the keys of the format that the program does not support yet."""
+    """Keys of the format that the program does not support yet, and what they are for."""
 
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, table: Any) -> Any:
-        """Refuse unknown keys before anything else: a typing error explains what it caused."""
+        """Refuse unknown keys before anything else, since a mistyped key explains other errors."""
         for key in table if isinstance(table, dict) else ():
             if key in cls.not_yet:
                 raise _key_error(key, f"not supported yet: {cls.not_yet[key]}")
@@ -41,7 +41,7 @@ def rule_broken(rule: str) -> PydanticCustomError:
 
 
 def between(low: float, high: float) -> AfterValidator:
-    """Numbers from `low` to `high`, both included."""
+    """A validator that allows numbers from `low` to `high`, both included."""
 
     def check(value: float) -> float:
         if not low <= value <= high:
@@ -53,7 +53,7 @@ def between(low: float, high: float) -> AfterValidator:
 
 
 def above(low: float, high: float) -> AfterValidator:
-    """Numbers greater than `low`, up to `high`."""
+    """A validator that allows numbers greater than `low`, up to `high`."""
 
     def check(value: float) -> float:
         if not low < value <= high:
@@ -65,7 +65,7 @@ def above(low: float, high: float) -> AfterValidator:
 
 
 def word(*names: str) -> BeforeValidator:
-    """One of `names`."""
+    """A validator that allows one of `names`."""
     allowed = "allowed " + ", ".join(f'"{name}"' for name in names)
 
     def check(value: object) -> object:

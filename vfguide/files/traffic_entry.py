@@ -8,7 +8,7 @@ from vfguide.files.toml_types import Position, Table, Vector, above, between, ru
 
 
 def _address(text: str) -> str:
-    """Six hexadecimal digits, as aircraft registers print it."""
+    """The address in upper case, if it is one of six hexadecimal digits."""
     digits = set("0123456789abcdefABCDEF")
     if len(text) != 6 or not set(text) <= digits or int(text, 16) == 0:
         raise rule_broken('allowed are six hexadecimal digits, "000001" to "FFFFFF"')
@@ -28,23 +28,24 @@ def _flyable(values: tuple[float, float, float]) -> tuple[float, float, float]:
 
 
 Address = Annotated[str, AfterValidator(_address)]
+"""An ICAO address: six hexadecimal digits."""
 Velocity = Annotated[Vector, AfterValidator(_flyable)]
-"""North, east, down [m/s]."""
+"""Velocity north, east and down [m/s]."""
 
 
 AltitudeType = Annotated[Literal["geometric", "qne", "qnh"], word("geometric", "qne", "qnh")]
-"""Heights of transponders: above the ellipsoid; in the standard atmosphere; above mean sea level,
-by the pressure of the day."""
+"""Heights that transponders report: above the WGS-84 ellipsoid; pressure altitude in the standard
+atmosphere; above mean sea level by the pressure of the day."""
 
 
 class TrafficChange(Table):
     """A velocity that the aircraft changes to."""
 
     time_s: Annotated[float, between(0, 86_400)]
-    """When it begins to."""
+    """When the change begins."""
     velocity_mps: Velocity
     within_s: Annotated[float, above(0, 600)] = 5.0
-    """How long it takes."""
+    """Duration of the change."""
 
 
 class TrafficEntry(Table):
@@ -53,22 +54,24 @@ class TrafficEntry(Table):
     name: Annotated[str, AfterValidator(_callsign)]
     """Its callsign."""
     icao: Address | None = None
-    """None: its index, from 1."""
+    """Its ICAO address; None: its index, from 1."""
     position_m: Position
-    """At time zero."""
+    """Position at time zero, north, east and down of the origin."""
     velocity_mps: Velocity
+    """Velocity at time zero, north, east and down."""
     interval_s: Annotated[float, between(0.1, 60)] = 1.0
-    """Between two reports."""
+    """Time between two reports."""
     delay_s: Annotated[float, between(0, 60)] = 0.0
-    """From a position to the arrival of its report."""
+    """Time from a position to the arrival of its report."""
     position_error_m: Annotated[float, between(0, 1000)] = 0.0
     """Standard deviation of each axis of the reported position."""
     altitude_type: AltitudeType = "geometric"
-    """Which height it reports."""
+    """The kind of height that it reports."""
     change: list[TrafficChange] = Field(default_factory=list[TrafficChange])
 
 
 class TrafficReceiver(Table):
-    """What every vehicle hears transponders with."""
+    """The receiver of transponders that every vehicle has."""
 
     range_m: Annotated[float, between(0, 1_000_000)] = 20_000.0
+    """Largest distance at which it hears a transponder."""

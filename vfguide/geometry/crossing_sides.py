@@ -5,7 +5,7 @@ from itertools import combinations
 
 Corner = tuple[float, float]
 """North and east [m]."""
-Side = tuple[Corner, Corner]
+CornerPair = tuple[Corner, Corner]
 """From one corner to the next."""
 
 
@@ -20,7 +20,7 @@ def crossing_sides(corners: Sequence[Corner]) -> tuple[int, int] | None:
     return next(((i, j) for (i, one), (j, other) in pairs if _clash(one, other)), None)
 
 
-def _clash(one: Side, other: Side) -> bool:
+def _clash(one: CornerPair, other: CornerPair) -> bool:
     """Whether two sides have more in common than a corner between them."""
     (a, b), (c, d) = one, other
     if b == c and d == a:
@@ -32,7 +32,7 @@ def _clash(one: Side, other: Side) -> bool:
     return _meet(one, other)
 
 
-def _side_of(side: Side, p: Corner) -> float:
+def _side_of(side: CornerPair, p: Corner) -> float:
     """On which side of its line a point is, by the sign; 0: on it."""
     ((ax, ay), (bx, by)), (px, py) = side, p
     return (bx - ax) * (py - ay) - (by - ay) * (px - ax)
@@ -49,13 +49,13 @@ def _folds_back(a: Corner, b: Corner, c: Corner) -> bool:
     return _side_of((a, b), c) == 0.0 and _along(b, a, c) > 0.0
 
 
-def _on(side: Side, p: Corner) -> bool:
+def _on(side: CornerPair, p: Corner) -> bool:
     """Whether a point is on a side."""
     a, b = side
     return _side_of(side, p) == 0.0 and 0.0 <= _along(a, b, p) <= _along(a, b, b)
 
 
-def _meet(one: Side, other: Side) -> bool:
+def _meet(one: CornerPair, other: CornerPair) -> bool:
     """Whether two sides have a point in common."""
     (a, b), (c, d) = one, other
     apart = _side_of(one, c) * _side_of(one, d) >= 0.0

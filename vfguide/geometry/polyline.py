@@ -7,7 +7,7 @@ import numpy as np
 from vfguide.geometry.vector import Series, Vectors
 
 
-class Nearest(NamedTuple):
+class NearestPoint(NamedTuple):
     """The point of a polyline that is nearest to the origin."""
 
     distance: float
@@ -24,7 +24,7 @@ def points_at(wanted: Series, times: Series, points: Vectors) -> Vectors:
     return np.column_stack([np.interp(wanted, times, points[:, axis]) for axis in range(3)])
 
 
-def nearest_to_origin(path: Vectors) -> Nearest:
+def nearest_to_origin(path: Vectors) -> NearestPoint:
     """The point nearest to the origin of the polyline through points (n, 3), n >= 1.
 
     The distance is in the unit of the points.
@@ -35,4 +35,4 @@ def nearest_to_origin(path: Vectors) -> Nearest:
     points = np.vstack((path[:-1] + shares[:, None] * steps, path[-1:]))
     distances = np.linalg.norm(points, axis=1)
     nearest = int(distances.argmin())
-    return Nearest(float(distances[nearest]), nearest + float(np.append(shares, 0.0)[nearest]))
+    return NearestPoint(float(distances[nearest]), nearest + float(np.append(shares, 0.0)[nearest]))

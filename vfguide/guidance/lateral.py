@@ -13,7 +13,7 @@ from vfguide.aircraft.state import FlightState
 from vfguide.geometry.angles import FULL_TURN, wrap
 from vfguide.guidance.wind_triangle import Heading
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Course, Planar, loiter_course
+from vfguide.paths.course_laws import Course, PlanarState, loiter_course
 from vfguide.paths.leg import Leg
 from vfguide.paths.leg_phases import leg_course
 from vfguide.planning.leg_planning import in_goal_plane
@@ -40,10 +40,10 @@ def target_course(
 
 
 @compiled
-def loiter(at: Planar, target: GuidanceTarget, leg: Leg) -> Course:
+def loiter(at: PlanarState, target: GuidanceTarget, leg: Leg) -> Course:
     """Course around the target's circle, which touches the target's pose."""
     radius = max(target.radius, leg.radius)
-    about = Planar(at.x, at.y - target.circle * radius, at.vx, at.vy)
+    about = PlanarState(at.x, at.y - target.circle * radius, at.vx, at.vy)
     return loiter_course(about, target.circle, radius)
 
 

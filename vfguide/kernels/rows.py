@@ -88,10 +88,10 @@ def leaves(kind: Any, name: str = "", expression: str = "r") -> Iterator[Leaf]:
         )
     else:
         for part, field in parts_of(kind, name).items():
-            yield from leaves(field, joined(name, part.strip(".[]")), f"{expression}{part}")
+            yield from leaves(field, dotted_name(name, part.strip(".[]")), f"{expression}{part}")
 
 
-def joined(name: str, part: str) -> str:
+def dotted_name(name: str, part: str) -> str:
     """The dotted name of a part."""
     return f"{name}.{part}" if name else part
 

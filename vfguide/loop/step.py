@@ -26,7 +26,7 @@ from vfguide.loop.state import LoopState
 from vfguide.planning import planning
 
 
-class Outcome(NamedTuple):
+class StepOutcome(NamedTuple):
     """Results of a step besides its setpoint, for displays, logs and notes."""
 
     command: GuidanceCommand
@@ -43,7 +43,7 @@ def step(
     airspace: Airspace | None,
     law: Law,
     vehicle: Vehicle,
-) -> tuple[RateSetpoint, LoopState, Outcome]:
+) -> tuple[RateSetpoint, LoopState, StepOutcome]:
     """The setpoint of one step, within the limits of the aircraft.
 
     Args:
@@ -84,4 +84,4 @@ def step(
         progress_state,
         detection_state,
     )
-    return setpoint, after, Outcome(command, passage)
+    return setpoint, after, StepOutcome(command, passage)

@@ -25,7 +25,7 @@ towards it, dimensionless: k of Beard and McLain (2012, chapter 10), whose value
 point-mass flights."""
 
 
-class Planar(NamedTuple):
+class PlanarState(NamedTuple):
     """Position and ground velocity of the vehicle in the horizontal plane."""
 
     x: float
@@ -39,34 +39,34 @@ class Planar(NamedTuple):
 
 
 @compiled
-def planar_from(frame: Pose, at: Planar) -> Planar:
+def planar_from(frame: Pose, at: PlanarState) -> PlanarState:
     """Position and velocity of the vehicle in the axes of a pose."""
     c, s = math.cos(frame.course), math.sin(frame.course)
     x, y = unrotated(at.x - frame.x, at.y - frame.y, c, s)
     vx, vy = unrotated(at.vx, at.vy, c, s)
-    return Planar(x, y, vx, vy)
+    return PlanarState(x, y, vx, vy)
 
 
 @compiled
-def planar_of(state: FlightState) -> Planar:
+def planar_of(state: FlightState) -> PlanarState:
     """Position and velocity of the vehicle in the horizontal plane, NED."""
-    return Planar(state.p_n[0], state.p_n[1], state.v_n[0], state.v_n[1])
+    return PlanarState(state.p_n[0], state.p_n[1], state.v_n[0], state.v_n[1])
 
 
 @compiled
-def course_of(at: Planar) -> float:
+def course_of(at: PlanarState) -> float:
     """Course over ground, clockwise from the first axis [rad]."""
     return math.atan2(at.vy, at.vx)
 
 
 @compiled
-def pose_at(at: Planar) -> Pose:
+def pose_at(at: PlanarState) -> Pose:
     """The pose of the vehicle along its course over ground."""
     return Pose(at.x, at.y, course_of(at))
 
 
 @compiled
-def speed_of(at: Planar) -> float:
+def speed_of(at: PlanarState) -> float:
     """Speed over ground [m/s]."""
     return math.hypot(at.vx, at.vy)
 
@@ -83,7 +83,7 @@ class Course(NamedTuple):
 
 
 @compiled
-def field_course(at: Planar, core: float) -> Course:
+def field_course(at: PlanarState, core: float) -> Course:
     """Direction of the navigation field, eq_VF_xyz, restricted to the plane z = 0.
 
     Closer than `core` [m] before the goal the field is that of a line: there the course depends on
@@ -110,7 +110,7 @@ def arc_to_goal(x: float, y: float) -> float:
 
 
 @compiled
-def line_course(at: Planar, line: Pose, width: float) -> Course:
+def line_course(at: PlanarState, line: Pose, width: float) -> Course:
     """Course onto the line through a pose along its course, chi = course - atan(k e / width).
 
     e is the distance to the right of the line [m], `width` the scale of the approach to it [m].
@@ -121,7 +121,7 @@ def line_course(at: Planar, line: Pose, width: float) -> Course:
 
 
 @compiled
-def loiter_course(at: Planar, side: float, radius: float) -> Course:
+def loiter_course(at: PlanarState, side: float, radius: float) -> Course:
     """Course onto a circle around the origin that never turns more tightly than the circle.
 
     `side` is +1 for a circle to the right, -1 to the left; `radius` is in m.

@@ -7,7 +7,7 @@ import math
 
 from vfguide.geometry.angles import wrap
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar, arc_to_goal, course_of, speed_of
+from vfguide.paths.course_laws import PlanarState, arc_to_goal, course_of, speed_of
 from vfguide.paths.leg import Leg
 from vfguide.paths.path_progress import TURN_IN
 
@@ -44,14 +44,14 @@ the final approach goes on along it."""
 
 
 @compiled
-def is_lined_up(leg: Leg, at: Planar) -> bool:
+def is_lined_up(leg: Leg, at: PlanarState) -> bool:
     """Whether the vehicle is on the final approach, as between goals in line."""
     is_on_line = 0.0 < at.x < leg.final_approach and abs(at.y) < LINE_DISTANCE * leg.radius
     return is_on_line and abs(course_of(at)) < LINE_ANGLE
 
 
 @compiled
-def rolls_out(leg: Leg, at: Planar, left: float) -> bool:
+def rolls_out(leg: Leg, at: PlanarState, left: float) -> bool:
     """Whether to roll out onto the final approach now, `left` [m] before the end of a path."""
     lead = TURN_IN * speed_of(at)
     off = ROLL_OUT_FACTOR * LINE_ANGLE + lead / leg.radius
@@ -60,26 +60,26 @@ def rolls_out(leg: Leg, at: Planar, left: float) -> bool:
 
 
 @compiled
-def depth(leg: Leg, at: Planar) -> float:
+def depth(leg: Leg, at: PlanarState) -> float:
     """Depth inside the nearer circle of the leg's radius that touches the goal's line [m]."""
     return leg.radius - math.hypot(at.x, abs(at.y) - leg.radius)
 
 
 @compiled
-def off_field(at: Planar) -> float:
+def off_field(at: PlanarState) -> float:
     """Angle between the course and the field [rad], not negative."""
     return abs(wrap(course_of(at) - 2.0 * math.atan2(at.y, at.x)))
 
 
 @compiled
-def takes_up_field(leg: Leg, at: Planar) -> bool:
+def takes_up_field(leg: Leg, at: PlanarState) -> bool:
     """Whether the field is captured from the end of a path."""
     is_wide = at.x < -abs(at.y) and depth(leg, at) <= CAPTURE_DEPTH * leg.radius
     return is_wide and off_field(at) < CAPTURE_ANGLE
 
 
 @compiled
-def stays_in_field(leg: Leg, at: Planar) -> bool:
+def stays_in_field(leg: Leg, at: PlanarState) -> bool:
     """Whether the field still leads to the goal without a turn that is too tight."""
     near = at.x > 0.0 or math.hypot(at.x, at.y) < leg.radius
     inside = depth(leg, at) / leg.radius
@@ -89,7 +89,7 @@ def stays_in_field(leg: Leg, at: Planar) -> bool:
 
 
 @compiled
-def begins_in_field(leg: Leg, at: Planar, length: float, distance_for_altitude: float) -> bool:
+def begins_in_field(leg: Leg, at: PlanarState, length: float, distance_for_altitude: float) -> bool:
     """Whether a leg starts in the field: flyable, hardly longer than the path of `length` [m]."""
     is_wide = at.x < -abs(at.y) and depth(leg, at) <= START_DEPTH * leg.radius
     if not is_wide or off_field(at) > START_ANGLE:

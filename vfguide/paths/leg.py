@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from vfguide.geometry.se2 import ORIGIN
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar
+from vfguide.paths.course_laws import PlanarState
 from vfguide.paths.dubins import DubinsPath
 from vfguide.paths.edge import LAST_TURN, Edge
 from vfguide.paths.path_progress import PathProgress
@@ -81,12 +81,12 @@ def with_final_approach(leg: Leg, final_approach: float) -> Leg:
 
 
 @compiled
-def before_end(leg: Leg, at: Planar) -> Planar:
+def before_end(leg: Leg, at: PlanarState) -> PlanarState:
     """The vehicle in the plane whose origin is the start of the final approach."""
     return moved(at, leg.final_approach)
 
 
 @compiled
-def moved(at: Planar, farther: float) -> Planar:
+def moved(at: PlanarState, farther: float) -> PlanarState:
     """The vehicle relative to a point `farther` [m] before the origin."""
-    return Planar(at.x + farther, at.y, at.vx, at.vy)
+    return PlanarState(at.x + farther, at.y, at.vx, at.vy)

@@ -8,7 +8,7 @@ captured. A leg that cannot go on as it is becomes NEW and is planned again.
 
 from vfguide.aircraft.performance import Gains
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Course, Planar, field_course
+from vfguide.paths.course_laws import Course, PlanarState, field_course
 from vfguide.paths.field_capture import off_field, rolls_out, stays_in_field, takes_up_field
 from vfguide.paths.leg import FIELD, NEW, ON_PATH, OUTBOUND, Leg, before_end, in_phase
 from vfguide.paths.leg_start import Paths, begin_leg, start_here
@@ -29,7 +29,7 @@ anew; chosen."""
 
 
 @compiled
-def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
+def fly_leg(leg: Leg, at: PlanarState, paths: Paths, gains: Gains) -> Leg:
     """The leg after one step, with the phase that is flown now.
 
     Args:
@@ -53,7 +53,7 @@ def fly_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
 
 
 @compiled
-def leg_course(leg: Leg, at: Planar, core: float) -> Course:
+def leg_course(leg: Leg, at: PlanarState, core: float) -> Course:
     """Course of the present phase, relative to the goal's, and the path length to the goal.
 
     `core` is that of `field_course` [m].
@@ -63,7 +63,7 @@ def leg_course(leg: Leg, at: Planar, core: float) -> Course:
 
 
 @compiled
-def entry_course(leg: Leg, at: Planar, core: float) -> Course:
+def entry_course(leg: Leg, at: PlanarState, core: float) -> Course:
     """Course of the present phase, and the path length to the start of the final approach.
 
     That start is the origin here. In phase OUTBOUND the path counts as one radius long, so that
@@ -77,7 +77,7 @@ def entry_course(leg: Leg, at: Planar, core: float) -> Course:
 
 
 @compiled
-def go_on(leg: Leg, entry: Planar) -> Leg:
+def go_on(leg: Leg, entry: PlanarState) -> Leg:
     """The leg in the phase that follows; NEW where it cannot go on as it is."""
     if leg.phase == FIELD:
         leads_on = stays_in_field(leg, entry) and entry.x < leg.final_approach
@@ -89,7 +89,7 @@ def go_on(leg: Leg, entry: Planar) -> Leg:
 
 
 @compiled
-def phase_after(leg: Leg, progress: PathProgress, entry: Planar) -> int:
+def phase_after(leg: Leg, progress: PathProgress, entry: PlanarState) -> int:
     """The phase that follows on a path, with the progress along it."""
     left = path_left(progress)
     captures = leads_straight_on(progress) and takes_up_field(leg, entry)

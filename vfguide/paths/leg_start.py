@@ -11,7 +11,7 @@ from typing import NamedTuple
 from vfguide.aircraft.performance import Gains
 from vfguide.geometry.angles import FULL_TURN
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar, course_of
+from vfguide.paths.course_laws import PlanarState, course_of
 from vfguide.paths.dubins import DubinsPath, is_hasty, length_of, shortest_path
 from vfguide.paths.field_capture import begins_in_field, is_lined_up
 from vfguide.paths.leg import (
@@ -60,7 +60,7 @@ class LegStart(NamedTuple):
 
 
 @compiled
-def begin_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
+def begin_leg(leg: Leg, at: PlanarState, paths: Paths, gains: Gains) -> Leg:
     """The leg from here, with wider turns where a faster descent makes it shorter.
 
     Args:
@@ -79,7 +79,7 @@ def begin_leg(leg: Leg, at: Planar, paths: Paths, gains: Gains) -> Leg:
 
 
 @compiled
-def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains) -> LegStart:
+def start_here(leg: Leg, at: PlanarState, distance_for_altitude: float, gains: Gains) -> LegStart:
     """The leg from here, with turns of its radius.
 
     Args:
@@ -93,7 +93,7 @@ def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains)
     entry = before_end(fresh, at)
     if is_lined_up(fresh, entry) and distance_for_altitude <= final_approach - entry.x:
         return LegStart(in_phase(fresh, FIELD, leg.progress), final_approach - entry.x)
-    begin = Planar(entry.x + TURN_IN * at.vx, entry.y + TURN_IN * at.vy, at.vx, at.vy)
+    begin = PlanarState(entry.x + TURN_IN * at.vx, entry.y + TURN_IN * at.vy, at.vx, at.vy)
     path = path_from(begin, leg.radius)
     lead = math.hypot(begin.x - entry.x, begin.y - entry.y)
     length = leg.radius * length_of(path) + lead
@@ -110,7 +110,7 @@ def start_here(leg: Leg, at: Planar, distance_for_altitude: float, gains: Gains)
 
 
 @compiled
-def longest_end(begin: Planar, radius: float, final_approach: float, longest: float) -> float:
+def longest_end(begin: PlanarState, radius: float, final_approach: float, longest: float) -> float:
     """The longest final approach whose path is not a leap longer than that of a shorter one [m].
 
     The shortest path to a final approach that starts a little earlier may be longer by a circle,
@@ -137,7 +137,7 @@ def longest_end(begin: Planar, radius: float, final_approach: float, longest: fl
 
 @compiled
 def path_or_outbound(
-    leg: Leg, begin: Planar, path: DubinsPath, distance_for_altitude: float
+    leg: Leg, begin: PlanarState, path: DubinsPath, distance_for_altitude: float
 ) -> LegStart:
     """The leg along a Dubins path that is long enough for the change of height.
 
@@ -165,7 +165,7 @@ def path_or_outbound(
 
 
 @compiled
-def along_path(leg: Leg, begin: Planar, path: DubinsPath) -> LegStart:
+def along_path(leg: Leg, begin: PlanarState, path: DubinsPath) -> LegStart:
     """The leg in phase ON_PATH along a Dubins path from `begin`."""
     progress = begin_path(begin, path, leg.radius)
     return LegStart(
@@ -181,6 +181,6 @@ def with_circles(path: DubinsPath, circles: float) -> DubinsPath:
 
 
 @compiled
-def path_from(at: Planar, radius: float) -> DubinsPath:
+def path_from(at: PlanarState, radius: float) -> DubinsPath:
     """The shortest Dubins path from here to the origin, course 0, with turns of `radius` [m]."""
     return shortest_path(at.x, at.y, course_of(at), radius)

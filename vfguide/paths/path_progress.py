@@ -12,7 +12,14 @@ from vfguide.geometry.angles import FULL_TURN
 from vfguide.geometry.se2 import ORIGIN, Pose, centre_beside, point_from
 from vfguide.kernels.compiled import compiled
 from vfguide.kernels.rows import replacing
-from vfguide.paths.course_laws import Course, Planar, line_course, loiter_course, pose_at, speed_of
+from vfguide.paths.course_laws import (
+    Course,
+    PlanarState,
+    line_course,
+    loiter_course,
+    pose_at,
+    speed_of,
+)
 from vfguide.paths.dubins import SHORT_LAST_TURN, DubinsPath
 from vfguide.paths.edge import FIRST_TURN, LAST_TURN, MIDDLE, Edge, segment_at
 
@@ -41,7 +48,7 @@ at_segment = replacing(PathProgress, "segment", "left")
 
 
 @compiled
-def begin_path(at: Planar, path: DubinsPath, radius: float) -> PathProgress:
+def begin_path(at: PlanarState, path: DubinsPath, radius: float) -> PathProgress:
     """The progress at the start of a Dubins path from here to the origin, course 0.
 
     `radius` is that of the turns [m].
@@ -88,7 +95,7 @@ def present_turn(progress: PathProgress) -> Turn:
 
 
 @compiled
-def on_straight(progress: PathProgress, at: Planar) -> tuple[float, float]:
+def on_straight(progress: PathProgress, at: PlanarState) -> tuple[float, float]:
     """Position of the vehicle along the present straight, and to the right of it [m]."""
     return point_from(
         segment_at(progress.edge, progress.segment, progress.radius).begin, at.x, at.y
@@ -96,13 +103,13 @@ def on_straight(progress: PathProgress, at: Planar) -> tuple[float, float]:
 
 
 @compiled
-def about(turn: Turn, at: Planar) -> Planar:
+def about(turn: Turn, at: PlanarState) -> PlanarState:
     """Position and velocity of the vehicle relative to the centre of a turn."""
-    return Planar(at.x - turn.x, at.y - turn.y, at.vx, at.vy)
+    return PlanarState(at.x - turn.x, at.y - turn.y, at.vx, at.vy)
 
 
 @compiled
-def segment_left(progress: PathProgress, at: Planar) -> float:
+def segment_left(progress: PathProgress, at: PlanarState) -> float:
     """Rest of the present segment: angle of a turn [rad], length of a straight [turn radii].
 
     The number of full circles still to be flown is that of the step before.
@@ -118,7 +125,7 @@ def segment_left(progress: PathProgress, at: Planar) -> float:
 
 
 @compiled
-def along(progress: PathProgress, at: Planar) -> PathProgress:
+def along(progress: PathProgress, at: PlanarState) -> PathProgress:
     """The path with the progress of the vehicle, into the next segment in time for the roll."""
     path, lead = progress.edge.path, TURN_IN * speed_of(at) / progress.radius
     last = path.last * min(1.0, path.end / SHORT_LAST_TURN)
@@ -132,7 +139,7 @@ def along(progress: PathProgress, at: Planar) -> PathProgress:
 
 
 @compiled
-def into_next(progress: PathProgress, whole: float, at: Planar) -> PathProgress:
+def into_next(progress: PathProgress, whole: float, at: PlanarState) -> PathProgress:
     """The progress in the next segment, the `whole` of which [rad, or turn radii] lies ahead."""
     following = at_segment(progress, progress.segment + 1, whole)
     return at_segment(following, following.segment, segment_left(following, at))
@@ -150,7 +157,7 @@ def path_left(progress: PathProgress) -> float:
 
 
 @compiled
-def path_course(progress: PathProgress, at: Planar) -> Course:
+def path_course(progress: PathProgress, at: PlanarState) -> Course:
     """Course onto and along the present segment, and the length of the rest of the path."""
     if is_straight(progress):
         begin = segment_at(progress.edge, progress.segment, progress.radius).begin
@@ -162,7 +169,7 @@ def path_course(progress: PathProgress, at: Planar) -> Course:
 
 
 @compiled
-def beside(progress: PathProgress, at: Planar) -> float:
+def beside(progress: PathProgress, at: PlanarState) -> float:
     """Distance beside the present segment [m], not negative."""
     if is_straight(progress):
         _, off = on_straight(progress, at)

@@ -8,7 +8,7 @@ import math
 
 from vfguide.geometry.se2 import Pose, after_turn, straight_on
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar, course_of, pose_at
+from vfguide.paths.course_laws import PlanarState, course_of, pose_at
 from vfguide.paths.dubins import length_of, shortest_path
 
 OUTBOUND_TURNS = 4
@@ -29,7 +29,7 @@ path that is a little too short later does not become longer by a circle."""
 
 
 @compiled
-def best_end(at: Planar, radius: float, distance_for_altitude: float) -> tuple[float, float]:
+def best_end(at: PlanarState, radius: float, distance_for_altitude: float) -> tuple[float, float]:
     """Additional length of the final approach, and the length of the path with it [m].
 
     The path is infinitely long where no length suffices, as straight behind the goal.
@@ -50,7 +50,9 @@ def best_end(at: Planar, radius: float, distance_for_altitude: float) -> tuple[f
 
 
 @compiled
-def best_outbound(at: Planar, radius: float, distance_for_altitude: float) -> tuple[float, float]:
+def best_outbound(
+    at: PlanarState, radius: float, distance_for_altitude: float
+) -> tuple[float, float]:
     """The outbound course before the path [rad], and the length of both [m].
 
     The arguments are those of `best_end`.

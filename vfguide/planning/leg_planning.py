@@ -11,7 +11,7 @@ from vfguide.geometry.se2 import unrotated
 from vfguide.geometry.vector import Vec3, add, scale, sub
 from vfguide.geometry.velocity import horizontal_norm
 from vfguide.kernels.compiled import compiled
-from vfguide.paths.course_laws import Planar, planar_from, planar_of
+from vfguide.paths.course_laws import PlanarState, planar_from, planar_of
 from vfguide.paths.distance_for_altitude import distance_for_altitude
 from vfguide.paths.leg import Leg, keep_radius
 from vfguide.paths.leg_phases import fly_leg
@@ -26,7 +26,7 @@ reserve."""
 
 
 @compiled
-def in_goal_plane(state: FlightState, target: GuidanceTarget) -> Planar:
+def in_goal_plane(state: FlightState, target: GuidanceTarget) -> PlanarState:
     """Position and ground velocity in the horizontal plane of the target."""
     return planar_from(pose_of_target(target), planar_of(state))
 

@@ -13,7 +13,7 @@ from vfguide.aircraft.path_limits import descent_at_airspeed
 from vfguide.aircraft.performance import Gains, Performance, turn_length
 from vfguide.aircraft.state import FlightState
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import hazards_of
+from vfguide.airspace.keep_out import obstacle_zones
 from vfguide.airspace.planar_clearance import clearance_at
 from vfguide.field.obstacle import OUT_OF_SIGHT, PlacedObstacle, Rows, read_obstacle
 from vfguide.geometry.vector import Series, Vec3
@@ -150,7 +150,9 @@ def stands_still(obstacle: PlacedObstacle) -> bool:
 def distance_beside(obstacles: Rows, i: int, p_n: Vec3) -> float:
     """Horizontal distance of `p_n` from the obstacle of row `i`, which does not move [m]."""
     band = Band(-math.inf, math.inf)
-    return clearance_at(hazards_of(obstacles[i : i + 1], band, 0.0), p_n[0], p_n[1], 0.0).distance
+    return clearance_at(
+        obstacle_zones(obstacles[i : i + 1], band, 0.0), p_n[0], p_n[1], 0.0
+    ).distance
 
 
 @compiled

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vfguide.aircraft.performance import Gains, Performance
 from vfguide.aircraft.state import FlightState
-from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZones, joined, obstacle_zones
 from vfguide.airspace.planar_clearance import NO_HAZARD, clearance_at
 from vfguide.field.obstacle import Rows
 from vfguide.geometry.se2 import Pose, composed, straight_on
@@ -87,7 +87,7 @@ def is_clear(
     """Whether the rest of the route has the clearance `wanted` [m]."""
     state, target = context.state, context.target
     obstacles = left_in_path(scene.obstacles, altitudes, wanted)
-    hazards = joined(hazards_of(obstacles, band_of(altitudes), wanted), scene.fence)
+    hazards = joined(obstacle_zones(obstacles, band_of(altitudes), wanted), scene.fence)
     here, entry = pose_of(state, 0.0), entry_of(target, leg.final_approach)
     task = task_from(context, here, entry_of(target, 0.0), leg.radius, scene.t)
     if is_on_route(route):
@@ -141,7 +141,7 @@ def is_free(
     """
     wanted, p_n = CLEARANCES[0], context.state.p_n
     obstacles = left_in_path(scene.obstacles, altitudes, wanted)
-    near = hazards_of(obstacles, band_of(altitudes), wanted)
+    near = obstacle_zones(obstacles, band_of(altitudes), wanted)
     if clearance_at(near, p_n[0], p_n[1], scene.t).distance < wanted:
         return False
     return is_clear(context, leg, scene, route, altitudes, wanted)

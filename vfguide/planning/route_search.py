@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vfguide.airspace.footprint import Band
-from vfguide.airspace.keep_out import KeepOutZones, hazards_of, joined
+from vfguide.airspace.keep_out import KeepOutZones, joined, obstacle_zones
 from vfguide.field.obstacle import Rows
 from vfguide.kernels.compiled import compiled
 from vfguide.paths.dubins import length_of
@@ -74,7 +74,7 @@ def route_with(
     obstacles: Rows, fence: KeepOutZones, band: Band, task: Task, wanted: float, effort: int
 ) -> FoundRoute:
     """The route with the clearance `wanted` [m]; other arguments are those of `find_route`."""
-    hazards = joined(hazards_of(obstacles, band, wanted), fence)
+    hazards = joined(obstacle_zones(obstacles, band, wanted), fence)
     demand = demand_of(hazards, task, wanted)
     route_edges, left = search(hazards, task, demand, effort)
     if len(route_edges) == 0:

@@ -1,1 +1,1 @@
-"""Before the flight: scenarios loaded and checked, so that what is flown can be flown."""
+"""Before the flight: scenarios are loaded, and checked for what cannot be flown."""

@@ -1,4 +1,4 @@
-"""Whether an aircraft can fly in the air of its plan: its airspeeds, its thrust, its ceiling."""
+"""Checks of an aircraft in the air of its plan: its airspeeds, its thrust, its ceiling."""
 
 import math
 from collections.abc import Callable
@@ -15,23 +15,23 @@ from vfguide.files.source import Location, Source
 from vfguide.scenario.air import Air
 
 CEILING_CLIMB = 0.5
-"""Rate of climb that is left at the service ceiling [m/s]: the 100 ft/min of its definition."""
+"""Rate of climb that is left at the service ceiling [m/s]: about the 100 ft/min that define it."""
 THRUST_ERROR = 0.015
 """Error of full thrust less drag by the aircraft file, as a share of the weight; chosen above the
-0.012 that the model of the Cessna 172 lacks near its stall at 6400 m."""
+0.012 by which the model of the Cessna 172 has less near its stall at 6400 m."""
 SHOWN_STEP = 0.1
-"""Step to which the limits of an airspeed are shown [m/s]; chosen, inside the limits."""
+"""Step to which shown limits of an airspeed are rounded, inward [m/s]; chosen."""
 CEILING_STEP = 50.0
-"""Step to which a ceiling is shown [m]; chosen."""
+"""Step in which a ceiling is looked for [m]; chosen."""
 NO_CEILING = 12_000.0
-"""Height up to which a ceiling is looked for [m]; chosen above what scenarios allow."""
+"""Altitude up to which a ceiling is looked for [m]; chosen above what scenarios allow."""
 
 
-class Flown(NamedTuple):
+class AircraftInAir(NamedTuple):
     """An aircraft in the air of its plan."""
 
     name: str
-    """Its name."""
+    """Name of the aircraft."""
     aircraft: Performance
     """The aircraft at sea-level density."""
     gains: Gains
@@ -42,15 +42,15 @@ class Flown(NamedTuple):
     """Whether its thrust was measured, so that a flight can be refused for it."""
 
 
-class Asked(NamedTuple):
+class AskedAirspeed(NamedTuple):
     """A true airspeed that a scenario asks for."""
 
     speed: float
-    """[m/s]."""
+    """True airspeed [m/s]."""
     at: Location
-    """Its place in the file."""
+    """Key of the scenario file that asks for it, or could."""
     is_written: bool
-    """Whether the file has it."""
+    """Whether the file has that key; otherwise the airspeed is the cruise of the aircraft."""
 
 
 Holds = Callable[[float, float], bool]
@@ -58,13 +58,16 @@ Holds = Callable[[float, float], bool]
 
 
 def airspeed_limits(aircraft: Performance, air: Air) -> tuple[float, float]:
-    """Least and largest true airspeed [m/s] that its limits allow everywhere in the air."""
+    """Least and largest true airspeed [m/s] that an aircraft may fly everywhere in the air.
+
+    The first is above the second where no airspeed is within the limits at all heights.
+    """
     least = in_air(aircraft, air.thinnest, aircraft.airspeed_cruise).airspeed_min
     return least, in_air(aircraft, air.thickest, aircraft.airspeed_cruise).airspeed_max
 
 
-def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
-    """An airspeed is within the limits at every height of the plan.
+def check_airspeed(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> None:
+    """Check that an airspeed is within the limits of the aircraft at every height of the plan.
 
     Raises:
         InputError: it is not.
@@ -82,11 +85,13 @@ def check_airspeed(asked: Asked, flown: Flown, source: Source) -> None:
         raise refused(asked, rule, flown, source)
 
 
-def check_start(asked: Asked, flown: Flown, source: Source) -> list[str]:
-    """A warning where the thrust may not hold the airspeed at the start in level flight.
+def check_start(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> list[str]:
+    """A warning where the thrust may not hold the airspeed of the start in level flight.
+
+    It is looked at in the thinnest air of the plan.
 
     Raises:
-        InputError: it does not.
+        InputError: the thrust, which was measured, does not hold it.
     """
 
     def holds(speed: float, density: float) -> bool:
@@ -95,11 +100,13 @@ def check_start(asked: Asked, flown: Flown, source: Source) -> list[str]:
     return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
-def check_thrust(asked: Asked, flown: Flown, source: Source) -> list[str]:
-    """A warning where the thrust may not hold the airspeed to fly at the highest place.
+def check_thrust(asked: AskedAirspeed, flown: AircraftInAir, source: Source) -> list[str]:
+    """A warning where the thrust may not hold the airspeed to fly, as of `is_held`.
+
+    It is looked at in the thinnest air of the plan.
 
     Raises:
-        InputError: it does not.
+        InputError: the thrust, which was measured, does not hold it.
     """
 
     def holds(speed: float, density: float) -> bool:
@@ -108,10 +115,11 @@ def check_thrust(asked: Asked, flown: Flown, source: Source) -> list[str]:
     return _check_held(asked, flown, in_thin_air(holds, flown), source)
 
 
-def is_held(speed: float, flown: Flown, density: float) -> bool:
+def is_held(speed: float, flown: AircraftInAir, density: float) -> bool:
     """Whether full thrust holds a true airspeed [m/s] in air of a density [kg/m^3].
 
-    It has to leave CEILING_CLIMB, and to hold a level turn at the bank that is asked for.
+    It has to leave a climb with CEILING_CLIMB, and to hold a level turn at the largest bank that
+    guidance asks for.
     """
     here = in_air(flown.aircraft, density, speed)
     load = 1.0 / math.cos(usable_bank(here, flown.gains, speed))
@@ -119,19 +127,20 @@ def is_held(speed: float, flown: Flown, density: float) -> bool:
     return climbs and spare_thrust(speed, flown, density, load) >= 0.0
 
 
-def spare_thrust(speed: float, flown: Flown, density: float, load: float) -> float:
-    """Full thrust less drag that is there for sure at a load factor, over weight.
+def spare_thrust(speed: float, flown: AircraftInAir, density: float, load: float) -> float:
+    """Full thrust less drag at a load factor, less its error, over the weight, dimensionless.
 
     `speed` is a true airspeed [m/s], `density` that of the air [kg/m^3].
     """
     return excess_thrust(flown.aircraft, density, speed, load) - THRUST_ERROR
 
 
-def in_thin_air(holds: Holds, flown: Flown) -> Holds:
-    """Whether the density still lets the thrust hold what it holds at sea level.
+def in_thin_air(holds: Holds, flown: AircraftInAir) -> Holds:
+    """A function as `holds` that finds fault only with what thin air takes away.
 
-    What an aircraft file does not have there already is judged by level flight alone: its numbers
-    of the thrust are guesses then, or its airspeed is near the fastest.
+    An airspeed that does not pass `holds` even at sea level, at the same equivalent airspeed, has
+    only to be held in level flight, without an allowance for errors: the thrust in the aircraft
+    file is a guess then, or the airspeed is near the fastest.
     """
 
     def holds_here(speed: float, density: float) -> bool:
@@ -144,7 +153,9 @@ def in_thin_air(holds: Holds, flown: Flown) -> Holds:
     return holds_here
 
 
-def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> list[str]:
+def _check_held(
+    asked: AskedAirspeed, flown: AircraftInAir, holds: Holds, source: Source
+) -> list[str]:
     density, what = flown.air.thinnest, f"not held by the thrust of {flown.name}"
     if holds(asked.speed, density):
         return []
@@ -159,7 +170,7 @@ def _check_held(asked: Asked, flown: Flown, holds: Holds, source: Source) -> lis
     return [f"{error}; by the thrust of its file, which was not measured"]
 
 
-def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:
+def held_airspeeds(flown: AircraftInAir, altitude: float, holds: Holds) -> list[float]:
     """The true airspeeds within the limits that are held at an altitude [m], in [m/s]."""
     air = Air(altitude, altitude)
     low, high = airspeed_limits(flown.aircraft, air)
@@ -167,8 +178,8 @@ def held_airspeeds(flown: Flown, altitude: float, holds: Holds) -> list[float]:
     return [each for each in speeds.tolist() if holds(each, air.thinnest)]
 
 
-def ceiling(flown: Flown, holds: Holds) -> float:
-    """Height up to which some airspeed is held [m]; 0 where none is at sea level."""
+def ceiling(flown: AircraftInAir, holds: Holds) -> float:
+    """Altitude up to which some airspeed within the limits is held [m]; 0 where none is."""
     reached = 0.0
     for height in np.arange(0.0, NO_CEILING, CEILING_STEP).tolist():
         if not held_airspeeds(flown, height, holds):
@@ -177,8 +188,8 @@ def ceiling(flown: Flown, holds: Holds) -> float:
     return reached
 
 
-def refused(asked: Asked, rule: str, flown: Flown, source: Source) -> InputError:
-    """The error of an airspeed that breaks a rule; one that is not written is the cruise."""
+def refused(asked: AskedAirspeed, rule: str, flown: AircraftInAir, source: Source) -> InputError:
+    """The error of an airspeed that breaks a rule; it says so where the airspeed is the cruise."""
     if asked.is_written:
         return source.error(asked.at, rule, asked.speed)
     cruise = f"the cruise of {flown.name}, true airspeed {asked.speed:.1f}"
@@ -186,7 +197,7 @@ def refused(asked: Asked, rule: str, flown: Flown, source: Source) -> InputError
 
 
 def shown_range(low: float, high: float) -> str:
-    """Limits of a true airspeed [m/s] in words, rounded inside."""
+    """Limits of a true airspeed [m/s] in words, rounded inward to SHOWN_STEP."""
     low, high = math.ceil(low / SHOWN_STEP - 1e-9), math.floor(high / SHOWN_STEP + 1e-9)
     return f"{low * SHOWN_STEP:.4g} to {high * SHOWN_STEP:.4g} (true airspeed)"
 

@@ -1,6 +1,6 @@
-"""Predicted flights of rigid bodies: the very steps that plant `kinematic` will make.
+"""Predicted flights of rigid bodies, made of the same steps as those of plant `kinematic`.
 
-Nothing disturbs such a body, so that its path before the flight is the one that it flies.
+Nothing disturbs such a body, so that the predicted path is the one that it flies.
 """
 
 import math
@@ -17,18 +17,19 @@ from vfguide.kernels.rows import Row
 from vfguide.loop.legs import Legs
 from vfguide.loop.rows import step_body
 from vfguide.loop.state import fresh_state, read_state, row_of_state
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.resolved import Scenario
 from vfguide.scenario.resolved import Vehicle as ScenarioVehicle
 from vfguide.sim.kinematic import move
 
 
 def predict_body(
-    scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies, legs: Legs
+    scenario: Scenario, vehicle: ScenarioVehicle, guided: GuidedAircraft, legs: Legs
 ) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], a guidance period apart, for as long as a run may take.
 
-    The other result is the number of the position from which on it circles; N where it never does.
+    The second result is the index of the first position after the last goal, from which on the body
+    circles; N where there is none.
     """
     rate = scenario.guidance.rate_hz
     path: Vectors = np.empty((math.ceil(scenario.duration_s * rate) + 1, 3))
@@ -38,7 +39,7 @@ def predict_body(
         row_of_state(fresh_state()),
         legs,
         FLIGHT,
-        np.array(vehicle_numbers(Vehicle(flies.aircraft, flies.gains, True))),
+        np.array(vehicle_numbers(Vehicle(guided.aircraft, guided.gains, True))),
         1.0 / rate,
         path,
     )
@@ -49,16 +50,16 @@ def predict_body(
 def fly_body(
     R: Matrix, row: Row, legs: Legs, law: Law, vehicle: Row, dt: float, path: Vectors
 ) -> int:
-    """Write the positions of a body into `path`; the number of the first one on the circle.
+    """Write the positions of a body into `path`; the index of the first after the last goal.
 
     Args:
-        R: attitude at the start (3, 3), body to NED.
-        row: a `LoopState`.
+        R: attitude at the start, body FRD to NED, (3, 3); it becomes that at the end.
+        row: the row of the `LoopState` at the start.
         legs: legs of the mission.
         law: the record of the law.
-        vehicle: a `Vehicle` that is a point.
+        vehicle: the row of a `Vehicle` that is a rigid body.
         dt: time from one position to the next [s].
-        path: positions (N, 3) [m], of which the first is that of the start.
+        path: positions (N, 3), NED [m], of which the first is that of the start.
     """
     circles_from, R_nb = len(path), mat3(R)
     speed = read_vehicle(vehicle).gains.airspeed

@@ -1,4 +1,4 @@
-"""Checks between the values of a scenario and those of its aircraft."""
+"""Checks of values of a scenario against each other and against its aircraft."""
 
 import math
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ from vfguide.scenario.resolved import Scenario
 
 
 def check_law(entry: ScenarioFile, source: Source) -> None:
-    """Plant, law and obstacles go together.
+    """Check that plant, law, obstacles and test flights go together.
 
     Raises:
         InputError: they do not.
@@ -36,7 +36,11 @@ def check_law(entry: ScenarioFile, source: Source) -> None:
 
 
 def _check_single_attempts(entry: ScenarioFile, source: Source) -> None:
-    """Law paper passes a goal once."""
+    """Check that law `paper` is not asked for more than one attempt, since it passes a goal once.
+
+    Raises:
+        InputError: it is.
+    """
     for index, vehicle in enumerate(entry.vehicle):
         for number, goal in enumerate(vehicle.goal):
             if goal.attempts > 1:
@@ -52,7 +56,7 @@ PAPER_LAW_WARNING = (
 """Warning of a scenario that flies law `paper` on an aeroplane."""
 
 
-def told_of_law(scenario: Scenario) -> tuple[str, ...]:
+def law_warnings(scenario: Scenario) -> tuple[str, ...]:
     """The warnings about the law of a scenario."""
     told = list[str]()
     if scenario.law == "paper" and scenario.plant == "jsbsim":
@@ -65,7 +69,7 @@ def told_of_law(scenario: Scenario) -> tuple[str, ...]:
 def check_aircraft(
     scenario: Scenario, entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Source
 ) -> None:
-    """No vehicle is asked for a bank or a climb that its aircraft cannot fly.
+    """Check that no vehicle is asked for a bank or a climb that its aircraft cannot fly.
 
     Raises:
         InputError: one is.
@@ -88,7 +92,7 @@ def check_aircraft(
 
 
 def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> None:
-    """Every start and every goal is above the ground, the plane z = 0 of the scenario frame.
+    """Check that every start and goal is above the ground, the plane z = 0 of the scenario frame.
 
     Raises:
         InputError: one is not.
@@ -110,10 +114,10 @@ def check_ground(scenario: Scenario, entry: ScenarioFile, source: Source) -> Non
 
 
 def check_still_air(scenario: Scenario, source: Source) -> None:
-    """No wind and no weather without air, no sensors and no link without an autopilot.
+    """Check that plant `kinematic` is given no wind, weather, sensors, autopilot or link.
 
     Raises:
-        InputError: one is.
+        InputError: it is.
     """
     wind, rule = scenario.wind, 'plant = "kinematic" has no wind'
     if wind.speed_mps != 0.0:
@@ -133,7 +137,7 @@ def check_still_air(scenario: Scenario, source: Source) -> None:
 
 
 def check_changes(scenario: Scenario, source: Source) -> None:
-    """Changes of the wind are in the order of time.
+    """Check that the changes of the wind are in the order of time.
 
     Raises:
         InputError: they are not.
@@ -146,10 +150,11 @@ def check_changes(scenario: Scenario, source: Source) -> None:
 
 
 def check_room(scenario: Scenario, source: Source) -> None:
-    """Vehicles start apart, and are seen before they are too close.
+    """Check that vehicles start apart, and are detected before they are too close.
 
     Raises:
-        InputError: two start within two safety radii, or the detection range is shorter.
+        InputError: the detection range is not beyond two safety radii; or two vehicles that are to
+            keep apart start within two safety radii.
     """
     avoidance = scenario.avoidance
     apart = 2.0 * avoidance.safety_radius_m
@@ -176,7 +181,7 @@ def _check_range(
 
 
 def _outside(value: float, allowed: tuple[float, float], aircraft: str) -> str:
-    """What is wrong with a value that leaves what an aircraft allows; empty if it does not."""
+    """The rule that a value outside the limits of an aircraft breaks; empty if it is within."""
     low, high = allowed
     if low <= value <= high:
         return ""

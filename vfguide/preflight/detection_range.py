@@ -25,13 +25,14 @@ from vfguide.geometry.shapes.base import Shape
 from vfguide.geometry.shapes.shape import section_at, widest_at
 from vfguide.geometry.units import MS
 from vfguide.geometry.vector import norm
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.obstacles import shape_of
 from vfguide.scenario.resolved import Obstacle, Scenario
 
 LATENCY_PERIODS = 3.0
-"""Number of guidance periods from an obstacle in range to its first effect; chosen: one to the next
-look, one held setpoint, one of the state that is half a period old at both ends."""
+"""Number of guidance periods from when an obstacle is in range to its first effect; chosen: one to
+the next detection, one of a held setpoint, and one since the state is half a period old at both
+ends of the link."""
 
 
 class Escape(NamedTuple):
@@ -42,33 +43,42 @@ class Escape(NamedTuple):
     radius: float
     """Radius of its turns in the air at the largest bank [m]."""
     delay: float
-    """Time before it turns: latency, and a roll from one side to the other [s]."""
+    """Time before it turns [s]: latency, the HOLD of the assurance, and a roll from the largest
+    bank to the other side."""
     margin: float
-    """Clearance that it keeps [m]."""
+    """Clearance that it keeps: the margin of the assurance, and MAX_UNCERTAINTY [m]."""
 
 
 class Body(NamedTuple):
-    """What is escaped from."""
+    """What is escaped from: an obstacle or another vehicle."""
 
     name: str
+    """Name in messages."""
     half_width: float
     """Largest horizontal distance of its surface from its centre [m]."""
     closing: float
-    """Speed with which it moves through the air at most [m/s]."""
+    """Upper bound of its speed relative to the air [m/s]."""
 
 
 class Need(NamedTuple):
     """The range that a vehicle needs to escape from a body."""
 
     range: float
-    """Whole metres [m]."""
+    """Detection range that is needed, rounded up to a whole number of metres [m]."""
     vehicle: int
     """Id of the vehicle."""
     body: str
+    """Name of the body."""
 
 
 def side_step(escape: Escape, half_width: float, closing: float) -> float:
-    """By how much an obstacle comes nearer until the aircraft is beside it [m]."""
+    """By how much an obstacle comes nearer until the aircraft is beside it, turned aside [m].
+
+    Args:
+        escape: the escape of the aircraft.
+        half_width: half the width of the obstacle [m].
+        closing: speed of the obstacle relative to the air [m/s].
+    """
     aside, r = half_width + escape.margin, escape.radius
     if aside >= r:
         return r + closing * (0.5 * math.pi * r + aside - r) / escape.airspeed
@@ -79,7 +89,8 @@ def side_step(escape: Escape, half_width: float, closing: float) -> float:
 def turn_back(escape: Escape, closing: float) -> float:
     """By how much an obstacle comes nearer until the aircraft flies away from it as fast [m].
 
-    The distance falls while V cos(a) + c > 0, so until the turn a = acos(-c / V).
+    The distance falls while V cos(a) + c > 0, so until the turn a = acos(-c / V). It is infinite
+    where the obstacle is no slower than the aircraft.
     """
     ratio = closing / escape.airspeed
     if ratio >= 1.0:
@@ -92,17 +103,17 @@ def escape_range(escape: Escape, half_width: float, closing: float) -> float:
     """Distance from the surface at which an obstacle has to be known [m].
 
     Args:
-        escape: of the aircraft.
-        half_width: of the obstacle [m].
-        closing: speed with which it moves through the air [m/s].
+        escape: the escape of the aircraft.
+        half_width: half the width of the obstacle [m].
+        closing: speed of the obstacle relative to the air [m/s].
     """
     turn = min(side_step(escape, half_width, closing), turn_back(escape, closing))
     return escape.margin + (escape.airspeed + closing) * escape.delay + turn
 
 
-def escape_of(flies: Flies, latency: float) -> Escape:
-    """The escape of an aircraft whose setpoints act after the `latency` [s]."""
-    of, airspeed = assurance(*flies), flies.gains.airspeed
+def escape_of(guided: GuidedAircraft, latency: float) -> Escape:
+    """The escape of an aircraft whose setpoints act after a `latency` [s]."""
+    of, airspeed = assurance(*guided), guided.gains.airspeed
     roll = 2.0 * of.limits.bank_max / of.limits.roll_rate + of.limits.bank_lag
     return Escape(
         airspeed,
@@ -113,21 +124,27 @@ def escape_of(flies: Flies, latency: float) -> Escape:
 
 
 def half_width_of(shape: Shape) -> float:
-    """Largest horizontal distance of a surface from its centre [m], at most."""
+    """Upper bound of the horizontal distance of a surface from its centre [m].
+
+    It is exact for ellipses; other sections have it from their bounding rectangle.
+    """
     section = section_at(shape, widest_at(shape))
     is_ellipse = section.p == 1.0 and section.q == 1.0
     return max(section.a, section.b) if is_ellipse else math.hypot(section.a, section.b)
 
 
 def body_of(scenario: Scenario, obstacle: Obstacle) -> Body:
-    """An obstacle as it is escaped from, in the strongest wind of the scenario."""
+    """An obstacle as a body to escape from, in the strongest wind of the scenario."""
     wind = max(speed for _, speed, _ in scenario.wind.stages)
     speed = norm(obstacle.velocity_mps)
     return Body(f'"{obstacle.name}"', half_width_of(shape_of(obstacle)), speed + wind)
 
 
 def others_of(scenario: Scenario, vehicle: int) -> Iterator[Body]:
-    """The other vehicles, which the same air carries: two safety radii are kept from each."""
+    """The other vehicles, where they are avoided, as bodies of two safety radii.
+
+    The same air carries them, so that the wind adds nothing to their speed. `vehicle` is an id.
+    """
     for each in scenario.vehicles if scenario.avoidance.between_vehicles else ():
         if each.id != vehicle:
             apart = 2.0 * scenario.avoidance.safety_radius_m
@@ -135,15 +152,18 @@ def others_of(scenario: Scenario, vehicle: int) -> Iterator[Body]:
 
 
 def needs(
-    scenario: Scenario, obstacles: Sequence[Obstacle], flies: Sequence[Flies]
+    scenario: Scenario, obstacles: Sequence[Obstacle], guided: Sequence[GuidedAircraft]
 ) -> Iterator[Need]:
-    """The ranges that the vehicles need for some obstacles; `flies` are one of each vehicle."""
+    """The ranges that each vehicle needs for each obstacle and each other vehicle.
+
+    `guided` has the aircraft of each vehicle of the scenario, in order.
+    """
     link = scenario.link
     latency = (
         link.delay_ms + link.delay_back_ms
     ) * MS + LATENCY_PERIODS / scenario.guidance.rate_hz
     bodies = [body_of(scenario, each) for each in obstacles]
-    for vehicle, each in zip(scenario.vehicles, flies, strict=True):
+    for vehicle, each in zip(scenario.vehicles, guided, strict=True):
         escape = escape_of(each, latency)
         for name, half_width, closing in (*bodies, *others_of(scenario, vehicle.id)):
             needed = escape_range(escape, half_width, closing)
@@ -151,13 +171,16 @@ def needs(
 
 
 def with_detection_range(
-    scenario: Scenario, entry: ScenarioFile, flies: Sequence[Flies]
+    scenario: Scenario, entry: ScenarioFile, guided: Sequence[GuidedAircraft]
 ) -> Scenario:
-    """The scenario with the detection range that it needs, where none is written."""
+    """The scenario with the detection range that it needs, where none is written.
+
+    It is never shorter than the default.
+    """
     avoidance = scenario.avoidance
     if not _is_assured(scenario) or "detection_range_m" in entry.avoidance.model_fields_set:
         return scenario
-    needed = needs(scenario, _seen_by_default(scenario), flies)
+    needed = needs(scenario, _seen_by_default(scenario), guided)
     wanted = max((each.range for each in needed), default=0.0)
     if wanted <= avoidance.detection_range_m:
         return scenario
@@ -171,8 +194,10 @@ def with_detection_range(
     return scenario.model_copy(update={"avoidance": avoidance, "obstacles": obstacles})
 
 
-def check_detection(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
-    """Warnings of ranges from which not every escape is in time."""
+def check_detection(
+    scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
+) -> tuple[str, ...]:
+    """Warnings of detection ranges that are too short for an escape in time."""
     if not _is_assured(scenario):
         return ()
     default = scenario.avoidance.detection_range_m
@@ -186,7 +211,7 @@ def check_detection(scenario: Scenario, flies: Sequence[Flies], source: Source) 
         if each not in usual
     ]
     for at, seen_from, obstacles in places:
-        most = max(needs(scenario, obstacles, flies), default=None)
+        most = max(needs(scenario, obstacles, guided), default=None)
         if most is not None and most.range > seen_from:
             warnings.append(f"{source.path}: {dotted(at)} = {_told(most, seen_from)}")
     return tuple(warnings)
@@ -200,11 +225,11 @@ def _told(need: Need, seen_from: float) -> str:
 
 
 def _seen_by_default(scenario: Scenario) -> list[Obstacle]:
-    """The obstacles that the detection range is for."""
+    """The obstacles that are detected from the detection range, and not from one of their own."""
     default = scenario.avoidance.detection_range_m
     return [each for each in scenario.obstacles if each.visible_from_m == default]
 
 
 def _is_assured(scenario: Scenario) -> bool:
-    """Whether the run-time assurance flies its vehicles."""
+    """Whether the run-time assurance guards the vehicles of a scenario."""
     return scenario.law != "paper" and scenario.plant == "jsbsim"

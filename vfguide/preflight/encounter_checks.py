@@ -1,4 +1,4 @@
-"""Encounter checks: vehicles of one scenario do not avoid each other, so whether they meet."""
+"""Encounter checks: whether vehicles of a scenario, which do not avoid each other, will meet."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -9,7 +9,7 @@ from vfguide.files.source import Source
 from vfguide.geometry.polyline import nearest_to_origin
 from vfguide.geometry.vector import Vectors
 from vfguide.preflight.prediction import PREDICTION_STEP, predict
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.resolved import Scenario, Vehicle
 
 AFTER_LAST_GOAL = 5.0
@@ -18,27 +18,32 @@ which a run goes on."""
 
 
 class Encounter(NamedTuple):
-    """Where two paths come closest."""
+    """The closest point of approach of two paths."""
 
     distance: float
     """Least distance [m]."""
     time: float
-    """When that is [s]."""
+    """Time of the least distance, since the start of the run [s]."""
 
 
 def closest_approach(one: Vectors, other: Vectors) -> Encounter:
-    """Of two paths (N, 3) whose positions are PREDICTION_STEP apart, straight between them."""
+    """The encounter of two paths through positions (N, 3) [m], PREDICTION_STEP apart in time.
+
+    The paths are straight between their positions.
+    """
     nearest = nearest_to_origin(one - other)
     return Encounter(nearest.distance, PREDICTION_STEP * nearest.along)
 
 
-def check_encounters(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
-    """A warning of each two vehicles that come within two safety radii, flown as planned.
+def check_encounters(
+    scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
+) -> tuple[str, ...]:
+    """A warning for each two vehicles that come within two safety radii, flown as planned.
 
-    `flies` are one of each vehicle. Vehicles that avoid each other are not looked at, those whose
-    test flight comes first neither.
+    `guided` has the aircraft of each vehicle, in order. Nothing is checked with other laws than
+    `flight`, nor of vehicles that fly a test flight first.
     """
-    pairs = zip(scenario.vehicles, flies, strict=True)
+    pairs = zip(scenario.vehicles, guided, strict=True)
     flown = [(vehicle, each) for vehicle, each in pairs if not vehicle.identify]
     if scenario.law != "flight" or not scenario.avoidance.between_vehicles or len(flown) < 2:
         return ()
@@ -55,10 +60,10 @@ def check_encounters(scenario: Scenario, flies: Sequence[Flies], source: Source)
 
 
 def encounters(
-    scenario: Scenario, flown: Sequence[tuple[Vehicle, Flies]]
+    scenario: Scenario, flown: Sequence[tuple[Vehicle, GuidedAircraft]]
 ) -> Iterator[tuple[int, int, Encounter]]:
-    """Where each two vehicles come closest, and their ids."""
-    predicted = [(vehicle.id, *predict(scenario, vehicle, flies)) for vehicle, flies in flown]
+    """The ids of each two vehicles, and their encounter."""
+    predicted = [(vehicle.id, *predict(scenario, vehicle, guided)) for vehicle, guided in flown]
     last = max(circles_from for _, _, circles_from in predicted)
     end = last + math.ceil(AFTER_LAST_GOAL / PREDICTION_STEP) + 1
     for (one, path, _), (other, beside, _) in combinations(predicted, 2):

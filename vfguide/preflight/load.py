@@ -10,10 +10,10 @@ from vfguide.files.overrides import Override, parse_override
 from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Location, Source, read_toml
 from vfguide.preflight import air_checks, checks
-from vfguide.preflight.air_checks import Asked, Flown
+from vfguide.preflight.air_checks import AircraftInAir, AskedAirspeed
 from vfguide.preflight.detection_range import check_detection, with_detection_range
 from vfguide.preflight.encounter_checks import check_encounters
-from vfguide.preflight.route_checks import Flies, check_routes
+from vfguide.preflight.route_checks import GuidedAircraft, check_routes
 from vfguide.scenario.hazards import check_fence
 from vfguide.scenario.loaded import LoadedScenario, resolved_from
 from vfguide.scenario.obstacles import check_obstacles
@@ -24,7 +24,7 @@ from vfguide.scenario.traffic import check_traffic
 def load_scenario(
     name_or_path: str | Path, overrides: Sequence[str] = (), drawn: Sequence[Override] = ()
 ) -> LoadedScenario:
-    """The scenario of a file or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
+    """The scenario at a path or of a shipped name, with `overrides` such as `wind.speed_mps=5`.
 
     Those `drawn` for a campaign replace values after them.
 
@@ -50,22 +50,23 @@ def load_scenario(
     check_fence(scenario, source)
     check_traffic(scenario, source)
     thin_air = _check_air(loaded, entry, source) if scenario.plant == "jsbsim" else []
-    flies = [
-        Flies(loaded.performance_aloft(each), loaded.gains(each)) for each in scenario.vehicles
+    guided = [
+        GuidedAircraft(loaded.performance_aloft(each), loaded.gains(each))
+        for each in scenario.vehicles
     ]
-    scenario = with_detection_range(scenario, entry, flies)
+    scenario = with_detection_range(scenario, entry, guided)
     warnings = (
-        *checks.told_of_law(scenario),
+        *checks.law_warnings(scenario),
         *thin_air,
-        *check_detection(scenario, flies, source),
-        *check_routes(scenario, flies, source),
-        *check_encounters(scenario, flies, source),
+        *check_detection(scenario, guided, source),
+        *check_routes(scenario, guided, source),
+        *check_encounters(scenario, guided, source),
     )
     return replace(loaded, scenario=scenario, warnings=warnings)
 
 
 def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> list[str]:
-    """Warnings of vehicles that may not be flown in the air of their plan.
+    """Warnings of vehicles that perhaps cannot fly in the air of their plan.
 
     Raises:
         InputError: one cannot.
@@ -75,12 +76,12 @@ def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> l
         aircraft, gains = loaded.performance(vehicle), loaded.gains(vehicle)
         measured = loaded.aircraft[vehicle.aircraft].thrust.per_climb is not None
         air, sure = air_of(scenario, vehicle), measured and not vehicle.identify
-        flown = Flown(vehicle.aircraft, aircraft, gains, air, sure)
+        flown = AircraftInAir(vehicle.aircraft, aircraft, gains, air, sure)
         at: Location = ("vehicle", index, "airspeed_mps")
         written = entry.vehicle[index].airspeed_mps is not None
-        start = asked = Asked(vehicle.airspeed_mps, at, written)
+        start = asked = AskedAirspeed(vehicle.airspeed_mps, at, written)
         if scenario.guidance.airspeed_mps is not None:
-            asked = Asked(gains.airspeed, ("guidance", "airspeed_mps"), True)
+            asked = AskedAirspeed(gains.airspeed, ("guidance", "airspeed_mps"), True)
         for each in (start, asked):
             air_checks.check_airspeed(each, flown, source)
         found = air_checks.check_thrust(asked, flown, source)
@@ -89,7 +90,7 @@ def _check_air(loaded: LoadedScenario, entry: ScenarioFile, source: Source) -> l
 
 
 def check_file(path: Path) -> tuple[str, ...]:
-    """Check a scenario or an aircraft file; returns warnings.
+    """Check a scenario or an aircraft file; returns the warnings, of which an aircraft has none.
 
     Raises:
         InputError: it says something that is not allowed.

@@ -1,7 +1,8 @@
-"""Predicted flights: the control loop flies the point mass of an aircraft through its plan.
+"""Predicted flights: the control loop with law `flight` flies a point mass through its plan.
 
-The state is known exactly, the air moves as the scenario says without gusts, and setpoints act at
-once. Each vehicle flies as if it were alone. A rigid body of plant `kinematic` is flown as itself.
+The state is known exactly, the wind is that of the scenario without gusts and shear, and commands
+act without latency. Each vehicle flies as if it were alone. A rigid body of plant `kinematic` is
+no point mass, but flown as it is.
 """
 
 import math
@@ -24,7 +25,7 @@ from vfguide.loop.legs import Legs, leg_rows
 from vfguide.loop.state import fresh_state, read_state, row_of_state, write_state
 from vfguide.loop.step import step
 from vfguide.preflight.body_prediction import predict_body
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.scenario.hazards import hazards_of, keep_out_zones_of
 from vfguide.scenario.legs import circle_radius, circle_side, goal_of
 from vfguide.scenario.resolved import Scenario
@@ -34,20 +35,23 @@ PREDICTION_STEP = 0.1
 """Time between two predicted positions [s]; chosen, 2.5 m of flight at 25 m/s."""
 
 
-def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple[Vectors, int]:
+def predict(
+    scenario: Scenario, vehicle: ScenarioVehicle, guided: GuidedAircraft
+) -> tuple[Vectors, int]:
     """Positions (N, 3), NED [m], PREDICTION_STEP apart, for as long as a run may take.
 
-    The other result is the number of the position from which on it circles; N where it never does.
+    The second result is the index of the first position after the last goal, from which on the
+    vehicle circles; N where there is none.
     """
     goals = [goal_of(goal) for goal in vehicle.goals]
     legs = leg_rows(goals, circle_side(scenario), circle_radius(scenario, vehicle))
     steps = math.ceil(scenario.duration_s / PREDICTION_STEP) + 1
     if scenario.plant == "kinematic":
-        flown, number = predict_body(scenario, vehicle, flies, legs)
+        flown, number = predict_body(scenario, vehicle, guided, legs)
         period, times = 1.0 / scenario.guidance.rate_hz, PREDICTION_STEP * np.arange(steps)
         axes = [np.interp(times, period * np.arange(len(flown)), axis) for axis in flown.T]
         return np.column_stack(axes), min(steps, math.ceil(number * period / PREDICTION_STEP))
-    heading, airspeed = vehicle.euler_deg[2] * DEG, flies.gains.airspeed
+    heading, airspeed = vehicle.euler_deg[2] * DEG, guided.gains.airspeed
     hazards, airspace, known = hazards_of(scenario), None, 0
     if hazards is not None:
         zones, known = keep_out_zones_of(scenario.fence), len(hazards.obstacles)
@@ -59,7 +63,7 @@ def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple
         legs,
         airspace,
         crossing(FLIGHT),
-        np.array(vehicle_numbers(Vehicle(flies.aircraft, flies.gains, False))),
+        np.array(vehicle_numbers(Vehicle(guided.aircraft, guided.gains, False))),
         winds(scenario, steps),
         path,
     )
@@ -67,7 +71,10 @@ def predict(scenario: Scenario, vehicle: ScenarioVehicle, flies: Flies) -> tuple
 
 
 def winds(scenario: Scenario, steps: int) -> Vectors:
-    """The wind at each step, blowing toward, NED [m/s]; linear between its changes, (N, 3)."""
+    """The wind at each of `steps` times PREDICTION_STEP apart, (steps, 3), NED [m/s].
+
+    It is linear in time between its changes.
+    """
     at, speeds, come_from = (np.array(each) for each in zip(*scenario.wind.stages, strict=True))
     toward, time = come_from * DEG + math.pi, PREDICTION_STEP * np.arange(steps)
     north = np.interp(time, at, speeds * np.cos(toward))
@@ -86,17 +93,17 @@ def fly_plan(
     wind_n: Vectors,
     path: Vectors,
 ) -> int:
-    """Write the positions of a flight into `path`; the number of the first one on the circle.
+    """Write the positions of a flight into `path`; the index of the first after the last goal.
 
     Args:
         begin: a `PointMass`, as a plain tuple.
-        row: a `LoopState`, which becomes that after the flight.
+        row: the row of a `LoopState`, which becomes that after the flight.
         legs: legs of the mission.
         airspace: the hazards, from `unnested_airspace`, or None.
-        law: the law that guides, as of `crossing`.
-        vehicle: a `Vehicle`.
-        wind_n: wind at each step (N, 3) [m/s].
-        path: positions (N, 3) [m].
+        law: the law that guides, from `crossing`.
+        vehicle: the row of a `Vehicle`.
+        wind_n: wind at each step (N, 3), NED [m/s].
+        path: positions (N, 3), NED [m].
     """
     motion, flown = PointMass(*begin), read_vehicle(vehicle)
     guides, known = law_of(law), airspace_of(airspace)
@@ -118,7 +125,7 @@ def fly_plan(
 
 @compiled
 def state_of(motion: PointMass, wind_n: tuple[float, float, float], time: float) -> FlightState:
-    """The state of a point mass in a wind [m/s] at a time [s]."""
+    """The state of a point mass in a wind, NED [m/s], at a time [s]."""
     level = motion.airspeed * math.cos(motion.gamma)
     v_n = (
         level * math.cos(motion.azimuth) + wind_n[0],

@@ -1,7 +1,7 @@
 """Route checks before a flight among hazards: escapes from its starts, routes to its goals.
 
-A conflict is an error where nothing could be flown, and a warning where the run-time assurance is
-going to overrule guidance.
+A conflict with a hazard is an error where nothing could be flown, and a warning where the run-time
+assurance is going to overrule guidance.
 """
 
 import math
@@ -45,8 +45,8 @@ SPACING = 2.0
 """Distance between two checked positions on a final approach [m]; chosen."""
 
 
-class Flies(NamedTuple):
-    """An aircraft and how it is guided."""
+class GuidedAircraft(NamedTuple):
+    """An aircraft and the gains with which it is guided."""
 
     aircraft: Performance
     """The aircraft in the thinnest air of its plan."""
@@ -62,8 +62,12 @@ class Start(NamedTuple):
     """Course [rad]."""
 
 
-def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> tuple[str, ...]:
-    """Warnings about starts and goals near hazards; `flies` are one of each vehicle.
+def check_routes(
+    scenario: Scenario, guided: Sequence[GuidedAircraft], source: Source
+) -> tuple[str, ...]:
+    """Warnings about starts and goals near hazards, for law `flight` on aeroplanes.
+
+    `guided` has the aircraft of each vehicle, in order.
 
     Raises:
         InputError: a start has no escape, or no route leads to a goal.
@@ -72,7 +76,7 @@ def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> 
     if scenario.law != "flight" or scenario.plant != "jsbsim" or hazards is None:
         return ()
     warnings: list[str] = []
-    for index, (vehicle, each) in enumerate(zip(scenario.vehicles, flies, strict=True)):
+    for index, (vehicle, each) in enumerate(zip(scenario.vehicles, guided, strict=True)):
         at: Location = ("vehicle", index)
         warnings += _check_start(scenario, vehicle, each, hazards, source, at)
         begin = Start(vehicle.position_m, vehicle.euler_deg[2] * DEG)
@@ -87,13 +91,17 @@ def check_routes(scenario: Scenario, flies: Sequence[Flies], source: Source) -> 
 def _check_start(
     scenario: Scenario,
     vehicle: Vehicle,
-    flies: Flies,
+    guided: GuidedAircraft,
     hazards: Hazards,
     source: Source,
     at: Location,
 ) -> list[str]:
-    """A warning where the guidance is overruled from the start on."""
-    of = assurance(*flies)
+    """A warning where guidance is overruled from the start on.
+
+    Raises:
+        InputError: no escape from there is clear.
+    """
+    of = assurance(*guided)
     motion = PointMass(
         vehicle.position_m, vehicle.euler_deg[2] * DEG, 0.0, 0.0, vehicle.airspeed_mps
     )
@@ -111,16 +119,16 @@ def _check_start(
 
 
 def _tight_goal(
-    scenario: Scenario, goal: Goal, flies: Flies, source: Source, at: Location
+    scenario: Scenario, goal: Goal, guided: GuidedAircraft, source: Source, at: Location
 ) -> list[str]:
-    """A warning where the straight end of the approach is nearer than the assurance allows."""
-    aircraft, gains = flies
+    """A warning where the final approach is nearer to a hazard than the assurance allows."""
+    aircraft, gains = guided
     margin = assurance(aircraft, gains).margin
     still = _still(scenario)
     hazards, names = hazards_of(still), hazard_names(still)
     if hazards is None:
         return []
-    final_approach = gains.final_approach * _radius(scenario, flies)
+    final_approach = gains.final_approach * _radius(scenario, guided)
     back = np.arange(0.0, final_approach + SPACING, SPACING)
     ahead: Vector = np.array(
         (math.cos(goal.heading_deg * DEG), math.sin(goal.heading_deg * DEG), 0.0)
@@ -140,15 +148,20 @@ def _tight_goal(
 
 
 def _check_route(
-    scenario: Scenario, begin: Start, goal: Goal, flies: Flies, source: Source, at: Location
+    scenario: Scenario,
+    begin: Start,
+    goal: Goal,
+    guided: GuidedAircraft,
+    source: Source,
+    at: Location,
 ) -> list[str]:
     """A warning where the search finds no route to a goal around obstacles that do not move.
 
     Raises:
-        InputError: there is none.
+        InputError: there is none, since hazards enclose the start or the goal.
     """
-    gains, (north, east, _) = flies.gains, _wind(scenario)
-    radius = _radius(scenario, flies)
+    gains, (north, east, _) = guided.gains, _wind(scenario)
+    radius = _radius(scenario, guided)
     course, (x, y, z) = goal.heading_deg * DEG, goal.position_m
     final_approach = gains.final_approach * radius
     entry = straight_on(Pose(x, y, course), -final_approach)
@@ -160,7 +173,7 @@ def _check_route(
     rows = rows_of(_still(scenario).obstacles)
     if len(find_route(rows, fence, band, task).route_edges) > 0:
         return []
-    if _passes_over(scenario, rows, begin.p_n, goal, flies, task):
+    if _passes_over(scenario, rows, begin.p_n, goal, guided, task):
         if not avoids_traffic(scenario):
             return []
         rule = (
@@ -180,10 +193,10 @@ def _check_route(
 
 
 def _passes_over(
-    scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, flies: Flies, task: Task
+    scenario: Scenario, rows: Rows, begin: Vec3, goal: Goal, guided: GuidedAircraft, task: Task
 ) -> bool:
-    """Whether the shortest path leads over its obstacles, which are detected early enough."""
-    (aircraft, gains), margin, fence = flies, CLEARANCES[0], scenario.fence
+    """Whether the shortest path can be flown over the obstacles on it, detected early enough."""
+    (aircraft, gains), margin, fence = guided, CLEARANCES[0], scenario.fence
     course, (x, y, z), wind_n = goal.heading_deg * DEG, goal.position_m, _wind(scenario)
     state = FlightState(0.0, begin, wind_n, IDENTITY, gains.airspeed, wind_n)
     target = GuidanceTarget((x, y, z), course, math.tan(goal.climb_deg * DEG), 0.0, 0.0)
@@ -208,7 +221,7 @@ def _still(scenario: Scenario) -> Scenario:
 
 
 def _in_band(fence: Fence, band: Band) -> Fence:
-    """The fence without zones that hold above or below the band only."""
+    """The fence without the zones that hold only above or only below the band."""
     zones = [
         zone
         for zone in fence.zone
@@ -218,14 +231,14 @@ def _in_band(fence: Fence, band: Band) -> Fence:
     return fence.model_copy(update={"zone": zones})
 
 
-def _radius(scenario: Scenario, flies: Flies) -> float:
-    """Radius of the turns in the wind of the scenario [m], at the bank that the wing carries."""
-    bank = usable_bank(*flies, flies.gains.airspeed)
-    return radius_in(scenario.wind.speed_mps, bank, flies.gains)
+def _radius(scenario: Scenario, guided: GuidedAircraft) -> float:
+    """Radius of turns in the scenario's wind, at the largest bank that the wing carries [m]."""
+    bank = usable_bank(*guided, guided.gains.airspeed)
+    return radius_in(scenario.wind.speed_mps, bank, guided.gains)
 
 
 def _wind(scenario: Scenario) -> Vec3:
-    """The wind that the scenario begins with, NED, blowing toward [m/s]."""
+    """The wind with which the scenario begins, NED [m/s]."""
     return blowing(scenario.wind.speed_mps, scenario.wind.from_deg)
 
 

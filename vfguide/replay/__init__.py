@@ -1,1 +1,1 @@
-"""Recorded inputs through the same companion."""
+"""Replay: what a companion received is fed to the same companion again."""

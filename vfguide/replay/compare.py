@@ -1,4 +1,4 @@
-"""Recorded inputs through the same companion, its setpoints compared with the recorded ones."""
+"""Replay of a log: recorded inputs are fed to a companion, and its setpoints are compared."""
 
 from collections.abc import Iterable, Iterator
 from itertools import zip_longest
@@ -18,42 +18,43 @@ class Timed(NamedTuple):
     """A frame and its time."""
 
     time: int
-    """[us since 1970]."""
+    """Time of sending [us since 1970]."""
     frame: Frame
 
 
 class Difference(NamedTuple):
-    """The first setpoint that is not the recorded one."""
+    """The first setpoint in which a replay differs from the log."""
 
     number: int
-    """Of the setpoint, from 0."""
+    """Number of the setpoint, from 0."""
     time: int
-    """[us since 1970]."""
+    """Time of sending [us since 1970]."""
     what: str
-    """The field and its two values, or which of the two is missing."""
+    """What differs, in words: a field with both values, or which setpoint is missing."""
 
 
 class Comparison(NamedTuple):
     """What a replay found."""
 
     recorded: int
-    """Setpoints in the log."""
+    """Number of setpoints in the log."""
     replayed: int
-    """Setpoints that the companion made of the same inputs."""
+    """Number of setpoints that the companion made of the same inputs."""
     difference: Difference | None
+    """The first difference; None: the setpoints are identical."""
 
 
 class Replay:
-    """One companion fed with a log."""
+    """One companion that is fed with a log."""
 
     def __init__(self, sysid: int, plan: Plan, record: Record, step: Step = step_measured) -> None:
         """A replay for one vehicle.
 
         Args:
             sysid: MAVLink system of the vehicle.
-            plan: what its companion was asked to do.
-            record: takes what the companion receives and sends now.
-            step: of the control loop.
+            plan: the plan of its companion.
+            record: takes what the companion receives and sends in the replay.
+            step: the step of the control loop.
         """
         self._sysid = sysid
         self.companion = Companion(sysid, plan, engage=False, step=step)
@@ -61,7 +62,7 @@ class Replay:
         self._session = Session(self.companion, record)
 
     def compare(self, log: Iterable[tuple[int, Frame]]) -> Comparison:
-        """Feed the whole log; setpoints are compared one by one, in their order."""
+        """Feed the log, frames with their times [us since 1970], and compare setpoints in order."""
         recorded: list[Timed] = []
         replayed: list[Timed] = []
         for time, frame in log:
@@ -74,7 +75,7 @@ class Replay:
         return Comparison(len(recorded), len(replayed), first_difference(recorded, replayed))
 
     def _is_own(self, frame: Frame) -> bool:
-        """Whether the companion of the log sent a frame."""
+        """Whether the companion of this vehicle sent a frame."""
         return frame.sysid == self._sysid and frame.compid == MavComponent.PATHPLANNER
 
 
@@ -102,7 +103,7 @@ def first_difference(recorded: list[Timed], replayed: list[Timed]) -> Difference
 
 
 def field_difference(old: Frame, new: Frame) -> str:
-    """The first field in which two setpoints differ."""
+    """The first field in which two setpoints differ, with both values, in words."""
     before, after = decode(old), decode(new)
     if isinstance(before, SetAttitudeTarget) and isinstance(after, SetAttitudeTarget):
         for name, was, now in zip(before._fields, before, after, strict=True):
@@ -112,5 +113,5 @@ def field_difference(old: Frame, new: Frame) -> str:
 
 
 def companions_in(log: Iterable[tuple[int, Frame]]) -> list[int]:
-    """Systems whose companion speaks in a log, ascending."""
+    """MAVLink systems whose companion speaks in a log, ascending."""
     return sorted({frame.sysid for _, frame in log if frame.compid == MavComponent.PATHPLANNER})

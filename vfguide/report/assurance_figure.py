@@ -19,7 +19,7 @@ from vfguide.results.traffic_results import volume_distance
 from vfguide.scenario.obstacles import rows_of
 
 STRIP_HEIGHT = 2.8
-"""Height of a panel [inch]."""
+"""Height of a panel [inch]; chosen."""
 SHADES: dict[str, Any] = {
     "escape": {"facecolor": "#f6c667", "alpha": 0.6, "linewidth": 0},
     "least bad": {"facecolor": "#d9480f", "alpha": 0.6, "linewidth": 0},
@@ -30,11 +30,11 @@ LABELS = {"escape": "An escape is flown", "least bad": "Nothing is clear"}
 MARGIN_LINE: Any = {"color": GOAL_COLOUR, "linestyle": (0, (1, 1.5)), "linewidth": 1.2}
 """Style of the line at the margin of the assurance."""
 SHORTEST_INTERVENTION = 0.004
-"""Least width of a drawn intervention, as a share of the flight."""
+"""Least width of a drawn intervention, as a share of the flight; chosen, so that each is seen."""
 
 
 def draw_assurance(figure: Figure, flights: Flights) -> None:
-    """Distance of each vehicle from its nearest hazard, the margin, interventions shaded."""
+    """A panel a vehicle: its distance from the nearest hazard, the margin, interventions shaded."""
     marks = [
         Line2D([], [], **line_of(0), label="Nearest obstacle, aircraft or fence"),
         Line2D([], [], **MARGIN_LINE, label="Margin of the assurance"),
@@ -48,7 +48,10 @@ def draw_assurance(figure: Figure, flights: Flights) -> None:
 
 
 def nearest_hazard(flights: Flights, record: FlightRecord) -> Array:
-    """Distance from the nearest obstacle, volume or rule of the fence, (n,) [m]; inside < 0."""
+    """Distance from the nearest hazard at each sample, (n,) [m], negative inside.
+
+    Hazards are obstacles, the volumes of other aircraft, and the rules of the fence.
+    """
     scenario = flights.loaded.scenario
     fence = fence_distances(scenario.fence, record.p_n)
     volumes = [

@@ -11,28 +11,28 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.vector import Matrices
 from vfguide.report.drawing import Flights, line_of, vehicle_lines
-from vfguide.report.obstacle_drawing import short
+from vfguide.report.obstacle_drawing import shortened
 from vfguide.report.panels import LIMIT_LINE, lay_out, make_near_large, name_axis
 from vfguide.results.clearance import clearances
 from vfguide.results.record import Array
 from vfguide.scenario.obstacles import rows_of
 
 MAX_OBSTACLES = 8
-"""Largest number of obstacles that are drawn, those that came nearest."""
+"""Largest number of obstacles that are drawn, those that came nearest; chosen."""
 MAX_PAIRS = 6
-"""Largest number of pairs of vehicles whose lines have names."""
+"""Largest number of pairs of vehicles whose lines have names; chosen."""
 TALL = 3.6
-"""Height of a single panel [inch]."""
+"""Height of a single panel [inch]; chosen."""
 _PAIR: Any = {"color": "#c3cad4", "linewidth": 1.0}
 
 
 def draw_clearance(figure: Figure, flights: Flights) -> None:
-    """Clearances from obstacles: a line an obstacle, with several vehicles a panel an obstacle."""
+    """Clearances from obstacles: one line each; with several vehicles, one panel each."""
     obstacles = flights.loaded.scenario.obstacles
     rows = rows_of(obstacles)
     measured: Matrices = np.array([clearances(record, rows) for record in flights.records])
     shown = nearest(measured)
-    names = [short(obstacles[which].name) for which in shown]
+    names = [shortened(obstacles[which].name) for which in shown]
     title = "Clearance from obstacles"
     if len(shown) < len(obstacles):
         title = f"Clearance from the nearest {len(shown)} of {len(obstacles)} obstacles"
@@ -48,7 +48,10 @@ def draw_clearance(figure: Figure, flights: Flights) -> None:
 
 
 def nearest(measured: Array) -> list[int]:
-    """Which obstacles came nearest, in their own order, from clearances (vehicles, n, M)."""
+    """Indices of the obstacles that came nearest, ascending, at most MAX_OBSTACLES.
+
+    `measured` are clearances (vehicles, n, M) [m].
+    """
     least = np.fmin.reduce(measured, axis=(0, 1))
     return sorted(np.argsort(least, kind="stable")[:MAX_OBSTACLES].tolist())
 
@@ -62,7 +65,7 @@ def _draw_clearances(axes: Axes, flights: Flights, lines: Array, label: str) -> 
 
 
 def draw_separation(figure: Figure, flights: Flights) -> None:
-    """Distances of the vehicles from each other, and what they have to keep."""
+    """Distances between the vehicles, and the least distance that they have to keep."""
     avoidance = flights.loaded.scenario.avoidance
     keep = 2.0 * avoidance.safety_radius_m
     lines, legend = _pairs(flights)
@@ -79,7 +82,10 @@ def draw_separation(figure: Figure, flights: Flights) -> None:
 
 
 def _pairs(flights: Flights) -> tuple[Sequence[tuple[Array, Any]], Sequence[Line2D]]:
-    """Distances of all pairs with their looks, and the legend; of many the nearest stands out."""
+    """Distances of all pairs with the styles of their lines, and the legend.
+
+    Of more than MAX_PAIRS, only the least distance at each time has a line of its own style.
+    """
     pairs = list(combinations(flights.records, 2))
     apart = [np.linalg.norm(one.p_n - other.p_n, axis=1) for one, other in pairs]
     if len(pairs) > MAX_PAIRS:

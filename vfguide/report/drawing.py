@@ -1,4 +1,4 @@
-"""Style of figures: colours that the colour-blind can distinguish, sizes, PNG."""
+"""Style of figures, what they show, and how they become PNG."""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 
 from vfguide.geometry.units import DEG
 from vfguide.geometry.vector import Series, Vec3
-from vfguide.report.obstacle_drawing import Body, body_of
+from vfguide.report.obstacle_drawing import DrawnObstacle, drawn_obstacle
 from vfguide.report.traffic_drawing import TrafficPath, traffic_paths_of
 from vfguide.results.record import FlightRecord
 from vfguide.scenario.loaded import LoadedScenario
@@ -25,7 +25,7 @@ without its yellow, which is too light on white."""
 LINE_STYLES = ("solid", "dashed", "dashdot", "dotted")
 """Styles of lines of one colour, in their order."""
 LEGEND_COLUMNS = 6
-"""Number of entries in a row of a legend."""
+"""Largest number of entries in a row of a legend; chosen."""
 GOAL_COLOUR = "#111111"
 """Colour of goals, and of what is commanded."""
 MUTED_COLOUR = "#6b7280"
@@ -61,29 +61,29 @@ class Flights:
 
     @property
     def several(self) -> bool:
-        """There is more than one vehicle, so that lines need a legend."""
+        """Whether there is more than one vehicle, so that their lines need a legend."""
         return len(self.records) > 1
 
     @property
     def kinematic(self) -> bool:
-        """The vehicles are rigid bodies without air, engine or ground."""
+        """Whether the vehicles are rigid bodies without air, engine or ground."""
         return self.loaded.scenario.plant == "kinematic"
 
     @property
     def follow_field(self) -> bool:
-        """The vehicles were led by law `field`."""
+        """Whether the vehicles were led by law `field`."""
         return self.loaded.scenario.law == "field"
 
     @property
     def assured(self) -> bool:
-        """The run-time assurance had something to keep clear of."""
+        """Whether the run-time assurance had something to keep clear of."""
         return any(record.decisions is not None for record in self.records)
 
     @cached_property
-    def bodies(self) -> tuple[Body, ...]:
-        """The obstacles over the time of the flights."""
+    def bodies(self) -> tuple[DrawnObstacle, ...]:
+        """The obstacles as they are drawn, over the time of the flights."""
         seconds = float(self.records[0].time[-1])
-        return tuple(body_of(each, seconds) for each in self.loaded.scenario.obstacles)
+        return tuple(drawn_obstacle(each, seconds) for each in self.loaded.scenario.obstacles)
 
     @cached_property
     def traffic(self) -> tuple[TrafficPath, ...]:
@@ -92,10 +92,10 @@ class Flights:
 
 
 def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
-    """The PNG of the figure that `draw` fills; no state of matplotlib's is left changed.
+    """The PNG of the figure that `draw` fills; matplotlib's settings are as before afterwards.
 
-    Figures that leave the layout to matplotlib are cut to what they show; those that set it
-    themselves take a third of the time.
+    Figures whose layout matplotlib makes are cropped to what they show. Those that set their layout
+    themselves are not: they take a third of the time.
     """
     with mpl.rc_context(_LOOK), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing")
@@ -122,7 +122,10 @@ def vehicle_lines(flights: Flights) -> list[Line2D]:
 
 
 def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:
-    """e_d = (cos c cos h, cos c sin h, -sin c): the x axis of the goal frame in NED."""
+    """The x axis of the goal frame, a unit vector, NED: (cos c cos h, cos c sin h, -sin c).
+
+    h is the heading of the goal and c its climb.
+    """
     h, c = heading_deg * DEG, climb_deg * DEG
     return (
         float(np.cos(c) * np.cos(h)),
@@ -132,6 +135,6 @@ def goal_axis(heading_deg: float, climb_deg: float) -> Vec3:
 
 
 def broken(angle_deg: Series) -> Series:
-    """Angles with NaN where they jump round the circle, so that no line is drawn there."""
+    """Angles (n,) [deg], with NaN where they jump by more than half a turn: no line goes there."""
     jumps = np.abs(np.diff(angle_deg, prepend=angle_deg[:1])) > 180.0
     return np.where(jumps, np.nan, angle_deg)

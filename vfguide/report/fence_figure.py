@@ -19,17 +19,17 @@ BORDER_LINE: Any = {"linewidth": 1.4, "linestyle": (0, (7, 2))}
 HEIGHT_LINE: Any = {"color": INSIDE_COLOUR, **BORDER_LINE}
 """Style of the lines at floor and ceiling."""
 RING_POINTS = 32
-"""Number of points of a circle of the fence, for the limits of the view."""
+"""Number of points on a circle of the fence from which the limits of the view are made; chosen."""
 
 
 def draw_zones(axes: Axes, fence: Fence) -> None:
-    """Zones from above, east to the right and north up; exclusions are hatched."""
+    """Draw the zones from above, east to the right, north up; those to stay out of are hatched."""
     for zone in fence.zone:
         axes.add_patch(_outline(zone))
 
 
 def draw_heights(axes: Axes, fence: Fence) -> None:
-    """Floor and ceiling from the side."""
+    """Draw floor and ceiling from the side."""
     for height in (fence.floor_m, fence.ceiling_m):
         if height is not None:
             axes.axhline(height, zorder=1.1, **HEIGHT_LINE)
@@ -51,7 +51,10 @@ def height_marks(fence: Fence) -> list[Line2D]:
 
 
 def places_of(fence: Fence, p_n: Vector) -> Vectors:
-    """Places (k, 3) that show how far the fence reaches, about a place `p_n`."""
+    """Places (k, 3), NED [m], that show how far the fence reaches.
+
+    Those of zones have the height of `p_n`; those of floor and ceiling are above and below it.
+    """
     places = [(x, y, p_n[2]) for zone in fence.zone for x, y in _border(zone)]
     heights = [height for height in (fence.floor_m, fence.ceiling_m) if height is not None]
     places += [(p_n[0], p_n[1], -height) for height in heights]

@@ -1,7 +1,7 @@
 """Drawing of law `field` in the horizontal plane of a goal: its arrows and reactive areas.
 
-Arrows are directions of F_OA. Shaded is where hazards that are approached bend it: chi is 1 where
-the free field leads alone, and 0 where a hazard leads.
+Arrows are directions of F_OA. The shaded areas are those in which hazards that are approached bend
+it: chi is 1 where the free field leads alone, and 0 where a hazard does.
 """
 
 from dataclasses import dataclass
@@ -29,9 +29,9 @@ CELL_POINTS = 5
 """Number of points from one arrow to the next at which chi is evaluated; chosen, for smooth edges
 of reactive areas."""
 ARROW_SHARE = 0.62
-"""Length of an arrow, as a ratio to the distance of two of them; chosen."""
+"""Ratio of the length of an arrow to the distance from one arrow to the next; chosen."""
 LEVELS = (0.02, 0.2, 0.4, 0.6, 0.8, 1.001)
-"""Values of 1 - chi between the shades of reactive areas, dimensionless; chosen."""
+"""Values of 1 - chi at the edges of the shades of reactive areas, dimensionless; chosen."""
 AREA_COLOURS = ("#fdf3e0", "#fbe7c1", "#f8daa1", "#f6cd80", "#f3c05f")
 """Colours of reactive areas, from the edge inward: an amber of the palette, lightened."""
 
@@ -56,21 +56,21 @@ class GoalPlane:
 
     plan: Plan
     number: int
-    """Of the goal in the plan, from 0."""
+    """Index of the goal in the plan, from 0."""
     goal: Goal
     time: float
-    """On the clock of the obstacles [s]."""
+    """Time on the clock of the obstacles [s]."""
     wind_n: Vec3
-    """Wind, blowing toward, NED [m/s]."""
+    """Wind vector, NED [m/s]."""
 
     @property
     def down(self) -> float:
-        """Its height, z of NED [m]."""
+        """Height of the plane, as z of NED [m]."""
         return self.goal.position_m[2]
 
     @property
     def approach(self) -> float:
-        """Radius round the goal within which law `flight` leads [m]; 0: nowhere."""
+        """Radius about the goal within which law `flight` leads [m]; 0 where it never does."""
         aircraft, gains, _ = plan_in_air(self.plan, self.down).vehicle
         bank = usable_bank(aircraft, gains, gains.airspeed)
         radius = APPROACH_RADII * radius_in(horizontal_norm(self.wind_n), bank, gains)
@@ -78,12 +78,12 @@ class GoalPlane:
 
 
 def draw_field_in(axes: Axes, plane: GoalPlane, limits: Vectors, arrows: int) -> None:
-    """Reactive areas, arrows, and the circle of the approach.
+    """Draw the reactive areas, the arrows, and the circle of the approach.
 
     Args:
         axes: east to the right, north up [m].
-        plane: what is drawn.
-        limits: (2, 2) least and most to the east and to the north [m].
+        plane: the plane of the goal.
+        limits: least and greatest coordinate to the east and to the north, (2, 2) [m].
         arrows: number of arrows along the longer side.
     """
     spacing = float(np.ptp(limits, axis=1).max()) / arrows
@@ -100,7 +100,11 @@ def draw_field_in(axes: Axes, plane: GoalPlane, limits: Vectors, arrows: int) ->
 
 
 def draw_arrows(axes: Axes, grid: Vectors, field: FieldPlane, spacing: float) -> None:
-    """Directions of F_OA at every few points of a grid (n, m, 3), none inside hazards."""
+    """Draw directions of F_OA at every CELL_POINTS-th point of a grid, none inside hazards.
+
+    The `grid` (n, m, 3), NED [m], has those points north and east at which `field` was evaluated;
+    `spacing` is the distance from one arrow to the next [m].
+    """
     few = slice(CELL_POINTS // 2, None, CELL_POINTS)
     north, east, _ = np.moveaxis(field.F.reshape(grid.shape)[few, few], -1, 0)
     speed = np.hypot(north, east)
@@ -111,7 +115,7 @@ def draw_arrows(axes: Axes, grid: Vectors, field: FieldPlane, spacing: float) ->
 
 
 def field_marks(plane: GoalPlane) -> list[Artist]:
-    """Entries of a legend for what `draw_field_in` draws."""
+    """Entries of the legend for what `draw_field_in` draws."""
     arrow = Line2D([], [], color=MUTED_COLOUR, marker=r"$\rightarrow$", markersize=15, ls="none")
     arrow.set_label(r"Direction of $F_\mathrm{OA}$")
     area = Patch(facecolor=AREA_COLOURS[-2], label="Reactive area, χ < 1")

@@ -1,6 +1,7 @@
 """The figure of law `field`: where it leads in the plane of each goal, and what was flown.
 
-It is the field of the first vehicle with all hazards known; vehicles with the same goal share it.
+The field is that of the first vehicle, with all hazards known. The paths are those of all vehicles
+that have the same goal.
 """
 
 from typing import Any
@@ -17,7 +18,7 @@ from vfguide.guidance.guidance_state import Leader
 from vfguide.report.drawing import MUTED_COLOUR, Flights, goal_axis, line_of, vehicle_lines
 from vfguide.report.fence_figure import draw_zones, zone_marks
 from vfguide.report.field_drawing import GoalPlane, draw_field_in, field_marks
-from vfguide.report.obstacle_drawing import body_of, draw_sections, section_mark
+from vfguide.report.obstacle_drawing import draw_sections, drawn_obstacle, section_mark
 from vfguide.report.path_figures import EAST_AXIS, NORTH_AXIS
 from vfguide.report.view import PATH_MARKS, View, draw_goal, numbered, place_legend, view_of
 from vfguide.results.clearance import clearances
@@ -31,12 +32,12 @@ MAX_GOALS = 4
 ARROWS = 40
 """Number of arrows along the longer side of the only panel; chosen, so that each is seen."""
 PANEL_ARROWS = 24
-"""Number of arrows along the longer side of one of several panels; chosen likewise."""
+"""Number of arrows along the longer side of one of several panels; chosen, so that each is seen."""
 _HOLLOW: Any = {"color": "white", "linewidth": 0.9, "zorder": 2.3}
 
 
 def draw_field(figure: Figure, flights: Flights) -> None:
-    """A panel for each of the first goals of the first vehicle."""
+    """Draw a panel for each of the first MAX_GOALS goals of the first vehicle."""
     planes = goal_planes(flights)
     columns = min(2, len(planes))
     rows = -(-len(planes) // columns)
@@ -55,7 +56,7 @@ def draw_field(figure: Figure, flights: Flights) -> None:
 
 
 def goal_planes(flights: Flights) -> list[GoalPlane]:
-    """The planes of the first goals of the first vehicle."""
+    """The planes of the first MAX_GOALS goals of the first vehicle, in the wind of the start."""
     scenario, vehicle = flights.loaded.scenario, flights.records[0].vehicle
     plan, time = plan_of(flights.loaded, vehicle), time_shown(flights)
     wind_n = blowing(scenario.wind.speed_mps, scenario.wind.from_deg)
@@ -64,7 +65,10 @@ def goal_planes(flights: Flights) -> list[GoalPlane]:
 
 
 def time_shown(flights: Flights) -> float:
-    """When the first vehicle was nearest to an obstacle, if one moves, else the start [s]."""
+    """Time at which the obstacles are shown [s]: 0 where none moves.
+
+    Otherwise it is the time at which the first vehicle was nearest to an obstacle.
+    """
     record, obstacles = flights.records[0], flights.loaded.scenario.obstacles
     if not any(body.moves for body in flights.bodies):
         return 0.0
@@ -73,11 +77,13 @@ def time_shown(flights: Flights) -> float:
 
 
 def draw_plane(axes: Axes, flights: Flights, plane: GoalPlane, view: View) -> None:
-    """The field, the obstacles as they are then, the fence, the paths and the goal."""
+    """Draw the field, the obstacles at the time of the plane, the fence, the paths and the goal."""
     scenario = flights.loaded.scenario
     arrows = ARROWS if len(flights.records[0].vehicle.goals) == 1 else PANEL_ARROWS
     draw_field_in(axes, plane, view.limits, arrows)
-    draw_sections(axes, [body_of(each, plane.time) for each in scenario.obstacles], plane.down)
+    draw_sections(
+        axes, [drawn_obstacle(each, plane.time) for each in scenario.obstacles], plane.down
+    )
     draw_zones(axes, scenario.fence)
     for index, record in enumerate(flights.records):
         if plane.goal in record.vehicle.goals:
@@ -93,9 +99,9 @@ def draw_plane(axes: Axes, flights: Flights, plane: GoalPlane, view: View) -> No
 
 
 def draw_path(axes: Axes, record: FlightRecord, index: int, time: float) -> None:
-    """The path of a vehicle, by its place in the scenario, and where it is at a time [s].
+    """Draw the path of the vehicle number `index` of the scenario, and its position at a time [s].
 
-    It is hollow where an escape or a route was flown, and not the field.
+    The line is hollow where an escape or a route was flown instead of the field.
     """
     x, y = record.p_n[:, [1, 0]].T
     line = line_of(index)
@@ -110,7 +116,7 @@ def draw_path(axes: Axes, record: FlightRecord, index: int, time: float) -> None
 
 
 def is_led_elsewhere(record: FlightRecord) -> Mask:
-    """Where an escape of the assurance or a route of law `flight` was flown, (n,)."""
+    """Whether an escape of the assurance or a route was flown at each sample, (n,)."""
     elsewhere = np.zeros(len(record.time), bool)
     if record.leaders is not None:
         elsewhere |= record.leaders == Leader.ROUTE
@@ -120,7 +126,7 @@ def is_led_elsewhere(record: FlightRecord) -> Mask:
 
 
 def led_elsewhere_marks(flights: Flights) -> list[Line2D]:
-    """The entry of a legend for hollow parts of a path, where there are any."""
+    """The entry of the legend for hollow parts of a path, where there are any."""
     if not any(is_led_elsewhere(record).any() for record in flights.records):
         return []
     around = [withStroke(linewidth=2.6, foreground=MUTED_COLOUR)]
@@ -128,7 +134,7 @@ def led_elsewhere_marks(flights: Flights) -> list[Line2D]:
 
 
 def title_of(plane: GoalPlane, label: str) -> str:
-    """What a panel shows, `label` being the number of the goal, or nothing where it is the only."""
+    """The title of a panel; `label` is the number of the goal, empty where there is only one."""
     goal = f"goal {label}" if label else "the goal"
     when = f", after {plane.time:.0f} s" if plane.time > 0.0 else ""
     return f"Field to {goal}, {-plane.down:g} m above the origin{when}"

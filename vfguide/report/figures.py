@@ -21,16 +21,18 @@ from vfguide.report.time_figures import (
 
 
 class Picture(NamedTuple):
-    """A figure as it is stored."""
+    """A figure as it is stored, and shown in the report."""
 
     name: str
-    """Of the file, without its ending."""
+    """Name of its file without the suffix."""
     caption: str
+    """Sentence below the figure in the report."""
     png: bytes
+    """Content of the file."""
 
 
 class Drawing(NamedTuple):
-    """A figure before it is drawn."""
+    """A figure before it is drawn; its name and caption are those of the `Picture`."""
 
     name: str
     caption: str
@@ -89,7 +91,7 @@ _RIGID_BODY = (
 
 
 def draw_figures(flights: Flights) -> list[Picture]:
-    """All the figures that there is something to draw in, as PNG."""
+    """The figures of a run, as PNG; those without anything to show are left out."""
     drawings = (
         *_PATHS,
         *((_FIELD,) if flights.follow_field else ()),

@@ -15,16 +15,18 @@ from vfguide.geometry.vector import Vectors
 Array = NDArray[np.float64]
 
 MESH_ROWS = 25
-"""Number of rows of a mesh from pole to pole, odd so that they meet the middle of every edge."""
+"""Number of rows of a mesh from pole to pole; chosen odd, so that they meet the middle of every
+edge."""
 MESH_COLUMNS = 49
-"""Number of columns of a mesh around the vertical, which meet the middle of every edge too."""
+"""Number of columns of a mesh around the vertical; chosen, so that they meet the middle of every
+edge."""
 
 
 def surface_mesh(obstacle: Obstacle) -> Array:
-    """Points of the surface U = 1 at t = 0, (MESH_ROWS, MESH_COLUMNS, 3), NED [m].
+    """Points of the surface U = 1 at time zero, (MESH_ROWS, MESH_COLUMNS, 3), NED [m].
 
-    They lie on rays from the centre that crowd where the shape has an edge. The first and the last
-    column are the same; all points of the first row are one pole, all of the last row the other.
+    They lie on rays from the centre that are denser where the shape has an edge. The first and the
+    last column are the same; all points of the first row are one pole, all of the last the other.
     """
     shape = obstacle.shape
     rays = mesh_rays(shape).reshape(-1, 3).tolist()
@@ -34,7 +36,10 @@ def surface_mesh(obstacle: Obstacle) -> Array:
 
 
 def mesh_rays(shape: Shape) -> Array:
-    """Directions in the body's own axes, (MESH_ROWS, MESH_COLUMNS, 3), from z < 0 to z > 0 [m]."""
+    """Directions in the axes of the shape, (MESH_ROWS, MESH_COLUMNS, 3), from z < 0 to z > 0.
+
+    They are scaled by the semi-axes [m], so that they are no unit vectors.
+    """
     latitude = np.linspace(-np.pi / 2.0, np.pi / 2.0, MESH_ROWS)[:, None]
     longitude = np.linspace(-np.pi, np.pi, MESH_COLUMNS)
     rays = np.broadcast_arrays(*surface_rays(shape, latitude, longitude))
@@ -42,15 +47,18 @@ def mesh_rays(shape: Shape) -> Array:
 
 
 def outline(points: Array) -> Array:
-    """Corners of the convex hull of `points` (..., 2) in the plane, in order, (k, 2)."""
+    """Corners of the convex hull of `points` (..., 2) in a plane, (k, 2), in order around it.
+
+    A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979.
+    """
     flat: list[list[float]] = np.unique(points.reshape(-1, 2), axis=0).tolist()
     return np.array(_chain(flat) + _chain(flat[::-1]))
 
 
 def section(surface: Array, down: float) -> Vectors:
-    """Corners of the horizontal section of a surface mesh at the height of `down`, NED [m], (k, 2).
+    """Corners of the horizontal section of a surface mesh at z = `down`, NED [m], (k, 2).
 
-    North and east, in order; none where the surface does not reach that height.
+    They are north and east, in order around it; none where the surface does not reach that height.
     """
     north, east, below = np.moveaxis(surface, -1, 0)
     if not below.min() < down < below.max():
@@ -60,7 +68,7 @@ def section(surface: Array, down: float) -> Vectors:
 
 
 def _chain(points: list[list[float]]) -> list[list[float]]:
-    """Corners of the hull from the first of sorted points to the last, which is left out."""
+    """Corners of half the hull, from the first of sorted points to the one before the last."""
     corners: list[list[float]] = []
     for point in points:
         while len(corners) > 1 and not _turns(corners[-2], corners[-1], point):
@@ -70,5 +78,5 @@ def _chain(points: list[list[float]]) -> list[list[float]]:
 
 
 def _turns(a: list[float], b: list[float], c: list[float]) -> bool:
-    """Whether the polyline `a`, `b`, `c` turns from the first axis to the second."""
+    """Whether the polyline `a`, `b`, `c` turns from the first axis toward the second."""
     return (b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0])

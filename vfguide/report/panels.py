@@ -1,4 +1,4 @@
-"""Panels under each other over one time axis."""
+"""Panels one below the other, over one time axis."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -26,33 +26,36 @@ LIMIT_LINE: Any = {"color": MUTED_COLOUR, "linestyle": (0, (4, 3)), "linewidth":
 WANTED_LINE: Any = {"color": GOAL_COLOUR, "linewidth": 0.9}
 """Style of the lines of commanded values."""
 FIGURE_WIDTH = 8.6
-"""Width of the figures [inch]."""
+"""Width of the figures [inch]; chosen."""
 PANEL_HEIGHT = 1.75
-"""Height of one of several panels [inch]."""
+"""Height of one of several panels [inch]; chosen."""
 TICK_SPACING = 0.25
-"""Least distance between two numbers on the axis [inch]."""
+"""Least distance between two numbers on the vertical axis [inch]; chosen."""
 
 
 @dataclass(frozen=True)
 class Panel:
-    """One pair of axes: what is drawn over time, and the limits it should keep."""
+    """What is drawn over time in one pair of axes."""
 
     label: str
+    """Label of the vertical axis, which names the unit of all values."""
     values: Callable[[FlightRecord], Array]
+    """What was flown, (n,)."""
     limits: Sequence[float] = ()
+    """Values at which lines mark limits."""
     wanted: Callable[[FlightRecord], Array] | None = None
-    """What was commanded, drawn beside what was flown."""
+    """What was commanded, (n,), drawn beside what was flown; None: nothing."""
     span: float = 0.0
-    """What the axis shows at least from bottom to top, in the unit of the label: a difference that
-    does not matter must not fill it."""
+    """Least range of the vertical axis, in the unit of the label, so that a difference that does
+    not matter does not fill it."""
     around: bool = False
-    """Angles go once round the circle, 0 to 360 degrees."""
+    """Whether the vertical axis shows angles from 0 to 360 degrees."""
 
 
 def draw_panels(
     figure: Figure, flights: Flights, title: str, panels: Sequence[Panel], marks: Sequence[Artist]
 ) -> Sequence[Axes]:
-    """The panels, and the legend with `marks` below."""
+    """Draw panels, with a legend of the vehicles and `marks` below; returns their axes."""
     legend = [*(vehicle_lines(flights) if flights.several else ()), *marks]
     grid = lay_out(figure, title, len(panels), legend)
     for axes, panel in zip(grid, panels, strict=True):
@@ -63,7 +66,7 @@ def draw_panels(
 def lay_out(
     figure: Figure, title: str, rows: int, legend: Sequence[Artist], row: float = PANEL_HEIGHT
 ) -> Sequence[Axes]:
-    """Empty axes, `rows` of them of the height `row` [inch], and the legend below."""
+    """Empty axes below each other, `rows` of the height `row` [inch], and the legend below them."""
     columns = _columns(legend)
     bottom = 0.55 + 0.24 * math.ceil(len(legend) / columns)
     height = 0.4 + row * rows + bottom
@@ -78,13 +81,13 @@ def lay_out(
 
 
 def _columns(legend: Sequence[Artist]) -> int:
-    """How many entries of the legend have room beside each other."""
+    """Number of entries of the legend that have room beside each other."""
     longest = max((len(str(entry.get_label())) for entry in legend), default=0)
     return max(1, min(len(legend), LEGEND_COLUMNS, int(FIGURE_WIDTH / (0.67 + 0.084 * longest))))
 
 
 def name_axis(axes: Axes, label: str) -> None:
-    """The label of the vertical axis, at one distance in all panels, and the margins."""
+    """Set the label of the vertical axis, at the same distance in all panels, and the margins."""
     axes.set_ylabel(label)
     axes.yaxis.set_label_coords(-0.08, 0.5)
     axes.margins(x=0.01, y=0.12)
@@ -112,9 +115,10 @@ def _draw_panel(axes: Axes, panel: Panel, flights: Flights) -> None:
 
 
 def make_near_large(axes: Axes, scale: float) -> None:
-    """Make the axis even near zero, and logarithmic above about `scale` [m].
+    """Make the vertical axis linear near zero and logarithmic above about `scale` [m].
 
-    Everything is drawn and the limits are set before: they say how many numbers there is room for.
+    Call this when everything is drawn and the limits are set: they tell how many numbers of the
+    axis there is room for.
     """
     even = scale / 4.0
     axes.set_yscale("asinh", linear_width=even)

@@ -26,7 +26,7 @@ UP_AXIS = np.array((0.0, 0.0, -1.0))
 
 
 def draw_space(figure: Figure, flights: Flights) -> None:
-    """The paths in space, with their shadows on the floor of the box; axes to one scale."""
+    """Draw the paths in space, with their shadows on the floor of the box; axes to one scale."""
     figure.set_size_inches(8.6, 6.4)
     figure.set_layout_engine("constrained")
     axes: Any = figure.add_subplot(projection="3d", computed_zorder=False)
@@ -55,7 +55,7 @@ def draw_space(figure: Figure, flights: Flights) -> None:
 
 
 def draw_plan(figure: Figure, flights: Flights) -> None:
-    """The paths from above, north up, east to the right, axes to one scale, and the wind."""
+    """Draw the paths from above, north up, east to the right, axes to one scale, and the wind."""
     figure.set_size_inches(8.0, 7.4)
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
@@ -74,7 +74,7 @@ def draw_plan(figure: Figure, flights: Flights) -> None:
 
 
 def draw_side(figure: Figure, flights: Flights) -> None:
-    """The paths from the right of the last goal's course, axes to one scale."""
+    """Draw the paths from the right of the course at the first vehicle's last goal."""
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
     course = flights.records[0].vehicle.goals[-1].heading_deg
@@ -89,7 +89,7 @@ def draw_side(figure: Figure, flights: Flights) -> None:
 
 
 def _draw_flat(axes: Axes, flights: Flights, right: Array, up: Array) -> None:
-    """Obstacles, aircraft, paths and goals on the plane of two unit vectors, NED."""
+    """Draw obstacles, traffic, paths and goals on the plane of two unit vectors (3,), NED."""
     onto = np.column_stack((right, up))
     view = view_of(flights, onto.T)
     draw_outlines(axes, flights.bodies, onto)

@@ -1,4 +1,4 @@
-"""The report of a run: one HTML file that needs nothing beside it, and the figures alone."""
+"""The report of a run: one HTML file that needs no other file, and the figures besides."""
 
 import base64
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from vfguide.results.verdict import in_words
 from vfguide.scenario.loaded import LoadedScenario
 
 NO_VALUE = "-"
-"""Text of a value that does not exist."""
+"""Text in a table for a value that does not exist."""
 
 
 def write_report(
@@ -29,11 +29,11 @@ def write_report(
     """Write `figures/*.png` and `report.html`.
 
     Args:
-        folder: of the run.
+        folder: folder of the run.
         loaded: the scenario that was flown.
-        records: of the flights, as `result` was made from.
-        result: of the run.
-        command: the command line that flies it again.
+        records: the records of the flights, from which `result` was made.
+        result: the result of the run.
+        command: the command line that flies the scenario again.
     """
     pictures = draw_figures(Flights(loaded, records))
     (folder / "figures").mkdir(exist_ok=True)
@@ -70,22 +70,22 @@ def render(
 
 
 def number(value: float | None, digits: int = 2) -> str:
-    """A number for a table; a dash where there is none."""
+    """A number for a table with so many decimals; a dash where there is none."""
     return NO_VALUE if value is None else f"{value:.{digits}f}"
 
 
 def figure(value: float | None, digits: int = 3) -> str:
-    """A number of any size for a table."""
+    """A number for a table with so many significant digits; a dash where there is none."""
     return NO_VALUE if value is None else f"{value:.{digits}g}"
 
 
 def span(values: tuple[float | None, float | None], digits: int = 1) -> str:
-    """A range for a table; a dash where there is none."""
+    """A range for a table, its ends with so many decimals; a dash where there is none."""
     if values == (None, None):
         return NO_VALUE
     return f"{number(values[0], digits)} to {number(values[1], digits)}"
 
 
 def data_uri(png: bytes) -> str:
-    """A PNG as the source of an image."""
+    """A PNG as a data URI, the source of an image in HTML (RFC 2397)."""
     return f"data:image/png;base64,{base64.b64encode(png).decode()}"

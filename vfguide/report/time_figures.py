@@ -1,4 +1,4 @@
-"""Figures over time: position, attitude, speed, flight envelope, body rates."""
+"""Figures over time: position, attitude, speed, flight envelope, body rates, air."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ from vfguide.results.record import AirBelief, FlightRecord
 
 
 def draw_position(figure: Figure, flights: Flights) -> None:
-    """North, east and height of the origin, with the goals where they were reached."""
+    """Draw the position north, east and above the origin, with each goal when it was reached."""
     panels = [
         Panel("North [m]", lambda each: each.p_n[:, 0], span=5.0),
         Panel("East [m]", lambda each: each.p_n[:, 1], span=5.0),
@@ -34,7 +34,7 @@ def draw_position(figure: Figure, flights: Flights) -> None:
 
 
 def draw_attitude(figure: Figure, flights: Flights) -> None:
-    """Roll, pitch and yaw."""
+    """Draw roll, pitch and yaw of the body against NED."""
     panels = [
         Panel("Roll [°]", lambda each: broken(each.euler[:, 0] / DEG)),
         Panel("Pitch [°]", lambda each: each.euler[:, 1] / DEG, span=10.0),
@@ -44,7 +44,11 @@ def draw_attitude(figure: Figure, flights: Flights) -> None:
 
 
 def draw_envelope(figure: Figure, flights: Flights) -> None:
-    """Airspeed, bank, load factor and thrust, with the limits of the aircraft."""
+    """Draw airspeed, bank, load factor and thrust, with their limits.
+
+    Limits are those of the first vehicle; those of the aircraft are left out where there are
+    several.
+    """
     loaded = flights.loaded
     first = flights.records[0].vehicle
     each = loaded.performance_aloft(first)
@@ -74,13 +78,13 @@ def draw_envelope(figure: Figure, flights: Flights) -> None:
 
 
 def draw_speed(figure: Figure, flights: Flights) -> None:
-    """The speed of vehicles that do not fly through air."""
+    """Draw the speed of vehicles that do not fly through air."""
     panel = Panel("Speed [m/s]", lambda each: np.linalg.norm(each.v_n, axis=1))
     draw_panels(figure, flights, "Speed", [panel], [])
 
 
 def draw_rates(figure: Figure, flights: Flights) -> None:
-    """Body rates, commanded and flown; those of a rigid body are the same."""
+    """Draw body rates, commanded and flown; those of a rigid body are the same."""
     panels = [
         Panel(
             label,
@@ -101,7 +105,7 @@ def draw_rates(figure: Figure, flights: Flights) -> None:
 
 
 def draw_air(figure: Figure, flights: Flights) -> None:
-    """The wind, true and estimated, and the estimated airspeed."""
+    """Draw wind and true airspeed, true and as the companion estimates them."""
     panels = [
         Panel(
             "Wind to north [m/s]",
@@ -128,9 +132,9 @@ def draw_air(figure: Figure, flights: Flights) -> None:
 
 
 def believed(record: FlightRecord, part: Callable[[AirBelief], tuple[Series, Series]]) -> Series:
-    """An estimated value; NaN before the companion flew.
+    """An estimate at each sample, (n,); NaN where the companion has made none yet.
 
-    `part` takes the value and its standard deviation.
+    `part` takes the estimate and its standard deviation out of the record.
     """
     if record.air is None:
         return np.full_like(record.time, np.nan)

@@ -21,7 +21,7 @@ from vfguide.sim.traffic import motion_at
 AIRCRAFT_COLOUR = "#7a4fa3"
 """Colour of other aircraft and their volumes."""
 VOLUME_CORNERS = 48
-"""Number of corners around a drawn volume."""
+"""Number of corners around a drawn volume; chosen."""
 _PATH: Any = {"color": AIRCRAFT_COLOUR, "linestyle": (0, (5, 2, 1, 2)), "linewidth": 1.3}
 _VOLUME: Any = {
     "facecolor": (AIRCRAFT_COLOUR, 0.15),
@@ -32,15 +32,15 @@ _VOLUME: Any = {
 
 @dataclass(frozen=True)
 class TrafficPath:
-    """Another aircraft over the time of a run."""
+    """Another aircraft as it is drawn, over the time of a run."""
 
     name: str
     p_n: Vectors
-    """(n, 3) its path, NED [m]."""
+    """(n, 3) positions on its path, NED [m]."""
     volume: Vectors
-    """(m, 3) the edges of its volume where it came nearest to a vehicle, NED [m]."""
+    """(m, 3) points on the edges of its volume when that came nearest to a vehicle, NED [m]."""
     nearest: Vector
-    """(3,) where it was then, NED [m]."""
+    """(3,) its position when its volume came nearest to a vehicle, NED [m]."""
 
 
 def traffic_paths_of(
@@ -58,7 +58,7 @@ def traffic_paths_of(
 
 
 def _edges(radius: float, half_height: float) -> Array:
-    """The two circles about an upright cylinder, (2 VOLUME_CORNERS, 3) [m]."""
+    """Points on the two circles that bound an upright cylinder, (2 VOLUME_CORNERS, 3), NED [m]."""
     angle = np.linspace(0.0, 2.0 * np.pi, VOLUME_CORNERS, endpoint=False)
     x, y, down = (
         radius * np.cos(angle),
@@ -69,14 +69,17 @@ def _edges(radius: float, half_height: float) -> Array:
 
 
 def draw_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> None:
-    """Their paths and volumes on the plane that `onto`, (3, 2), projects to."""
+    """Draw paths and volumes of traffic on a plane; `onto`, (3, 2), projects NED to its axes."""
     for each in traffic:
         axes.plot(*(each.p_n @ onto).T, zorder=1.6, **_PATH)
         axes.fill(*outline(each.volume @ onto).T, zorder=1.4, **_VOLUME)
 
 
 def name_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> None:
-    """Their names above their volumes, unless there are too many."""
+    """Write the names of traffic above their volumes, unless there are too many.
+
+    `onto`, (3, 2), projects NED to the axes of the figure.
+    """
     for each in traffic if len(traffic) <= MAX_NAMES else ():
         across, up = (each.volume @ onto).T
         top = np.array((0.5 * (across.min() + across.max()), up.max()))
@@ -84,7 +87,7 @@ def name_traffic(axes: Axes, traffic: Sequence[TrafficPath], onto: Array) -> Non
 
 
 def draw_traffic_in_space(axes: Any, traffic: Sequence[TrafficPath]) -> None:
-    """Their paths and volumes in axes east, north, up."""
+    """Draw paths and volumes of traffic in axes east, north, up."""
     for each in traffic:
         axes.plot(*east_north_up(each.p_n).T, zorder=1.6, axlim_clip=True, **_PATH)
         for circle in each.volume.reshape(2, VOLUME_CORNERS, 3):
@@ -94,7 +97,7 @@ def draw_traffic_in_space(axes: Any, traffic: Sequence[TrafficPath]) -> None:
 
 
 def traffic_marks(traffic: Sequence[TrafficPath]) -> list[Patch | Line2D]:
-    """Entries of a legend."""
+    """Entries of the legend for traffic."""
     if not traffic:
         return []
     path = Line2D([], [], **_PATH, label="Other aircraft")

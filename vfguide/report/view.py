@@ -1,4 +1,4 @@
-"""What part of the world a figure of paths shows, and what all such figures share."""
+"""The part of space that a figure of paths shows, and what all such figures share."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,13 +18,12 @@ from vfguide.results.record import Array
 from vfguide.scenario.resolved import Goal
 
 VIEW_MARGIN = 0.5
-"""Distance within which obstacles are in view, as a share of the longest extent of paths and
-goals."""
+"""Distance within which obstacles are in view, as a share of the longest extent of paths and goals;
+chosen."""
 ARROW_LENGTH = 0.15
-"""Length of the arrow of a goal, as a share of that extent."""
+"""Length of the arrow of a goal, as a share of the longest extent of paths and goals; chosen."""
 LEAST_EXTENT = 20.0
-"""Longest extent that is assumed where paths and goals have less [m]; chosen: a short flight
-is not magnified."""
+"""Least value of the longest extent [m]; chosen, so that a short flight is not magnified."""
 LEAST_WIDTH_SHARE = 0.35
 """Least extent along a horizontal axis, as a share of the longest one; chosen, so that no figure is
 a strip."""
@@ -34,9 +33,9 @@ strip."""
 FRAME_SHARE = 0.07
 """Margin round everything that is shown, as a share of the longest extent; chosen."""
 WIDE_LEGEND = 5
-"""Largest number of entries of a legend in one row."""
+"""Largest number of entries of a legend in one row; chosen."""
 NARROW_LEGEND = 4
-"""Number of entries in each row of a legend of several rows."""
+"""Number of entries in each row of a legend of several rows; chosen."""
 PATH_MARKS = (
     Line2D([], [], color=MUTED_COLOUR, marker="o", linestyle="none", markersize=6, label="Start"),
     Line2D(
@@ -54,18 +53,19 @@ PATH_MARKS = (
 
 @dataclass(frozen=True)
 class View:
-    """A box, and how long arrows in it are."""
+    """The box that a figure shows, and the length of the arrows in it."""
 
     limits: Vectors
-    """(k, 2) least and most along each axis [m]."""
+    """(k, 2) least and greatest coordinate along each axis [m]."""
     arrow: float
-    """[m]."""
+    """Length of the arrow of a goal [m]."""
 
 
 def view_of(flights: Flights, axes_n: Vectors) -> View:
-    """What is to be seen of `flights` along the axes `axes_n`, (k, 3), unit vectors, NED.
+    """The part of space that shows `flights` along the axes `axes_n`, (k, 3), unit vectors, NED.
 
-    All paths and goals, and the obstacles near them, with a margin; not too flat.
+    It contains all paths and goals, and what is near them of the fence, of obstacles and of the
+    volumes of traffic, with a margin. None of its sides is much shorter than the others.
     """
     goals = [goal for record in flights.records for goal in record.vehicle.goals]
     places = np.array([goal.position_m for goal in goals])
@@ -84,9 +84,9 @@ def view_of(flights: Flights, axes_n: Vectors) -> View:
 
 
 def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -> Iterator[Array]:
-    """Corners, (2, k), of what is within `reach` of the box of `points`.
+    """Corners (2, k) of what is within `reach` of the box of `points`, cut off there [m].
 
-    Those of the fence, of obstacles, and of the volumes of other aircraft.
+    They are those of the fence, of each obstacle, and of the volume of each other aircraft.
     """
     low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
     fence = places_of(flights.loaded.scenario.fence, flights.records[0].p_n[0]) @ axes_n.T
@@ -101,14 +101,14 @@ def _bodies_near(flights: Flights, points: Array, reach: float, axes_n: Array) -
 
 
 def numbered(goals: Sequence[Goal]) -> list[tuple[str, Goal]]:
-    """Goals with their numbers, where there is more than one."""
+    """Goals with their labels: numbers from 1, or nothing where there is only one goal."""
     if len(goals) == 1:
         return [("", goals[0])]
     return [(str(number), goal) for number, goal in enumerate(goals, start=1)]
 
 
 def draw_goal(axes: Axes, at: Vector, tip: Vector, label: str) -> None:
-    """The arrow of a goal, from where it is, (2,), to `tip`, and its number."""
+    """Draw the arrow of a goal from its position `at`, (2,), to `tip`, and its label."""
     look = {"arrowstyle": "-|>", "color": GOAL_COLOUR, "lw": 1.8, "shrinkA": 0}
     (x, y), (to_x, to_y) = at, tip
     axes.plot(x, y, "o", color=GOAL_COLOUR, markersize=5, zorder=5)
@@ -117,12 +117,12 @@ def draw_goal(axes: Axes, at: Vector, tip: Vector, label: str) -> None:
 
 
 def draw_legend(figure: Figure, flights: Flights, more: Sequence[Artist] = ()) -> None:
-    """Vehicles, marks, obstacles, other aircraft and what there is more, below the figure."""
+    """Place a legend of vehicles, starts, goals, obstacles, traffic and `more` below the figure."""
     bodies, traffic = body_marks(flights.bodies), traffic_marks(flights.traffic)
     place_legend(figure, [*vehicle_lines(flights), *PATH_MARKS, *bodies, *traffic, *more])
 
 
 def place_legend(figure: Figure, handles: Sequence[Artist]) -> None:
-    """A legend below the figure."""
+    """Place a legend below the figure."""
     columns = len(handles) if len(handles) <= WIDE_LEGEND else NARROW_LEGEND
     figure.legend(handles=handles, loc="outside lower center", ncols=columns)

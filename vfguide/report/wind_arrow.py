@@ -1,4 +1,4 @@
-"""The arrows of the wind in a plan: of the one at the beginning, and of what it changes to."""
+"""Arrows of the wind in the figure from above: at the beginning, and after each change."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,14 +11,14 @@ from vfguide.report.drawing import MUTED_COLOUR
 from vfguide.results.record import Array
 
 ARROW_SPACING = 84.0
-"""Distance from one arrow to the next below it [pt]."""
+"""Distance from one arrow to the next below it [pt]; chosen."""
 
 
 def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
-    """Arrows that point where the wind blows, with their numbers, in the emptiest corner.
+    """Draw arrows that point where the wind blows to, with speed and direction, in a corner.
 
-    One below the other in the order of time. `drawn` are the points (n, 2) to keep away from, east
-    and north.
+    They are one below the other in the order of time, in the corner that is farthest from the
+    points `drawn`, (n, 2), east and north [m].
     """
     corner = _emptiest_corner(axes, drawn)
     highest = 52.0 + (1.0 - corner[1]) * ARROW_SPACING * (len(wind.stages) - 1)
@@ -39,7 +39,7 @@ def draw_wind(figure: Figure, axes: Axes, wind: Wind, drawn: Array) -> None:
 def _draw_arrow(
     figure: Figure, axes: Axes, corner: tuple[float, float], centre: Array, from_deg: float
 ) -> None:
-    """One arrow about a point off a corner [pt]."""
+    """Draw an arrow with its middle at the offset `centre`, (2,), from a corner of the axes."""
     toward = (from_deg + 180.0) * DEG
     half = 17.0 * np.array((np.sin(toward), np.cos(toward)))
     axes.annotate(
@@ -53,13 +53,13 @@ def _draw_arrow(
 
 
 def _points_from(figure: Figure, axes: Axes, offset: Array) -> Transform:
-    """Fractions of the axes, moved by an offset in points, 1/72 inch."""
+    """The transform of fractions of the axes that adds an `offset`, (2,) [pt], 1/72 inch."""
     x, y = offset / 72.0
     return axes.transAxes + ScaledTranslation(x, y, figure.dpi_scale_trans)
 
 
 def _emptiest_corner(axes: Axes, drawn: Array) -> tuple[float, float]:
-    """The corner that is farthest from the points, as fractions of the axes."""
+    """The corner that is farthest from the points `drawn`, as fractions of the axes."""
     (west, east), (south, north) = axes.get_xlim(), axes.get_ylim()
     seen = (drawn - (west, south)) / (east - west, north - south)
 

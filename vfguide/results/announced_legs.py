@@ -1,15 +1,16 @@
 """Legs of a vehicle that announces when it goes on to its next goal.
 
-Which goal it flies to is what it announces; whether it reached one is told by the true path. An
-announcement comes a little before or after the true pass that it is about: the vehicle predicts,
-and its position is in error. So a leg ends at the true pass next to its announcement.
+Which goal the vehicle flies to is taken from its announcements; whether it reached a goal is judged
+on the true path. An announcement comes a little before or after the true pass that it is about,
+because the vehicle predicts, and because its position is in error. So a leg ends at the true pass
+nearest to its announcement.
 """
 
 from collections import deque
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vfguide.annunciations.goal_announcement import GoalAnnouncement, Outcome
+from vfguide.annunciations.goal_announcement import GoalAnnouncement, GoalOutcome
 from vfguide.results.goal_passages import Legs, Pass, Sample, approach, judged, passed_between
 from vfguide.scenario.resolved import Goal
 
@@ -22,8 +23,8 @@ class TimedAnnouncement(NamedTuple):
     said: GoalAnnouncement
 
 
-class _Told(NamedTuple):
-    """An announcement and the pass that it is about."""
+class _AnnouncedPass(NamedTuple):
+    """An announcement and the pass of the goal that it is about."""
 
     at: int
     """Index of the pass among those of its goal; -1: there is none."""
@@ -31,15 +32,15 @@ class _Told(NamedTuple):
 
 
 class AnnouncedLegs(Legs):
-    """Legs that end when the vehicle says so."""
+    """Legs that end when the vehicle announces that it goes on to the next goal."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         super().__init__(goals)
         self.announced: list[TimedAnnouncement] = []
         """What was announced, in the order of time."""
-        self._told: tuple[list[_Told], ...] = tuple([] for _ in self.goals)
-        self._ending: int | None = None  # a goal left behind before the path has passed it
-        self._early: list[Pass] = []  # of the goal after it
+        self._told: tuple[list[_AnnouncedPass], ...] = tuple([] for _ in self.goals)
+        self._ending: int | None = None  # index of a goal left before the true path passes it
+        self._early: list[Pass] = []  # passes of the next goal until then
 
     @property
     def finished(self) -> bool:
@@ -47,7 +48,7 @@ class AnnouncedLegs(Legs):
         if any(a_pass.reaches for a_pass in self.passes[-1]):
             return True
         said = self.left_behind(len(self.goals) - 1)
-        return self._ending is None and said is not None and said.outcome is Outcome.GIVEN_UP
+        return self._ending is None and said is not None and said.outcome is GoalOutcome.GIVEN_UP
 
     def announce(self, said: GoalAnnouncement) -> None:
         """Take an announcement that was made at the newest sample."""
@@ -55,14 +56,14 @@ class AnnouncedLegs(Legs):
         self._end_leg()
         is_to_come = now is not None and approach(now, self.goals[goal]) < 0.0
         passes = len(self.passes[goal])
-        self._told[goal].append(_Told(passes if is_to_come else passes - 1, said))
+        self._told[goal].append(_AnnouncedPass(passes if is_to_come else passes - 1, said))
         self.announced.append(TimedAnnouncement(0.0 if now is None else now.time, said))
-        if said.outcome is not Outcome.MISSED:
+        if said.outcome is not GoalOutcome.MISSED:
             self.leg = goal + 1
             self._ending = goal if is_to_come else None
 
     def feed(self, sample: Sample) -> bool:
-        """Take the next sample; true if a goal was reached since the one before.
+        """Take the next sample; true if a goal was reached since the sample before.
 
         While the pass that ends a leg is still to come, the next leg has not begun.
         """
@@ -81,7 +82,7 @@ class AnnouncedLegs(Legs):
         return self.reached > reached
 
     def _end_leg(self) -> None:
-        """The leg before is over, its pass never came: what came since is of the present one."""
+        """End a leg whose true pass never came; the passes since then are of the present goal."""
         if self._ending is not None:
             for a_pass in self._early:
                 self.add(self.leg, a_pass)
@@ -96,9 +97,9 @@ class AnnouncedLegs(Legs):
             self._early.append(a_pass)
 
     def believed(self, goal: int) -> GoalAnnouncement | None:
-        """What the vehicle announced of the pass of a goal that counts, None: nothing.
+        """What the vehicle announced of the pass of a goal that counts; None: nothing.
 
-        Where the goal was never passed it is the last announcement of it.
+        Of a goal that the true path never passed it is the last announcement.
         """
         best, passes, told = self.best()[goal], self.passes[goal], self._told[goal]
         if best is None:
@@ -107,9 +108,9 @@ class AnnouncedLegs(Legs):
         return about[-1] if about else None
 
     def left_behind(self, goal: int) -> GoalAnnouncement | None:
-        """The announcement with which the vehicle went on from a goal; None: it has not."""
+        """The announcement with which the vehicle went on from a goal; None: it did not go on."""
         said = self._told[goal][-1].said if self._told[goal] else None
-        return None if said is None or said.outcome is Outcome.MISSED else said
+        return None if said is None or said.outcome is GoalOutcome.MISSED else said
 
 
 def announced_legs(

@@ -12,28 +12,28 @@ speed goes to zero there."""
 
 
 def arrival_radius(goal: Goal) -> float:
-    """The distance from the goal at which it is passed [m]."""
+    """Distance from the goal at which a robot has arrived [m]: at most the goal's tolerance."""
     return min(goal.tolerance_m, ARRIVED)
 
 
 class Arrivals(Legs):
-    """Legs whose goal is passed, once, where the distance first falls to the arrival radius.
+    """Legs whose goal is passed once, where the distance first falls to the arrival radius.
 
-    The velocities of its samples are those that the nose points along: a robot at rest has a
+    Instead of velocities, the samples have the direction of the nose, so that a robot at rest has a
     course too.
     """
 
     @property
     def standing(self) -> bool:
-        """The robot is where it stays: at the last goal, or at one that it met askew."""
+        """The robot stays where it is: at its last goal, or at one with a wrong attitude."""
         return self.finished or bool(self.passes[self.leg])
 
     def is_attempt(self, a_pass: Pass, goal: Goal) -> bool:
-        """Every arrival is one, in whatever direction."""
+        """Every arrival counts as an attempt, whatever its direction."""
         return True
 
     def find(self, before: Sample | None, sample: Sample) -> Sample | None:
-        """Where a straight path between the samples enters the ball about the goal."""
+        """Where the line between the samples enters the ball about the goal; None: nowhere."""
         goal = self.goals[self.leg]
         if self.passes[self.leg]:
             return None
@@ -50,7 +50,10 @@ class Arrivals(Legs):
 
 
 def entry(p: Vec3, moved: Vec3, radius: float) -> float | None:
-    """Share of the displacement after which |p| first is at most `radius` [m]; None: never."""
+    """Share of the displacement `moved` from `p` after which |p| is first at most `radius` [m].
+
+    It is the smaller root s of |p + s moved| = radius; None: there is none from 0 to 1.
+    """
     outside = dot(p, p) - radius * radius
     if outside <= 0.0:
         return 0.0

@@ -1,8 +1,8 @@
 """Clearance of the true path from obstacles.
 
 U and the distance from a surface are convex functions of the position relative to the body, and a
-step of the path is nearly straight. So the values at both ends and halfway bound those between: a
-step that may hold the least value of all is refined.
+step of the path is nearly straight. So the values at both ends of a step and halfway bound those
+between them from below. Only the steps that may contain the least value are divided further.
 """
 
 from collections.abc import Callable
@@ -26,19 +26,19 @@ Measure = Callable[[Array, Array, Rows], Array]
 
 
 def min_levels(record: FlightRecord, obstacles: Rows) -> Array:
-    """Least U of each obstacle on the path, (M,)."""
+    """Least level U of each obstacle on the path, (M,), dimensionless."""
     values = levels(record.p_n, record.time, obstacles)
     each = zip(values.T, obstacles[:, None], strict=True)
     return np.array([_refined(record, each, levels, row) for each, row in each])
 
 
 def min_clearances(record: FlightRecord, obstacles: Rows) -> Array:
-    """Least distance of the centre from each surface, (M,) [m], negative inside."""
+    """Least distance of the vehicle's centre from each surface, (M,) [m], negative inside."""
     return np.array([_min_clearance(record, row) for row in obstacles[:, None]])
 
 
 def clearances(record: FlightRecord, obstacles: Rows) -> Array:
-    """Distance from each surface at the samples, (n, M) [m]; NaN where the position is NaN."""
+    """Distance from each surface at the samples, (n, M) [m]; NaN where the position is."""
     values = np.full((len(record.time), len(obstacles)), np.nan)
     known = np.isfinite(record.p_n).all(axis=1)
     values[known] = distances(record.p_n[known], record.time[known], obstacles)
@@ -46,7 +46,7 @@ def clearances(record: FlightRecord, obstacles: Rows) -> Array:
 
 
 def _min_clearance(record: FlightRecord, row: Rows) -> float:
-    """Least clearance from one obstacle; exact distances only where they can be the least."""
+    """Least distance from one obstacle [m]; computed only where it can be the least."""
     offset = record.p_n - centres(row, record.time)
     from_centre = np.linalg.norm(offset, axis=1)
     nearest = int(np.argmin(from_centre))
@@ -60,13 +60,16 @@ def _min_clearance(record: FlightRecord, row: Rows) -> float:
 
 
 def centres(row: Rows, time: Array) -> Array:
-    """Where the centre of one obstacle is, (n, 3) [m]."""
+    """Positions of the centre of one obstacle at times (n,) [s], (n, 3), NED [m]."""
     obstacle = columns(PlacedObstacle, row)
     return obstacle.p_n + time[:, None] * obstacle.v_n
 
 
 def _refined(record: FlightRecord, values: Series, measure: Measure, row: Rows) -> float:
-    """The least of `values` at the samples, and of those in the steps between known ones."""
+    """The least of `values` (n,) at the samples, and of those within the steps between them.
+
+    A step with a value that is not finite at either end is left out.
+    """
     steps = np.flatnonzero(np.isfinite(values[:-1]) & np.isfinite(values[1:]))
     low, high = record.time[steps], record.time[steps + 1]
     halfway = _between(record, 0.5 * (low + high), measure, row)

@@ -1,4 +1,4 @@
-"""Who came closest to an obstacle in a run."""
+"""Which vehicle came closest to which obstacle in a run."""
 
 from typing import NamedTuple
 
@@ -9,15 +9,15 @@ class Closest(NamedTuple):
     """The least clearance of a run."""
 
     clearance: float
-    """[m], negative inside."""
+    """Distance from the surface of the obstacle [m], negative inside."""
     vehicle: int
-    """Its id."""
+    """Id of the vehicle."""
     obstacle: str
-    """Its name."""
+    """Name of the obstacle."""
 
 
 def closest(result: Result) -> Closest | None:
-    """The least clearance of all vehicles from all obstacles; None if there is none."""
+    """The least clearance of all vehicles from all obstacles; None if no clearance is known."""
     each = [
         Closest(each.min_clearance_m, vehicle.id, each.name)
         for vehicle in result.vehicles

@@ -1,4 +1,4 @@
-"""How near true paths come to the rules of a fence, each by its name."""
+"""How near true paths come to violating each rule of a fence: zones, floor and ceiling."""
 
 import math
 
@@ -12,7 +12,7 @@ from vfguide.scenario.resolved import Scenario
 
 
 def fence_rules(fence: Fence) -> list[str]:
-    """Names of its zones, and of its floor and ceiling, in the order of `fence_distances`."""
+    """Names of the zones, floor and ceiling of a fence, in the order of `fence_distances`."""
     heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
     return [
         *(f"fence.zone[{index}]" for index in range(len(fence.zone))),
@@ -21,7 +21,10 @@ def fence_rules(fence: Fence) -> list[str]:
 
 
 def fence_distances(fence: Fence, p_n: Vectors) -> Array:
-    """Distances of places (n, 3) from where each rule is violated, (n, R) [m], negative there."""
+    """Distances of places (n, 3), NED [m], from where each rule is violated, (n, R) [m].
+
+    They are negative where it is violated, and NaN where the place is not finite.
+    """
     zones = fences([zone_of(zone) for zone in fence.zone])
     places: list[Vec3] = [(x, y, z) for x, y, z in p_n.tolist()]
     columns = [
@@ -39,16 +42,16 @@ def fence_distances(fence: Fence, p_n: Vectors) -> Array:
 
 
 def fence_clearance(scenario: Scenario, p_n: Array) -> float:
-    """Least distance of places (n, 3) from where the fence is violated [m], negative there.
+    """Least distance of places (n, 3), NED [m], from where the fence is violated [m].
 
-    Infinite where there is no fence.
+    It is negative where the fence is violated, and infinite where there is none.
     """
     values = fence_distances(scenario.fence, p_n)
     return float(np.fmin.reduce(values, axis=None, initial=math.inf))
 
 
 def fence_violations(fence: Fence, record: FlightRecord) -> list[str]:
-    """In words, every rule that a flight violated, how far and since when."""
+    """In words, every rule of the fence that a flight violated, how far and since when."""
     values = fence_distances(fence, record.p_n)
     return [
         f"fence: vehicle {record.vehicle.id} {_side(fence, index)} {name} by "
@@ -59,7 +62,7 @@ def fence_violations(fence: Fence, record: FlightRecord) -> list[str]:
 
 
 def _side(fence: Fence, index: int) -> str:
-    """On which side of a rule it is violated."""
+    """The side on which a rule is violated, as a word before its name."""
     if index < len(fence.zone):
         return "outside" if fence.zone[index].kind == "include" else "inside"
     return "below" if fence_rules(fence)[index] == "fence.floor_m" else "above"

@@ -1,4 +1,4 @@
-"""In how much of a flight the field of law `field` leads, and in how much other laws help it."""
+"""The shares of a flight in which law `field` followed its field, and a route."""
 
 from dataclasses import dataclass
 
@@ -19,13 +19,13 @@ class FieldResult:
     """
 
     leading_share: float | None
-    """Of the time outside the approach in which the field led."""
+    """Share of the time outside the approach in which the field led."""
     leading_share_of_flight: float | None
-    """The same of all the time, the approach included."""
+    """Share of all the time, the approach included, in which the field led."""
     route_share: float | None
-    """Of the time outside the approach in which a route was flown."""
+    """Share of the time outside the approach in which a route was flown."""
     routes: int
-    """How often a route started."""
+    """Number of times that a route began."""
 
 
 def field_result(record: FlightRecord) -> FieldResult | None:
@@ -49,6 +49,6 @@ def field_result(record: FlightRecord) -> FieldResult | None:
 
 
 def _share(part: Series, whole: Series) -> float | None:
-    """The part of the samples of the whole that are true; None where there are none."""
+    """Number of samples in `part`, over that in `whole`; None where `whole` has none."""
     count = int(whole.sum())
     return round(int(part.sum()) / count, 6) if count else None

@@ -54,9 +54,9 @@ class Legs:
     def __init__(self, goals: Sequence[Goal]) -> None:
         self.goals = tuple(goals)
         self.passes: tuple[list[Pass], ...] = tuple([] for _ in self.goals)
-        """Of each goal in turn, in the order of time."""
+        """The passes of each goal, in the order of time."""
         self.leg = 0
-        """Index of the goal that is flown to; the number of goals when there is none left."""
+        """Index of the goal that is flown to; the number of goals when none is left."""
         self.last: Sample | None = None
         """The newest sample."""
         self.reached = 0
@@ -68,9 +68,9 @@ class Legs:
         return self.leg == len(self.goals)
 
     def feed(self, sample: Sample) -> bool:
-        """Take the next sample; true if a goal was reached or given up since the one before.
+        """Take the next sample; true if a goal was reached or given up since the sample before.
 
-        Between two samples the path is the cubic that has their positions and velocities.
+        Between two samples the path is the cubic with their positions and velocities.
         """
         before, leg = self.last, self.leg
         while not self.finished:
@@ -91,13 +91,13 @@ class Legs:
 
     @property
     def gives_up(self) -> bool:
-        """Whether the present goal was tried in vain as often as it may be."""
+        """Whether the present goal has been missed as often as its `attempts` allow."""
         goal = self.goals[self.leg]
         attempts = sum(self.is_attempt(a_pass, goal) for a_pass in self.passes[self.leg])
         return 0 < goal.attempts <= attempts
 
     def is_attempt(self, a_pass: Pass, goal: Goal) -> bool:
-        """Whether a pass counts as one that was meant to reach the goal."""
+        """Whether a pass counts as an attempt to reach the goal: near it, and near its course."""
         return (
             a_pass.miss <= max(ATTEMPT_MISS, goal.tolerance_m)
             and a_pass.course_error <= MAX_ATTEMPT_ANGLE
@@ -121,12 +121,12 @@ class Legs:
 
 
 def _rank(a_pass: Pass) -> tuple[bool, float]:
-    """The order in which passes of a goal count."""
+    """Sorting key of the passes of a goal: those that reach it first, the others by their miss."""
     return (not a_pass.reaches, 0.0 if a_pass.reaches else a_pass.miss)
 
 
 def interpolate(one: Sample, other: Sample, time: float) -> Sample:
-    """The path between two samples: the cubic with their positions and velocities (Hermite)."""
+    """The path at a `time` [s] between two samples: the Hermite cubic through both."""
     span = other.time - one.time
     s = (time - one.time) / span
     axes = [
@@ -164,7 +164,7 @@ def _closest(one: Sample, other: Sample, goal: Goal) -> Sample:
 
 
 def judged(at: Sample, goal: Goal) -> Pass:
-    """The pass of a goal at a point of the path."""
+    """The pass of a goal at a point of the path, judged by the goal's tolerances."""
     north, east, down = at.v_n
     course, climb = math.atan2(east, north), math.atan2(-down, math.hypot(north, east))
     miss = math.dist(at.p_n, goal.position_m)

@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 
 class Cubic(NamedTuple):
-    """The polynomial a + b s + c s^2 + d s^3 of s in 0 to 1; numbers, or arrays of one shape."""
+    """The polynomial a + b s + c s^2 + d s^3 of s from 0 to 1.
+
+    Its coefficients are numbers, or arrays of the same shape.
+    """
 
     a: Any
     b: Any

@@ -13,8 +13,8 @@ from vfguide.results.record import Decisions, FlightRecord
 from vfguide.scenario.resolved import Scenario
 
 APART = 1.0
-"""Time for which guidance is followed between two interventions [s]; chosen, shorter ones count as
-one."""
+"""Longest time for which guidance is followed within one intervention [s]; chosen: after a longer
+time another intervention begins."""
 
 
 @dataclass(frozen=True)
@@ -22,22 +22,29 @@ class Intervention:
     """A time in which the command of guidance was not followed, as result.json has it."""
 
     from_s: float
+    """Time of its first sample since the start of the run."""
     to_s: float
+    """Time of the first sample after it."""
     reason: Literal["escape", "least bad"]
-    """The worse one where both occurred."""
+    """Whether something was clear in all its samples ("escape"), or nothing was in some."""
     hazard: str | None
-    """The hazard that the command would have met most of the time; None: no known one."""
+    """The hazard that the command would have met in most of its samples; None: none is known."""
 
 
 @dataclass(frozen=True)
 class AssuranceResult:
-    """What the assurance did in a flight, setpoint by setpoint, as result.json has it."""
+    """What the assurance did in a flight, counted in samples, as result.json has it."""
 
     decided: int
+    """Number of samples in which it decided."""
     escape: int
+    """Number of samples in which it flew an escape that was clear."""
     least_bad: int
+    """Number of samples in which nothing was clear."""
     acting_share: float | None
+    """Share of the samples in which it did not follow guidance; None: it never decided."""
     min_margin_m: float | None
+    """Least clearance along the escapes that it found, at most its margin; None: none is known."""
     episodes: tuple[Intervention, ...]
 
 
@@ -60,7 +67,7 @@ def assurance_of(scenario: Scenario, record: FlightRecord) -> AssuranceResult | 
 
 
 def interventions_of(scenario: Scenario, record: FlightRecord) -> tuple[Intervention, ...]:
-    """The interventions of a flight; those less than `APART` from each other count as one."""
+    """The interventions of a flight; those no more than `APART` from each other count as one."""
     decisions = record.decisions
     if decisions is None:
         return ()
@@ -90,7 +97,10 @@ def _intervention(
 
 
 def hazard_name(scenario: Scenario, number: int, height: float) -> str | None:
-    """The name of a hazard by its number, seen from a height [m]; None for none."""
+    """The name of a hazard by its number; None where it is negative, for no hazard.
+
+    Floor and ceiling have one number: the one nearer to `height`, above the origin [m], is named.
+    """
     obstacles, fence = scenario.obstacles, scenario.fence
     if number < 0:
         return None

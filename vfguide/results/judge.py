@@ -35,13 +35,13 @@ def judge(
     wall_s: float,
     ended_early: Sequence[str] = (),
 ) -> Result:
-    """The result of a run.
+    """The result of a run: figures of each vehicle, and the verdict with its reasons.
 
     Args:
-        scenario: that was flown.
-        records: one of each vehicle, in its order.
-        sim_s: simulated time.
-        wall_s: time that the flight loop took.
+        scenario: the scenario that was flown.
+        records: the record of each vehicle, in the order of the scenario.
+        sim_s: simulated time [s].
+        wall_s: real time that the flight loop took [s].
         ended_early: why the run ended before 5 s after the last goal, such as "time"; empty if
             it did not.
     """
@@ -124,5 +124,5 @@ def _range(values: Array) -> Range:
 
 
 def _rounded(number: float) -> float | None:
-    """To a millionth; None where JSON has no number for it."""
+    """The number rounded to a millionth; None where it is not finite, which JSON cannot say."""
     return round(number, 6) if math.isfinite(number) else None

@@ -14,8 +14,8 @@ Steps = NDArray[np.int64]
 def positions(record: FlightRecord, time: Array) -> Array:
     """Positions (..., 3) [m], NED, at times (...) [s] within the flight.
 
-    Of a rigid body they are exact. An aeroplane's path is the cubic that has the positions and
-    velocities of the samples on both sides.
+    Those of a rigid body are exact. The path of an aeroplane is the Hermite cubic with the
+    positions and velocities of the samples before and after.
     """
     if len(record.time) == 1:
         return np.broadcast_to(record.p_n[0], (*time.shape, 3))
@@ -38,7 +38,11 @@ def _on_cubics(record: FlightRecord, steps: Steps, since: Array) -> Array:
 
 
 def _on_helices(record: FlightRecord, R_nb: Matrices, steps: Steps, since: Array) -> Array:
-    """Each moves on for its own time: speed and rates are multiplied by it, then held for 1 s."""
+    """Positions after times `since` [s] at constant speed and body rates.
+
+    To advance each for a time of its own, its speed and rates are multiplied by that time, and held
+    for 1 s.
+    """
     speed = np.einsum("ij,ij->i", record.v_n[steps + 1], R_nb[steps + 1, :, 0])
     driven = Commands(since * speed, since[:, None] * record.omega_b[steps + 1])
     return advance(Bodies(record.p_n[steps], R_nb[steps]), driven, 1.0).p_n

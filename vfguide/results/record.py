@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 class Instant(NamedTuple):
-    """What is noted of one instant of an aeroplane's flight: the fields of a `FlightRecord`."""
+    """What is recorded of an aeroplane at one instant; the fields are those of a `FlightRecord`."""
 
     time: float
     p_n: Vec3
@@ -35,18 +35,21 @@ class Instant(NamedTuple):
     height_above_ground: float
     position_error_n: Vec3
     step: Noted
-    """What the companion noted of its last step."""
+    """What the companion noted of its latest step."""
 
 
 class AirBelief(NamedTuple):
-    """The companion's estimate of the air at n instants [m/s]; zero before the first step."""
+    """The companion's estimate of the air at n instants, (n,) each [m/s].
+
+    All are zero before the first step.
+    """
 
     wind_north: Series
-    """Wind blowing to the north."""
+    """Component of the wind toward the north."""
     wind_east: Series
-    """Wind blowing to the east."""
+    """Component of the wind toward the east."""
     wind_sigma: Series
-    """Standard deviation of either."""
+    """Standard deviation of each component of the wind."""
     airspeed: Series
     """True airspeed."""
     airspeed_sigma: Series
@@ -54,16 +57,16 @@ class AirBelief(NamedTuple):
 
 
 class Decisions(NamedTuple):
-    """What the run-time assurance decided at n instants; all zero before the first decision."""
+    """What the run-time assurance decided at n instants, (n,) each; zero before it decided."""
 
     reason: Series
     """The value of a `Reason`."""
     margin: Series
     """Least clearance along the escape [m]."""
     conflict: Series
-    """Time to the conflict that was seen [s]."""
+    """Time to the conflict that was seen [s]; infinite: none was."""
     hazard: Series
-    """Number of the hazard."""
+    """Number of the hazard that the command would have met; -1: none."""
 
 
 @dataclass(frozen=True)
@@ -75,52 +78,55 @@ class FlightRecord:
 
     vehicle: Vehicle
     time: Series
-    """(n,) since the start of the run."""
+    """(n,) time since the start of the run [s]."""
     p_n: Vectors
-    """(n, 3) in the scenario frame."""
+    """(n, 3) position in the scenario frame, NED [m]."""
     v_n: Vectors
-    """(n, 3) velocity over ground in the scenario frame."""
+    """(n, 3) velocity over ground, NED [m/s]."""
     euler: Vectors
-    """(n, 3) roll, pitch, yaw."""
+    """(n, 3) roll, pitch and yaw of the body against NED [rad]."""
     omega_b: Vectors
-    """(n, 3) body rates."""
+    """(n, 3) body rates, FRD [rad/s]."""
     omega_wanted_b: Vectors
-    """(n, 3) body rates of the latest setpoint; NaN before the first."""
+    """(n, 3) body rates of the latest setpoint, FRD [rad/s]; NaN before the first."""
     thrust: Series
     """(n,) thrust of the latest setpoint, 0 to 1; NaN before the first."""
     airspeed: Series
-    """(n,) true airspeed."""
+    """(n,) true airspeed [m/s]."""
     load_factor: Series
-    """(n,) lift over weight."""
+    """(n,) load factor: lift over weight, dimensionless."""
     wind_n: Vectors
-    """(n, 3) the direction the air moves toward, gusts included."""
+    """(n, 3) velocity of the air over ground, gusts included, NED [m/s]."""
     altitude: Series
-    """(n,) above mean sea level."""
+    """(n,) altitude above mean sea level [m]."""
     height_above_ground: Series
-    """(n,)."""
+    """(n,) height above the ground [m]."""
     setpoints: int
     """Number of setpoints that were sent."""
 
     R_nb: Matrices | None = None
-    """(n, 3, 3) attitude of a rigid body, whose speed and body rates are held from one sample to
-    the next: those that brought it to the later one. None: an aeroplane."""
+    """(n, 3, 3) attitude of a rigid body, body FRD to NED; None: an aeroplane. The speed and the
+    body rates of a sample are those with which the body came there from the sample before."""
     position_error_n: Vectors | None = None
-    """(n, 3) position that the autopilot reports less the true one; None: they are the same."""
+    """(n, 3) position that the autopilot reports less the true one, NED [m]; None: it reports the
+    true one."""
     air: AirBelief | None = None
     """The companion's estimate of the air; None: there is no air."""
     decisions: Decisions | None = None
-    """What the run-time assurance decided; None: nothing to keep clear of."""
+    """What the run-time assurance decided; None: there was nothing to keep clear of."""
     leaders: Series | None = None
-    """(n,) the value of a `Leader`: what law `field` followed; None: another law."""
+    """(n,) what law `field` followed, as the value of a `Leader`; None: another law was flown."""
     goals_from: float = 0.0
-    """The goals are flown to from this time on; a test flight goes before."""
+    """Time from which the goals are flown to, since the start of the run [s]; a test flight may
+    come before."""
     identified: Identified | None = None
-    """The aircraft as that test flight has shown it."""
+    """The aircraft as the test flight has shown it; None: there was no test flight, or it is not
+    over."""
     arrives: bool = False
-    """Whether it slows down towards its goals, and stops at the last one."""
+    """Whether the vehicle slows down towards its goals, and stops at the last one."""
     announced: tuple[TimedAnnouncement, ...] | None = None
-    """What it announced of its goals; None: it announces nothing, and the truth alone tells which
-    goal it flies to."""
+    """What the vehicle announced of its goals; None: it announces nothing, and the true path alone
+    tells which goal it flies to."""
 
     def legs(self) -> Legs:
         """The legs that were flown."""
@@ -133,7 +139,7 @@ class FlightRecord:
         return legs
 
     def _samples(self, v_n: Vectors) -> Iterator[Sample]:
-        """The path that the goals are judged on, with the velocities `v_n`."""
+        """The samples on which the goals are judged, with (n, 3) `v_n` as their velocities."""
         rows = zip(self.time.tolist(), self.p_n.tolist(), v_n.tolist(), strict=True)
         for time, place, velocity in rows:
             if time >= self.goals_from:

@@ -24,9 +24,9 @@ class TrafficResult:
 
     name: str
     closest_m: float
-    """Least distance from it."""
+    """Least distance between the centres."""
     closest_s: float
-    """When that was."""
+    """Time of the least distance, since the start of the run."""
     min_horizontal_m: float | None
     """Least horizontal distance while it was within the half height of the volume; None: never."""
     min_vertical_m: float | None
@@ -36,7 +36,7 @@ class TrafficResult:
 
 
 def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficResult, ...]:
-    """How near each other aircraft came to a vehicle."""
+    """How near each of the other aircraft came to a vehicle."""
     if not scenario.traffic:
         return ()
     time, p_n = finely(record.time, record.p_n)
@@ -64,13 +64,19 @@ def traffic_results(scenario: Scenario, record: FlightRecord) -> tuple[TrafficRe
 
 
 def volume_distance(avoidance: Avoidance, apart: Vectors) -> Series:
-    """Distance of a vehicle from the volume of another aircraft that is `apart`, (n, 3), [m]."""
+    """Distances (n,) of a vehicle from the volume around another aircraft [m], negative inside.
+
+    `apart`, (n, 3), are the positions of the one relative to the other, NED [m].
+    """
     beside = np.hypot(apart[:, 0], apart[:, 1]) - avoidance.traffic_radius_m
     return prism_distances(beside, np.abs(apart[:, 2]) - avoidance.traffic_half_height_m)
 
 
 def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
-    """A path with additional instants in between, so that nothing fast is overlooked."""
+    """Times (m,) [s] and positions (m, 3) of a path, no more than LONGEST_INTERVAL apart.
+
+    The path has its positions (n, 3) at equally spaced times (n,), and is straight between them.
+    """
     if len(time) < 2:
         return time, p_n
     parts = math.ceil((time[1] - time[0]) / LONGEST_INTERVAL - 1e-9)
@@ -79,7 +85,7 @@ def finely(time: Series, p_n: Vectors) -> tuple[Series, Vectors]:
 
 
 def traffic_reasons(vehicle: int, results: tuple[TrafficResult, ...]) -> list[str]:
-    """What is wrong with how near they came; empty if nothing is."""
+    """The volumes of other aircraft that a vehicle entered, one reason each."""
     return [
         f"traffic: vehicle {vehicle} in the volume of {each.name}, {each.min_clearance_m:.2f} m"
         for each in results

@@ -5,7 +5,7 @@ from itertools import combinations
 
 import numpy as np
 
-from vfguide.annunciations.goal_announcement import Outcome
+from vfguide.annunciations.goal_announcement import GoalOutcome
 from vfguide.geometry.polyline import nearest_to_origin
 from vfguide.results.fence_distance import fence_violations
 from vfguide.results.goal_passages import Legs
@@ -18,10 +18,10 @@ TOUCH = 0.3
 """Height of an aircraft's centre at which it has touched the ground [m]; chosen as the size of a
 small airframe."""
 FAR_AWAY = 1e7
-"""Coordinate beyond which a flight ends [m]; chosen, because the paper's field leads away on the
-far side of the goal, with a speed that grows with the distance."""
+"""Coordinate beyond which a flight is bad, and that of rigid bodies ends [m]; chosen, because the
+paper's field leads away on the far side of the goal, with a speed that grows with the distance."""
 BELIEVED_ONLY = ", though its companion announced it as reached, {miss:.1f} m off"
-"""End of the reason for a goal that was reached in the companion's belief only."""
+"""Words added to the reason for a goal that only the companion believed to be reached."""
 
 
 def min_separation(records: Sequence[FlightRecord]) -> float | None:
@@ -36,12 +36,12 @@ def min_separation(records: Sequence[FlightRecord]) -> float | None:
 
 
 def in_words(reason: str) -> str:
-    """A reason of a bad verdict as people read it."""
+    """A reason for a bad verdict as the operator reads it."""
     return f"{reason}: duration_s was over first" if reason == "time" else reason
 
 
 def missed_goals(vehicle: VehicleResult, legs: Legs) -> list[str]:
-    """The goals that were not reached, and which of them the companion believed to be."""
+    """A reason for each goal not reached, with the companion's belief where it was another one."""
     reasons: list[str] = []
     for index, goal in enumerate(vehicle.goals):
         if goal.reached:
@@ -50,7 +50,7 @@ def missed_goals(vehicle: VehicleResult, legs: Legs) -> list[str]:
             f"goal {index + 1} of vehicle {vehicle.id} not reached",
             legs.left_behind(index),
         )
-        if said is not None and said.outcome is Outcome.REACHED:
+        if said is not None and said.outcome is GoalOutcome.REACHED:
             reason += BELIEVED_ONLY.format(miss=said.miss)
         reasons.append(reason)
     return reasons

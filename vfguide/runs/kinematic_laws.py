@@ -85,7 +85,7 @@ class FlightKinematicLaw:
     ) -> None:
         self._step, self._legs = steps.body, legs
         plans = [plan_of(loaded, vehicle) for vehicle in vehicles]
-        self._plans = [replace(plan, is_point=True) for plan in plans]
+        self._plans = [replace(plan, is_rigid_body=True) for plan in plans]
         self._states = [row_of_state(fresh_state()) for _ in vehicles]
         self._speed = np.array([plan.gains.airspeed for plan in self._plans])
 

@@ -14,7 +14,7 @@ from vfguide.geometry.vector import ZERO
 from vfguide.kernels.rows import table_of
 from vfguide.preflight.load import load_scenario
 from vfguide.preflight.prediction import predict
-from vfguide.preflight.route_checks import Flies
+from vfguide.preflight.route_checks import GuidedAircraft
 from vfguide.runs.lockstep import NoRequests, ignore_progress
 from vfguide.runs.run import run_scenario
 from vfguide.runs.vehicle_setup import simulate
@@ -71,7 +71,11 @@ def _predict() -> None:
     for name in ("first-flight", "towers"):
         loaded = load_scenario(name)
         vehicle = loaded.scenario.vehicles[0]
-        predict(loaded.scenario, vehicle, Flies(loaded.performance(vehicle), loaded.gains(vehicle)))
+        predict(
+            loaded.scenario,
+            vehicle,
+            GuidedAircraft(loaded.performance(vehicle), loaded.gains(vehicle)),
+        )
 
 
 def _evaluate() -> None:

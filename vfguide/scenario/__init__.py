@@ -1,1 +1,1 @@
-"""Scenarios: what files say of them made whole, and made into the plans of companions."""
+"""Scenarios: files with every default filled in, and made into the plans of companions."""

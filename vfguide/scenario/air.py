@@ -28,10 +28,11 @@ class Air(NamedTuple):
 
 
 NO_AIR = Air(0.0, 0.0)
-"""The air of bodies that know none, at sea level [m], where airspeeds are what they are called."""
+"""The air of rigid bodies, which fly in none: at sea level [m], where true and equivalent airspeed
+are the same."""
 
 
 def air_between(plane: TangentPlane, places: Sequence[Vec3]) -> Air:
-    """The air between the lowest and the highest of some places, NED of the plane's origin [m]."""
+    """The air between the lowest and the highest of some places, NED in the tangent plane [m]."""
     altitudes = [altitude for *_, altitude in (ned_to_geodetic(plane, each) for each in places)]
     return Air(min(altitudes), max(altitudes))

@@ -24,7 +24,7 @@ from vfguide.scenario.traffic import avoids_traffic
 
 
 def hazards_of(scenario: Scenario) -> Hazards | None:
-    """All hazards of a scenario, each obstacle with its visibility; None where there are none."""
+    """The hazards of a scenario, traffic still unknown; None where nothing is to be avoided."""
     if not (scenario.obstacles or avoids_traffic(scenario)) and scenario.fence == Fence():
         return None
     fence = scenario.fence
@@ -38,12 +38,15 @@ def hazards_of(scenario: Scenario) -> Hazards | None:
 
 
 def seen_from_afar(obstacle: Obstacle) -> PlacedObstacle:
-    """The obstacle, known from its distance on also where that is beyond its reactive area."""
+    """The obstacle, detected from its `visible_from_m` on, even outside its reactive area."""
     return placed(obstacle_of(obstacle))._replace(visible_from=obstacle.visible_from_m)
 
 
 def hazard_names(scenario: Scenario) -> tuple[str, ...]:
-    """The names of the hazards by their numbers, for the operator; traffic comes after them."""
+    """The names of the hazards in the order of their numbers; those of traffic come after them.
+
+    Floor and ceiling are one hazard, with one name, the last.
+    """
     fence = scenario.fence
     heights = [key for key in ("floor_m", "ceiling_m") if getattr(fence, key) is not None]
     return (
@@ -54,7 +57,7 @@ def hazard_names(scenario: Scenario) -> tuple[str, ...]:
 
 
 def keep_out_zones_of(fence: Fence) -> KeepOutZones:
-    """The zones of the fence in the plane, at whatever height they hold."""
+    """The zones of the fence in the horizontal plane, whatever the heights at which they hold."""
     zones = NO_FENCE
     for zone in fence.zone:
         sign = KEEP_IN if zone.kind == "include" else KEEP_OUT
@@ -67,10 +70,10 @@ def keep_out_zones_of(fence: Fence) -> KeepOutZones:
 
 
 def check_fence(scenario: Scenario, source: Source) -> None:
-    """The fence makes sense, and every start and goal is inside it.
+    """Check that the fence is well formed, and that every start and goal is inside it.
 
     Raises:
-        InputError: it does not, or one is not.
+        InputError: it is not, or the plant takes no fence, or a start or goal is outside.
     """
     check_zones(scenario.fence, source)
     if scenario.fence != Fence() and scenario.plant != "jsbsim":
@@ -87,7 +90,7 @@ def check_fence(scenario: Scenario, source: Source) -> None:
 
 
 def broken_fence(fence: Fence, p_n: tuple[float, float, float]) -> str:
-    """Which rule of the fence a place breaks, in words; empty: none."""
+    """The rule of the fence that a place, NED [m], violates, in words; empty: none."""
     height = -p_n[2]
     if fence.floor_m is not None and height < fence.floor_m:
         return f"below the fence, allowed above fence.floor_m = {in_words(fence.floor_m)}"

@@ -1,4 +1,4 @@
-"""The legs of a vehicle of a scenario: its goals in SI units, and its circle after the last one."""
+"""The legs of a vehicle: its goals in SI units and radians, and the circle after the last one."""
 
 from vfguide.aircraft.performance import turn_length
 from vfguide.geometry.units import DEG
@@ -7,7 +7,8 @@ from vfguide.scenario.resolved import Goal as ScenarioGoal
 from vfguide.scenario.resolved import Scenario, Vehicle
 
 CIRCLE_SIDES = {"right": 1.0, "left": -1.0}
-"""Signs of the circle after the last goal by their names in scenario files."""
+"""Sides of the circle after the last goal, +1 right and -1 left, by their names in scenario files;
+dimensionless."""
 LOITER_RADIUS = 1.57
 """Default radius of the circle after the last goal [turn lengths]; chosen, 100 m at 25 m/s. Wind
 and bank may make it larger."""
@@ -31,6 +32,6 @@ def circle_side(scenario: Scenario) -> float:
 
 
 def circle_radius(scenario: Scenario, vehicle: Vehicle) -> float:
-    """Radius of that circle [m]."""
+    """Radius of the circle after the last goal [m], in still air."""
     usual = LOITER_RADIUS * turn_length(scenario.airspeed_of(vehicle))
     return scenario.guidance.loiter_radius_m or usual

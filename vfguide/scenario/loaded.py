@@ -27,18 +27,20 @@ class LoadedScenario:
 
     scenario: Scenario
     path: Path
-    """The file it came from."""
+    """The file of the scenario."""
     files: Mapping[str, AircraftFiles]
+    """Files of the aircraft, by name."""
     aircraft: Mapping[str, Aircraft]
+    """What these files say, by name."""
     warnings: tuple[str, ...] = ()
-    """Warnings about it, one message each."""
+    """Warnings about the scenario, one message each."""
 
     def performance(self, vehicle: Vehicle) -> Performance:
         """The performance of the aircraft of `vehicle` at sea-level density."""
         return self.aircraft[vehicle.aircraft].performance()
 
     def performance_aloft(self, vehicle: Vehicle) -> Performance:
-        """The performance at its highest start or goal, where the stall is at its fastest."""
+        """The performance of `vehicle` in the air of its highest start or goal, the thinnest."""
         density = air_of(self.scenario, vehicle).thinnest
         return in_air(self.performance(vehicle), density, self.scenario.airspeed_of(vehicle))
 
@@ -48,11 +50,11 @@ class LoadedScenario:
         return suited(self.untuned(vehicle), self.roll_time(vehicle), roll_rate)
 
     def roll_time(self, vehicle: Vehicle) -> float:
-        """Roll response time of `vehicle`: 63 % of a step of the roll rate [s]."""
+        """Roll response time of `vehicle`: from a step of roll rate to 63 % of it [s]."""
         return self.aircraft[vehicle.aircraft].response.roll_s
 
     def untuned(self, vehicle: Vehicle) -> Gains:
-        """The gains of `vehicle` for a roll response within FAST_ROLL."""
+        """The gains of `vehicle` before they are suited to its roll response."""
         guidance = self.scenario.guidance
         bank = guidance.bank_max_deg or self.aircraft[vehicle.aircraft].limits.bank_max_deg
         return Gains(
@@ -64,10 +66,10 @@ class LoadedScenario:
         )
 
     def require_mavlink(self) -> None:
-        """Make sure that its vehicles speak MAVLink.
+        """Make sure that the vehicles of the scenario speak MAVLink.
 
         Raises:
-            InputError: the plant is one without.
+            InputError: they do not, by their plant.
         """
         if self.scenario.plant != "jsbsim":
             plant = self.scenario.plant
@@ -75,7 +77,7 @@ class LoadedScenario:
             raise InputError(f'{self.path}: plant = "{plant}": {rule}')
 
     def require_assured_law(self) -> None:
-        """Make sure that its law is one for a real aircraft.
+        """Make sure that the law of the scenario is one for real aircraft.
 
         Raises:
             InputError: it is not.
@@ -85,14 +87,17 @@ class LoadedScenario:
             raise InputError(f'{self.path}: law = "{self.scenario.law}": {rule}')
 
     def write_resolved(self, path: Path) -> None:
-        """Write the scenario whose flight is the same, and beside it aircraft of the user's own."""
+        """Write the resolved scenario to `path`, and the user's own aircraft beside it.
+
+        The flight of what is written is the same.
+        """
         for files in self.files.values():
             if files.root != data_folder() / "aircraft":
                 _copy_aircraft(files, path.parent / "aircraft")
         write_atomically(path, self.scenario.to_toml())
 
     def write_identified(self, vehicle: Vehicle, found: Identified, folder: Path) -> None:
-        """Write the aircraft file that a test flight of `vehicle` makes of its present one."""
+        """Write the aircraft file of `vehicle` with what a test flight found, below `folder`."""
         each = self.aircraft[vehicle.aircraft]
         how = f"Measured in flight by vfguide {__version__}"
         path = folder / f"aircraft-{vehicle.id}" / f"{each.name}.toml"
@@ -101,7 +106,7 @@ class LoadedScenario:
 
 
 def resolved_from(entry: ScenarioFile, source: Source) -> LoadedScenario:
-    """The scenario of a file that was read, and its aircraft; neither was checked yet.
+    """The scenario of a file that was read, with its aircraft; they are not checked further here.
 
     Raises:
         InputError: an aircraft is not found or cannot be flown, or a goal is not given in exactly

@@ -1,4 +1,4 @@
-"""The obstacles of a scenario: for the fields, and what has to hold of them."""
+"""The obstacles of a scenario: their records for field and assurance, and their checks."""
 
 from collections.abc import Sequence
 
@@ -17,7 +17,7 @@ from vfguide.scenario.resolved import Scenario
 
 
 def rows_of(obstacles: Sequence[ScenarioObstacle]) -> Rows:
-    """The obstacles as the array that the fields take."""
+    """The rows of obstacles, as the fields take them."""
     return obstacle_rows([obstacle_of(obstacle) for obstacle in obstacles])
 
 
@@ -34,16 +34,18 @@ def obstacle_of(obstacle: ScenarioObstacle) -> Obstacle:
 
 
 def shape_of(obstacle: ScenarioObstacle) -> Shape:
-    """Its shape; the sizes are those that `SIZES` lists for it."""
+    """The shape of an obstacle, from the sizes that `SIZES` lists for it."""
     sizes = [getattr(obstacle, key) for key in SIZES[obstacle.shape]]
     return SHAPES[obstacle.shape](*sizes)
 
 
 def check_obstacles(scenario: Scenario, source: Source) -> None:
-    """No two obstacles of one name; no vehicle starts in one or has to fly into one.
+    """Check that no two obstacles have one name, and that no start or goal is inside one.
+
+    Goals are checked against obstacles that stand still.
 
     Raises:
-        InputError: there are.
+        InputError: two have, or one is.
     """
     names = [obstacle.name for obstacle in scenario.obstacles]
     source.check_distinct("obstacle", "name", names)
@@ -61,6 +63,6 @@ def check_obstacles(scenario: Scenario, source: Source) -> None:
 
 
 def first_inside(p_n: Vec3, rows: Rows) -> int | None:
-    """The first obstacle that holds the point at time zero."""
+    """Index of the first obstacle that contains a point, NED [m], at time zero; None: none does."""
     inside = np.flatnonzero(levels(np.array(p_n), 0.0, rows) <= 1.0)
     return int(inside[0]) if inside.size else None

@@ -16,7 +16,7 @@ from vfguide.scenario.traffic import volume_from
 
 
 def vehicle_of(scenario: Scenario, sysid: int) -> Vehicle:
-    """The vehicle of an id.
+    """The vehicle with an id.
 
     Raises:
         InputError: there is none.

@@ -24,14 +24,15 @@ from vfguide.scenario.air import NO_AIR, Air, air_between
 from vfguide.scenario.resolved import Goal, Obstacle, Scenario, Traffic, Vehicle
 
 MAX_GOAL_DISTANCE = 100_000.0
-"""Largest distance of a goal from the origin on each axis [m]; chosen."""
+"""Largest distance of a goal from the origin along each axis [m]; chosen."""
 
 
 def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Source) -> Scenario:
-    """The scenario of a file; `aircraft` are those that it names.
+    """The scenario of a file with every default filled in; `aircraft` has those that it names.
 
     Raises:
-        InputError: a goal is not given in exactly one way.
+        InputError: an attitude or a goal is not given in exactly one way, a goal is too far away,
+            or an obstacle has not the sizes of its shape.
     """
     head = {name: getattr(entry, name) for name in ScenarioHead.model_fields}
     vehicles = tuple(
@@ -43,7 +44,7 @@ def resolve(entry: ScenarioFile, aircraft: Mapping[str, Aircraft], source: Sourc
 
 
 def plane_of(origin: Origin) -> TangentPlane:
-    """The scenario frame: the tangent plane at the origin."""
+    """The tangent plane at the origin, in which the scenario frame, NED, is."""
     return tangent_plane(*place_of(origin))
 
 
@@ -61,7 +62,7 @@ def air_of(scenario: Scenario, vehicle: Vehicle) -> Air:
 
 
 def aircraft_of(entry: ScenarioFile, vehicle: VehicleEntry) -> str:
-    """The aircraft that a vehicle is, or whose numbers the flight law takes for a rigid body."""
+    """Name of the aircraft of a vehicle; of a rigid body, that whose numbers guidance takes."""
     return vehicle.aircraft if entry.plant == "jsbsim" else DEFAULT_AIRCRAFT
 
 
@@ -96,7 +97,11 @@ def _vehicle(
 def _attitude(
     entry: ScenarioFile, vehicle: VehicleEntry, source: Source, at: Location
 ) -> tuple[float | None, Vec3 | None]:
-    """Heading, or attitude, whichever is given [deg]."""
+    """Heading and attitude at the start [deg], of which the one that is not given is None.
+
+    Raises:
+        InputError: both are given, or an attitude is where the plant takes none.
+    """
     if vehicle.attitude_deg is None:
         return vehicle.heading_deg, None
     place = (*at, "attitude_deg")
@@ -155,7 +160,11 @@ def _position(entry: GoalEntry, origin: Origin, source: Source, at: Location) ->
 
 
 def _course(entry: GoalEntry, source: Source, at: Location) -> tuple[float, float]:
-    """Heading and climb [deg]."""
+    """Course and climb to have at a goal [deg].
+
+    Raises:
+        InputError: they are not given in exactly one way.
+    """
     if entry.heading_deg is not None and entry.direction is None:
         return entry.heading_deg, entry.climb_deg or 0.0
     if entry.heading_deg is not None or entry.direction is None:

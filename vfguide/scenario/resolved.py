@@ -14,20 +14,22 @@ from vfguide.geometry.units import US
 from vfguide.geometry.vector import Vec3
 
 _LIST = re.compile(r"\[\n((?: +[-+.\w]+,\n)+)\]")
-"""A list of numbers as tomli_w writes it, one to a line."""
+"""Pattern of a list of numbers as tomli_w writes it, one number a line."""
 
 
 class Goal(Table):
     """A pose to fly through."""
 
     position_m: Vector
-    """North, east, down of the origin [m]."""
+    """Position north, east and down of the origin [m]."""
     heading_deg: float
-    """Ground course."""
+    """Course over ground to have there."""
     climb_deg: float
-    """Angle of the ground velocity above the horizon."""
+    """Angle of the velocity over ground above the horizon to have there."""
     tolerance_m: float
+    """Largest distance at which it counts as reached."""
     tolerance_deg: float
+    """Largest error of course and of climb at which it counts as reached."""
     attempts: int = 0
     """Number of missed passes after which the goal is given up; 0: never."""
 
@@ -37,45 +39,52 @@ class Vehicle(Table):
 
     id: int
     position_m: Vector
-    """North, east, down of the origin [m]."""
+    """Position at the start, north, east and down of the origin [m]."""
     heading_deg: float | None = None
-    """Yaw at the start."""
+    """Yaw at the start; None: `attitude_deg` is given."""
     attitude_deg: Vector | None = None
-    """Roll, pitch and yaw at the start; exactly one of the two is given."""
+    """Roll, pitch and yaw at the start; None: `heading_deg` is given."""
     airspeed_mps: float
     """True airspeed at the start."""
     aircraft: str
-    """Its numbers are those of the flight law, also on the kinematic plant."""
+    """Name of the aircraft whose numbers guidance takes, on the kinematic plant too."""
     icao: str | None = None
+    """ICAO address of its own transponder, six hexadecimal digits; None: it has none."""
     identify: bool = False
+    """Whether a test flight goes before the first goal."""
     goals: tuple[Goal, ...] = Field(serialization_alias="goal")
 
     @property
     def euler_deg(self) -> Vec3:
-        """Roll, pitch and yaw at the start."""
+        """Roll, pitch and yaw at the start [deg]."""
         return self.attitude_deg or (0.0, 0.0, self.heading_deg or 0.0)
 
 
 class Obstacle(Table):
-    """A body to keep out of; those of the sizes that its shape has are given."""
+    """A body to keep out of; of the sizes, those of its shape are given."""
 
     name: str
     shape: ShapeName
     position_m: Vector
-    """Of its centre at time zero: north, east, down of the origin [m]."""
+    """Position of its centre at time zero, north, east and down of the origin [m]."""
     radius_m: float | None = None
     height_m: float | None = None
     semi_axes_m: Vector | None = None
     exponents: Vector | None = None
     size_m: Vector | None = None
+    """Whole lengths of a box along its axes."""
     heading_deg: float
+    """Angle by which it is turned about the vertical, from north toward east."""
     velocity_mps: Vector
+    """Its velocity, NED."""
     reactive_level: float
+    """Level U below which it acts on the field, dimensionless."""
     visible_from_m: float
+    """Largest distance from its surface at which it is detected."""
 
 
 class Traffic(Table):
-    """Another aircraft."""
+    """Another aircraft, with a transponder; the keys are explained in `TrafficEntry`."""
 
     name: str
     icao: str
@@ -89,7 +98,7 @@ class Traffic(Table):
 
 
 class Scenario(ScenarioHead):
-    """What is flown."""
+    """A scenario as it is flown."""
 
     vehicles: tuple[Vehicle, ...] = Field(serialization_alias="vehicle")
     obstacles: tuple[Obstacle, ...] = Field(default=(), serialization_alias="obstacle")
@@ -111,7 +120,7 @@ class Scenario(ScenarioHead):
 
 
 def start_us(scenario: Scenario) -> int:
-    """The date of time zero [us since 1970]."""
+    """The date and time of time zero, UTC [us since 1970]."""
     return round(scenario.start_time.timestamp() / US)
 
 

@@ -9,12 +9,12 @@ from vfguide.surveillance.report import SMALL_AIRCRAFT, Volume
 
 
 def avoids_traffic(scenario: Scenario) -> bool:
-    """Whether reports of other aircraft are flown on."""
+    """Whether reported traffic is avoided."""
     return bool(scenario.traffic) or scenario.avoidance.traffic
 
 
 def volume_from(avoidance: Avoidance) -> Volume:
-    """What to keep out of around other aircraft."""
+    """The volume to keep out of around other aircraft, and its growth with age."""
     return SMALL_AIRCRAFT._replace(
         radius=avoidance.traffic_radius_m,
         half_height=avoidance.traffic_half_height_m,
@@ -24,16 +24,16 @@ def volume_from(avoidance: Avoidance) -> Volume:
 
 
 def path_of(each: Traffic) -> Flight:
-    """Where it flies, scenario frame."""
+    """The path of another aircraft in the scenario frame, NED."""
     turns = [Turn(change.time_s, change.within_s, change.velocity_mps) for change in each.change]
     return flight_of(each.position_m, each.velocity_mps, turns)
 
 
 def check_traffic(scenario: Scenario, source: Source) -> None:
-    """Addresses and names differ, changes are in order, and there are autopilots to hear it.
+    """Check that addresses and names differ, that changes are in order, and that it is heard.
 
     Raises:
-        InputError: that is not so.
+        InputError: two are the same, two changes overlap, or the plant has no autopilot to hear it.
     """
     if scenario.traffic and scenario.plant != "jsbsim":
         raise source.error(("traffic",), 'plant = "kinematic" hears none, allowed none')

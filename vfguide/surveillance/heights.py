@@ -13,7 +13,7 @@ from vfguide.geometry.units import HPA, MM
 from vfguide.link.enums import AdsbAltitudeType, AdsbFlags
 from vfguide.link.messages import AdsbVehicle
 from vfguide.link.plausibility import LARGEST_UNDULATION
-from vfguide.surveillance.told_height import ToldHeight
+from vfguide.surveillance.height_difference import HeightDifference
 
 PRESSURE_ERROR = 20.0
 """Doubt of a height by pressure where weather has no part in it [m]; chosen: errors of two
@@ -50,7 +50,9 @@ UNKNOWN_DATUM = HeightDatum()
 """The datum where the autopilot reports neither."""
 
 
-def datum_of(pressure_offset: ToldHeight | None, undulation: ToldHeight | None) -> HeightDatum:
+def datum_of(
+    pressure_offset: HeightDifference | None, undulation: HeightDifference | None
+) -> HeightDatum:
     """The datum from the two differences that the autopilot reports; None: it does not."""
     return HeightDatum(
         None if pressure_offset is None else pressure_offset.middle,

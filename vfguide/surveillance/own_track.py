@@ -32,7 +32,7 @@ is 0.2 s older than its position differs by that in a steep turn."""
 FASTEST_OWN = 150.0
 """Largest speed over ground of the ownship, which bounds how far from it a report of its track can
 be [m/s]; chosen above any aircraft that is flown."""
-Planar = tuple[float, float, float, float]
+NormalisedState = tuple[float, float, float, float]
 """Horizontal position and velocity, each in units of its tolerance."""
 
 
@@ -116,8 +116,8 @@ def match(track: OwnTrack, ownship: Ownship, p_n: Vec3, v_n: Vec3) -> Match:
         p_n: the reported position, NED [m].
         v_n: the reported velocity, NED [m/s].
     """
-    said = _planar(p_n, v_n)
-    best = Match(0.0, math.dist(said, _planar(ownship.p_n, ownship.v_n)), ownship)
+    said = _normalised(p_n, v_n)
+    best = Match(0.0, math.dist(said, _normalised(ownship.p_n, ownship.v_n)), ownship)
     if POSITION_TOLERANCE * best.miss > TRACK_TIME * FASTEST_OWN:
         return best
     parts = pairwise((*track.samples, ownship))
@@ -129,22 +129,22 @@ def miss(found: Match) -> float:
     return found.miss
 
 
-def _on(one: Ownship, after: Ownship, said: Planar, now_ms: int) -> Match:
+def _on(one: Ownship, after: Ownship, said: NormalisedState, now_ms: int) -> Match:
     """The best point between two samples.
 
     There the difference is linear in the share s of the way, x + s dx, so that its square is least
     at s = -x.dx / dx.dx.
     """
-    begin, end = _planar(one.p_n, one.v_n), _planar(after.p_n, after.v_n)
+    begin, end = _normalised(one.p_n, one.v_n), _normalised(after.p_n, after.v_n)
     dx = [b - a for a, b in zip(begin, end, strict=True)]
     along = sum((c - a) * d for a, c, d in zip(begin, said, dx, strict=True))
     square = sum(d * d for d in dx)
     share = min(max(along / square, 0.0), 1.0) if square > 0.0 else 0.0
     own = between(one, after, share)
-    return Match(elapsed(own.time_ms, now_ms), math.dist(said, _planar(own.p_n, own.v_n)), own)
+    return Match(elapsed(own.time_ms, now_ms), math.dist(said, _normalised(own.p_n, own.v_n)), own)
 
 
-def _planar(p_n: Vec3, v_n: Vec3) -> Planar:
+def _normalised(p_n: Vec3, v_n: Vec3) -> NormalisedState:
     """Horizontal position and velocity, each in units of its tolerance."""
     return (
         p_n[0] / POSITION_TOLERANCE,

@@ -24,8 +24,8 @@ from vfguide.link.messages import (
     WindCov,
 )
 from vfguide.link.plausibility import is_plausible, undulation_of
+from vfguide.surveillance.height_difference import HeightDifference, difference_after
 from vfguide.surveillance.heights import HeightDatum, datum_of, pressure_offset
-from vfguide.surveillance.told_height import ToldHeight, told_again
 from vfguide.telemetry.date import Date, date_after
 
 STALE = 0.5
@@ -62,9 +62,9 @@ class Knowledge(NamedTuple):
     """The `Projection` of the autopilot's local frame."""
     place: GlobalPositionInt | None = None
     """Latitude and longitude of the vehicle."""
-    undulation: ToldHeight | None = None
+    undulation: HeightDifference | None = None
     """Height of mean sea level above the ellipsoid here [m]; None: it was not reported."""
-    pressure_offset: ToldHeight | None = None
+    pressure_offset: HeightDifference | None = None
     """Pressure altitude less the altitude above mean sea level here [m]; None: the autopilot
     reports no pressure that weather can make."""
 
@@ -152,7 +152,7 @@ def with_date(known: Knowledge, said: SystemTime, _: int) -> Knowledge:
 def with_undulation(known: Knowledge, said: GpsRawInt, _: int) -> Knowledge:
     """The knowledge after the heights of a satellite receiver above sea and ellipsoid."""
     height = undulation_of(said)
-    return known._replace(undulation=told_again(known.undulation, height, known.time_ms))
+    return known._replace(undulation=difference_after(known.undulation, height, known.time_ms))
 
 
 def with_pressure(known: Knowledge, message: ScaledPressure, _: int) -> Knowledge:
@@ -164,7 +164,9 @@ def with_pressure(known: Knowledge, message: ScaledPressure, _: int) -> Knowledg
     offset = pressure_offset(message.press_abs * HPA, altitude)
     if offset is None:
         return known._replace(pressure_offset=None)
-    return known._replace(pressure_offset=told_again(known.pressure_offset, offset, known.time_ms))
+    return known._replace(
+        pressure_offset=difference_after(known.pressure_offset, offset, known.time_ms)
+    )
 
 
 _TAKERS: dict[type[Message], Callable[[Knowledge, Any, int], Knowledge]] = {

@@ -1,1 +1,1 @@
-"""The terminal: what commands print there, how they end, and signals that ask them to."""
+"""The terminal: what commands print, how they end, and the signals that ask them to end."""

@@ -1,4 +1,4 @@
-"""Says what is compiled, so that nobody waits without knowing for what."""
+"""Tells the operator what is compiled, so that nobody waits without knowing for what."""
 
 from typing import Any
 
@@ -6,14 +6,14 @@ from vfguide.terminal.console import err
 
 
 class Compiling:
-    """Tells once a stage that it has to be compiled, when something of it is not in the cache."""
+    """Tells, once a stage, that machine code of the stage is not in the cache and is compiled."""
 
     def __init__(self) -> None:
         self._stage = ""
         self._listens = False
 
     def stage(self, name: str, number: int = 1, of: int = 1) -> None:
-        """What is compiled from now on, if anything is, and which of how many stages that is."""
+        """Name what is compiled from now on, if anything is: stage `number` of so many, from 1."""
         count = f" ({number} of {of})" if of > 1 else ""
         self._stage = f"{name}{count}"
         if not self._listens:
@@ -21,13 +21,13 @@ class Compiling:
             self._listen()
 
     def tell(self) -> None:
-        """Say that machine code is missing; once a stage."""
+        """Print that the stage has to be compiled, unless that was printed before."""
         if self._stage:
             what, self._stage = self._stage, ""
             err.print(f"vfguide: compiling {what}; this may take a minute or two")
 
     def _listen(self) -> None:
-        """Hear from numba what it compiles; functions that are never kept take no time."""
+        """Listen to numba compile; functions that are not kept in the cache take no time."""
         from numba.core import event
 
         from vfguide.kernels.compiled import is_kept
@@ -35,18 +35,18 @@ class Compiling:
         teller = self
 
         class Listener(event.Listener):
-            """Of numba."""
+            """Listener to numba's events of compilation."""
 
             def on_start(self, event: Any) -> None:
-                """A function is not in the cache."""
+                """Tell that a function is not in the cache, and is compiled."""
                 if is_kept(event.data["dispatcher"]):
                     teller.tell()
 
             def on_end(self, event: Any) -> None:
-                """It is compiled."""
+                """Do nothing: the function is compiled."""
 
         event.register("numba:compile", Listener())
 
 
 COMPILING = Compiling()
-"""What this process tells: there is one numba in it."""
+"""The one instance of this process, as there is one numba in it."""

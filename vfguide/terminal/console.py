@@ -1,4 +1,4 @@
-"""What commands print: text as it is, brackets included, what is no text escaped."""
+"""What commands print: text as it is, brackets included, with control characters escaped."""
 
 import sys
 import warnings
@@ -12,23 +12,23 @@ from vfguide.terminal.streams import TolerantStream
 
 
 def shown(text: str) -> str:
-    r"""A text in which characters that print nothing, or elsewhere, are escaped, as ``\x1b``."""
+    r"""The text with every character that is not printable escaped, as ``\x1b``."""
     return "".join(each if each.isprintable() else escaped(each) for each in text)
 
 
 def escaped(character: str) -> str:
-    """A character as it is written in Python."""
+    """A character as Python's escape sequence."""
     return character.encode("unicode_escape").decode("ascii")
 
 
 class Printer(Console):
-    """A console whose text is not markup and cannot steer the terminal."""
+    """A console whose text is not markup, and cannot control the terminal."""
 
     def __init__(self, *, stderr: bool = False) -> None:
         super().__init__(stderr=stderr, highlight=False, markup=False, soft_wrap=True)
 
     def print(self, *objects: Any, **options: Any) -> None:
-        """Print texts, escaped where that is needed, and tables."""
+        """Print texts, with control characters escaped, and tables."""
         super().print(*(shown(o) if isinstance(o, str) else o for o in objects), **options)
 
 
@@ -39,10 +39,12 @@ err = Printer(stderr=True)
 
 
 def deliver(text: str) -> None:
-    """Print what a command was called for, ASCII, on standard output.
+    """Print the result of a command, ASCII text, on standard output.
+
+    A reader that closes its end early has read enough, and is no error.
 
     Raises:
-        InputError: it cannot be written, and the reader is not one that has read enough.
+        InputError: it cannot be written for another reason.
     """
     sys.stdout.write(f"{text}\n")
     if isinstance(sys.stdout, TolerantStream):
@@ -53,12 +55,12 @@ def deliver(text: str) -> None:
 
 
 def complain(message: str) -> None:
-    """One message on standard error."""
+    """Print an error on standard error."""
     err.print(f"vfguide: {message}", style="red")
 
 
 def warn(messages: Sequence[str]) -> None:
-    """Messages on standard error about what may go wrong."""
+    """Print warnings on standard error."""
     for message in messages:
         err.print(f"vfguide: warning: {message}", style="yellow")
 
@@ -71,10 +73,10 @@ def show_warning(
     file: TextIO | None = None,
     line: str | None = None,
 ) -> None:
-    """Show what a library warns of as a warning of our own; of `warnings.showwarning`'s form."""
+    """Print a warning of a library as one of our own; takes the place of `warnings.showwarning`."""
     warn([str(message)])
 
 
 def tell_warnings() -> None:
-    """From now on warnings of libraries are shown as ours are."""
+    """Print warnings of libraries as our own from now on."""
     warnings.showwarning = show_warning

@@ -1,9 +1,9 @@
-"""Exit statuses of every command."""
+"""Exit statuses of all commands."""
 
 GOOD = 0
-"""Exit status of a command that was done with a good result."""
+"""Exit status of a command that ended with a good result."""
 BAD = 1
-"""Exit status of a command that was done with a bad verdict."""
+"""Exit status of a command that ended with a bad result, such as a bad verdict."""
 BAD_INPUT = 2
 """Exit status of a command that was given bad input."""
 INTERRUPTED = 130

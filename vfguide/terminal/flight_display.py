@@ -19,7 +19,7 @@ REFRESH = 1.0
 
 
 class FlightDisplay:
-    """Shows simulated time, goals reached and speed; nothing where there is no terminal."""
+    """Shows simulated time, goals reached and time taken; nothing where there is no terminal."""
 
     def __init__(self, scenario: Scenario) -> None:
         self._progress = Progress(
@@ -37,7 +37,7 @@ class FlightDisplay:
         self._next = 0.0
 
     def __call__(self, sim_s: float, members: Sequence[Flown]) -> None:
-        """Take the news of one update at the simulated time `sim_s` [s]."""
+        """Show the vehicles at the simulated time `sim_s` [s], no more often than every REFRESH."""
         if sim_s < self._next:
             return
         self._next = sim_s + REFRESH
@@ -55,7 +55,7 @@ class FlightDisplay:
 
 
 def print_result(result: Result, folder: Path) -> None:
-    """The figures of every goal, the verdict and where to look."""
+    """Print the figures of every goal, least distances, the verdict and the path of the results."""
     table = Table(
         "vehicle", "goal", "reached", "time s", "miss m", "told m", "course deg", "climb deg"
     )
@@ -85,7 +85,7 @@ def print_result(result: Result, folder: Path) -> None:
 
 
 def least_distances(result: Result) -> list[str]:
-    """How near obstacles came, and vehicles to each other, where there are any."""
+    """Least distances from obstacles, from outside the fence and between vehicles, in words."""
     distances: list[str] = []
     if nearest := closest(result):
         where = f"vehicle {nearest.vehicle}, {nearest.obstacle}"
@@ -100,7 +100,7 @@ def least_distances(result: Result) -> list[str]:
 
 
 def traffic_lines(result: Result) -> list[str]:
-    """How near each other aircraft came to the vehicle that it came nearest to, and when."""
+    """A line for each of the other aircraft: the vehicle it came nearest to, how near, and when."""
     lines: list[str] = []
     for passes in zip(*(vehicle.traffic for vehicle in result.vehicles), strict=True):
         distances = [each.closest_m for each in passes]
@@ -114,7 +114,7 @@ def traffic_lines(result: Result) -> list[str]:
 
 
 def assurance_lines(result: Result) -> list[str]:
-    """Where the assurance acted: how often, for how long, and whether nothing was clear."""
+    """A line for each vehicle whose assurance acted: how often, in which share of its setpoints."""
     lines: list[str] = []
     for vehicle in result.vehicles:
         each = vehicle.assurance

@@ -1,9 +1,9 @@
 """SIGINT, SIGTERM and SIGHUP, the requests to end, heard at every moment.
 
-A loop that looks for requests enters `REQUESTS`, and ends in good order by itself; one that it did
-not see any more ends the command when the loop is left. Everywhere else the first request ends the
-command at once, by a thread. Nothing is raised: an exception out of nowhere, in the middle of a
-library that calls Python back, as LLVM does, may be swallowed or crash the process.
+A loop that looks for requests enters `REQUESTS`, and ends in good order by itself. A request that
+came too late for the loop to see ends the command when the loop is left. Outside such loops the
+first request ends the command at once, from a thread. No exception is raised: in the middle of a
+library that calls Python back, as LLVM does, it may be swallowed or crash the process.
 """
 
 import os
@@ -20,32 +20,34 @@ from vfguide.terminal.exit_status import INTERRUPTED
 STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """The signals that ask a command to end: Ctrl-C, `kill`, and a terminal that was closed."""
 GRACE = 0.3
-"""Time in which a command that is ending in good order may end when it is asked once more [s];
-chosen, so that it is over within a second."""
+"""Time that a command that ends in good order still has when it is asked once more [s]; chosen, so
+that it is over within a second."""
 
 
 @dataclass(frozen=True)
-class Ending:
-    """How a command ends that is asked to outside a loop that looks for it."""
+class CommandEnd:
+    """How a command ends where no loop looks for the request."""
 
     status: int
+    """Exit status."""
     words: str
+    """Last words of the program."""
 
 
-INTERRUPTION = Ending(INTERRUPTED, "interrupted")
-"""How most commands end."""
+INTERRUPTION = CommandEnd(INTERRUPTED, "interrupted")
+"""End of most commands."""
 
 
-class Requests:
-    """Counts the requests to end; a loop enters it while it looks for them."""
+class EndRequests:
+    """Counter of the requests to end; a loop enters it while it looks for them."""
 
     def __init__(self) -> None:
         self._begin(INTERRUPTION, nobody_ends)
 
-    def _begin(self, ending: Ending, end: Callable[[Ending], None]) -> None:
-        """No request has come, and the work is not done: what came before counts no more."""
+    def _begin(self, ending: CommandEnd, end: Callable[[CommandEnd], None]) -> None:
+        """Start anew: no request has come, and the work is not done."""
         self.ending = ending
-        """How the command ends where no loop looks."""
+        """How the command ends where no loop looks for requests."""
         self._end = end
         self._count = 0
         self._seen = 0
@@ -55,11 +57,11 @@ class Requests:
         self._claimed = threading.Lock()
 
     def wanted(self) -> bool:
-        """Whether the user wants an end; who asks sees to it."""
+        """Whether the user wants an end, which is then up to the caller."""
         return self.seen() > 0
 
     def seen(self) -> int:
-        """Number of requests so far; who asks sees to them."""
+        """Number of requests so far, which are then up to the caller."""
         self._seen = self._count
         return self._seen
 
@@ -80,12 +82,12 @@ class Requests:
             self._claim_end()
 
     @contextmanager
-    def heard(self, ending: Ending, end: Callable[[Ending], None]) -> Generator[None]:
-        """Hear the signals; those that are held back come when they are let through.
+    def heard(self, ending: CommandEnd, end: Callable[[CommandEnd], None]) -> Generator[None]:
+        """Count the signals as requests; those that are blocked come when they are let through.
 
         Args:
-            ending: how the command ends where no loop looks.
-            end: ends the process.
+            ending: how the command ends where no loop looks for requests.
+            end: ends the process that way.
         """
         self._begin(ending, end)
         reading, writing = os.pipe()
@@ -108,11 +110,11 @@ class Requests:
             os.close(reading)
 
     def let_through(self) -> None:
-        """From now on requests are heard, the first of all those that were held back."""
+        """Unblock the signals; those that came before are heard first."""
         signal.pthread_sigmask(signal.SIG_UNBLOCK, STOP_SIGNALS)
 
     def close(self) -> None:
-        """The work is done: what is asked for from now on changes nothing."""
+        """Note that the work is done: requests change nothing from now on."""
         with self._claimed:
             self._over.set()
 
@@ -123,7 +125,10 @@ class Requests:
                 self._end(self.ending)
 
     def _watch(self, reading: int) -> None:
-        """Count the requests, and end the process at those that no loop looks for."""
+        """Count requests, and end the process at those for which no loop looks.
+
+        One more request while the command ends in good order takes effect after GRACE.
+        """
         while os.read(reading, 1):
             with self._counting:
                 self._count += 1
@@ -132,16 +137,16 @@ class Requests:
                 self._claim_end()
 
 
-def nobody_ends(_: Ending) -> None:
-    """End nothing: the signals are not heard."""
+def nobody_ends(_: CommandEnd) -> None:
+    """Do nothing, for requests that are not heard."""
 
 
 def leave_to_the_watch(_: int, __: FrameType | None) -> None:
-    """Do nothing where the signal comes: the thread that watches is woken by it."""
+    """Do nothing in the thread that the signal interrupts: it wakes the thread that watches."""
 
 
 def wanted_signals() -> list[signal.Signals]:
-    """The signals to hear: not SIGHUP where it is ignored, as below `nohup`."""
+    """The signals to hear: STOP_SIGNALS, without SIGHUP where it is ignored, as under `nohup`."""
     return [
         number
         for number in STOP_SIGNALS
@@ -149,5 +154,5 @@ def wanted_signals() -> list[signal.Signals]:
     ]
 
 
-REQUESTS = Requests()
-"""What this process is asked: there is one table of signals in it."""
+REQUESTS = EndRequests()
+"""The requests to this process, one instance, as a process has one table of signals."""

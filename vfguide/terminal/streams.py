@@ -1,8 +1,8 @@
 """Standard output and standard error that can neither end the program nor delay it.
 
-What is printed is handed to a thread, so that a reader that does not read, such as a terminal
-that was stopped, delays nothing. What the stream cannot show is escaped. A reader that has gone, a
-full disk, a terminal that was closed: what is printed from then on goes nowhere.
+Text is handed to a thread that writes it, so that a reader that does not read, such as a stopped
+terminal, delays nothing. Characters that the stream cannot encode are escaped. When the reader has
+gone, the disk is full or the terminal was closed, text is lost from then on.
 """
 
 import io
@@ -16,17 +16,17 @@ from queue import Queue
 from typing import TextIO, cast
 
 MAX_PENDING = 10_000
-"""Largest number of pieces of text that wait for a reader; chosen. Those that find no room are
-lost, for a flight cannot wait."""
+"""Largest number of pieces of text that wait for a reader; chosen. Further ones are lost, since a
+flight cannot wait."""
 
 
 class TolerantStream(io.TextIOBase):
-    """A text stream in front of another one, which may fail or block."""
+    """A text stream in front of another one, behind, which may fail or block."""
 
     def __init__(self, behind: TextIO | None) -> None:
-        """In front of `behind`; None: there is none, and all text is lost."""
+        """A stream in front of `behind`; None: there is none, and all text is lost."""
         self.failure: OSError | None = None
-        """Why nothing is shown any more."""
+        """Why text is lost from now on; None: it is not."""
         self._behind = behind
         self._encoding = getattr(behind, "encoding", None) or "utf-8"
         self._pending = 0
@@ -37,7 +37,7 @@ class TolerantStream(io.TextIOBase):
 
     @property
     def encoding(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]
-        """That of the stream behind."""
+        """Encoding of the stream behind."""
         return self._encoding
 
     def isatty(self) -> bool:
@@ -45,17 +45,21 @@ class TolerantStream(io.TextIOBase):
         return self._behind is not None and self._behind.isatty()
 
     def fileno(self) -> int:
-        """That of the stream behind."""
+        """File descriptor of the stream behind.
+
+        Raises:
+            UnsupportedOperation: it has none.
+        """
         if self._behind is None:
             raise io.UnsupportedOperation("fileno")
         return self._behind.fileno()
 
     def writable(self) -> bool:
-        """Always."""
+        """Whether text can be written, which is always so."""
         return True
 
     def write(self, s: str, /) -> int:
-        """Show a text as soon as the reader takes it; returns at once.
+        """Queue a text, to be written when the reader takes it; returns its length at once.
 
         Raises:
             TypeError: it is no text.
@@ -68,13 +72,13 @@ class TolerantStream(io.TextIOBase):
         return len(s)
 
     def conclude(self, words: str) -> None:
-        """Show the last words: what is written after them is lost."""
+        """Queue the last words; text that is written after them is lost."""
         with self._changed:
             self._concluded = True
             self._put(words)
 
     def drain(self, seconds: float | None) -> None:
-        """Wait until all is shown, at most so long [s]; None: as long as it takes."""
+        """Wait until the queue is empty, for at most `seconds`; None: for as long as it takes."""
         with self._changed:
             self._changed.wait_for(lambda: not self._pending, seconds)
 
@@ -111,7 +115,7 @@ class TolerantStream(io.TextIOBase):
 
 
 def put_out(stream: TextIO, data: bytes) -> None:
-    """Write to a stream past its buffers, which would keep and repeat what failed.
+    """Write all of `data` to a stream, past its buffers, which would keep and repeat what failed.
 
     Raises:
         OSError: it cannot be written.
@@ -131,7 +135,7 @@ def put_out(stream: TextIO, data: bytes) -> None:
 
 @contextmanager
 def tolerant_streams() -> Generator[tuple[TolerantStream, TolerantStream]]:
-    """Put such streams in the place of standard output and error while it lasts."""
+    """Replace standard output and standard error by tolerant streams, inside the context."""
     out, err = map(TolerantStream, (sys.stdout, sys.stderr))
     with redirect_stdout(cast("TextIO", out)), redirect_stderr(cast("TextIO", err)):
         yield out, err

@@ -98,7 +98,7 @@ def even_power(w: float, p: float) -> Vec3:
     """|w|^(2p), p >= 1, and its first two derivatives; above FAR the Taylor quadratic."""
     s = w * w
     if s <= 1.0 or p * math.log(s) <= LOG_FAR:
-        q = raised(s, p - 1.0)
+        q = power_of(s, p - 1.0)
         return (q * s, 2.0 * p * q * w, 2.0 * p * (2.0 * p - 1.0) * q)
     edge = math.copysign(FAR ** (0.5 / p), w)
     d, dd = 2.0 * p * FAR / edge, 2.0 * p * (2.0 * p - 1.0) * FAR / (edge * edge)
@@ -107,7 +107,7 @@ def even_power(w: float, p: float) -> Vec3:
 
 
 @compiled
-def raised(s: float, k: float) -> float:
+def power_of(s: float, k: float) -> float:
     """s^k for s >= 0, the usual exponents without a logarithm."""
     if k == 0.0:
         return 1.0

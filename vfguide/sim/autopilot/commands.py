@@ -28,11 +28,13 @@ CAPABILITIES = (
 FLIGHT_SW_VERSION = 1 << 24 | 17 << 16 | 255
 """Number of the PX4 release whose behaviour this is, 1.17.0 official, as in AUTOPILOT_VERSION."""
 
-Outcome = tuple[MavResult, list[Message]]
+CommandReply = tuple[MavResult, list[Message]]
 """The result to acknowledge, and the messages to send after it."""
 
 
-def set_mode(autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
+def set_mode(
+    autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt
+) -> CommandReply:
     """DO_SET_MODE with PX4's main and sub mode; DENIED where it cannot be asked for."""
     if not (is_number(command.param2) and is_number(command.param3)):
         return MavResult.DENIED, []
@@ -51,24 +53,26 @@ def change_mode(autopilot: Autopilot, event: Event) -> MavResult:
     return MavResult.ACCEPTED
 
 
-def return_to_launch(autopilot: Autopilot, *_: object) -> Outcome:
+def return_to_launch(autopilot: Autopilot, *_: object) -> CommandReply:
     """NAV_RETURN_TO_LAUNCH: fly back to where it started."""
     return change_mode(autopilot, Event.RETURN_ASKED), []
 
 
-def loiter(autopilot: Autopilot, *_: object) -> Outcome:
+def loiter(autopilot: Autopilot, *_: object) -> CommandReply:
     """NAV_LOITER_UNLIM: hold here."""
     return change_mode(autopilot, Event.HOLD_ASKED), []
 
 
-def arm_or_disarm(_: Autopilot, __: MavlinkChannel, command: CommandLong | CommandInt) -> Outcome:
+def arm_or_disarm(
+    _: Autopilot, __: MavlinkChannel, command: CommandLong | CommandInt
+) -> CommandReply:
     """COMPONENT_ARM_DISARM: the aircraft is armed already, and does not disarm in the air."""
     return (MavResult.ACCEPTED if command.param1 == 1.0 else MavResult.DENIED), []
 
 
 def set_message_interval(
     autopilot: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
-) -> Outcome:
+) -> CommandReply:
     """SET_MESSAGE_INTERVAL [us] of a message that can be streamed, of others UNSUPPORTED."""
     if not (is_number(command.param1) and is_number(command.param2)):
         return MavResult.DENIED, []
@@ -80,7 +84,7 @@ def set_message_interval(
 
 def get_message_interval(
     _: Autopilot, port: MavlinkChannel, command: CommandLong | CommandInt
-) -> Outcome:
+) -> CommandReply:
     """GET_MESSAGE_INTERVAL: MESSAGE_INTERVAL of a message that can be streamed."""
     if not is_number(command.param1) or int(command.param1) not in MAKERS:
         return MavResult.UNSUPPORTED, []
@@ -90,7 +94,7 @@ def get_message_interval(
 
 def request_message(
     autopilot: Autopilot, _: MavlinkChannel, command: CommandLong | CommandInt
-) -> Outcome:
+) -> CommandReply:
     """REQUEST_MESSAGE: the message that was asked for, UNSUPPORTED if it is none of ours."""
     wanted = int(command.param1) if is_number(command.param1) else -1
     if wanted == AutopilotVersion.MSGID:
@@ -102,17 +106,19 @@ def request_message(
     return MavResult.ACCEPTED, [MAKERS[wanted](autopilot.report())]
 
 
-def get_home(autopilot: Autopilot, *_: object) -> Outcome:
+def get_home(autopilot: Autopilot, *_: object) -> CommandReply:
     """GET_HOME_POSITION: HOME_POSITION."""
     return MavResult.ACCEPTED, [MAKERS[HomePosition.MSGID](autopilot.report())]
 
 
-def request_version(autopilot: Autopilot, *_: object) -> Outcome:
+def request_version(autopilot: Autopilot, *_: object) -> CommandReply:
     """REQUEST_AUTOPILOT_CAPABILITIES: AUTOPILOT_VERSION."""
     return MavResult.ACCEPTED, [version(autopilot)]
 
 
-COMMANDS: dict[int, Callable[[Autopilot, MavlinkChannel, CommandLong | CommandInt], Outcome]] = {
+COMMANDS: dict[
+    int, Callable[[Autopilot, MavlinkChannel, CommandLong | CommandInt], CommandReply]
+] = {
     MavCmd.DO_SET_MODE: set_mode,
     MavCmd.NAV_RETURN_TO_LAUNCH: return_to_launch,
     MavCmd.NAV_LOITER_UNLIM: loiter,

@@ -15,31 +15,33 @@ FOLLOWING_SPEED = 0.1
 followed after a quarter of an hour, and what was reported before is 6 m off after a minute."""
 
 
-class ToldHeight(NamedTuple):
-    """What a difference of heights may be."""
+class HeightDifference(NamedTuple):
+    """The range in which a difference of heights is, as the autopilot reports it."""
 
     least: float
-    """Least that the difference may be [m]."""
+    """Lower end of the range [m]."""
     greatest: float
-    """Greatest that the difference may be [m]."""
+    """Upper end of the range [m]."""
     time_ms: int
     """Time of the newest message, as time_boot_ms [ms]."""
 
     @property
     def middle(self) -> float:
-        """The middle of what it may be [m]."""
+        """The middle of the range [m]."""
         return 0.5 * (self.least + self.greatest)
 
     @property
     def doubt(self) -> float:
-        """Half the range of what it may be [m]."""
+        """Half the width of the range [m]."""
         return 0.5 * (self.greatest - self.least)
 
 
-def told_again(before: ToldHeight | None, height: float, time_ms: int) -> ToldHeight:
-    """What the difference may be after a message of `height` [m] at a time_boot_ms [ms]."""
+def difference_after(
+    before: HeightDifference | None, height: float, time_ms: int
+) -> HeightDifference:
+    """The range after a message that reports `height` [m] at a time_boot_ms [ms]."""
     if before is None:
-        return ToldHeight(height, height, time_ms)
+        return HeightDifference(height, height, time_ms)
     followed = FOLLOWING_SPEED * max(0.0, elapsed(before.time_ms, time_ms))
     least = min(height, before.least + followed)
-    return ToldHeight(least, max(height, before.greatest - followed), time_ms)
+    return HeightDifference(least, max(height, before.greatest - followed), time_ms)
