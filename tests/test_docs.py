@@ -171,11 +171,6 @@ def test_positions_reach_as_far_as_documented():
     assert not takes(field, [1e5 + 1.0, 0.0, 0.0])
 
 
-def test_what_is_not_supported_yet_is_listed():
-    listed = {name for row in rows_of(SCENARIO, "Not supported yet") for name in names_in(row[1])}
-    assert {name.strip("[]") for name in listed} == set(scenario_file.ScenarioFile.not_yet)
-
-
 def test_the_sizes_of_every_shape_are_documented():
     _, rows = (rows for its, rows in tables(SCENARIO) if its == "[[obstacle]]")
     told = {names_in(shape)[0].strip('"'): tuple(names_in(sizes)) for shape, sizes, _ in rows}

@@ -1,16 +1,14 @@
 """Pools of real processes: rows are those of flights at home, whoever is killed meanwhile."""
 
-import os
 import re
-import signal
 import subprocess
 import sys
 import time
 from dataclasses import replace
 
+import psutil
 import pyarrow.parquet as pq
 import pytest
-from distributed import Client
 
 from vfguide.campaign.campaign import End, fly_campaign
 from vfguide.campaign.flight import fly
@@ -85,10 +83,9 @@ def matches(table, rows):
         ]
 
 
-def children(pid):
-    command = ["ps", "-o", "pid=,args=", "--ppid", str(pid)]
-    lines = subprocess.check_output(command, text=True).splitlines()
-    return [int(line.split()[0]) for line in lines if "spawn_main" in line]
+def workers_of_mine():
+    children = psutil.Process().children(recursive=True)
+    return [each for each in children if "spawn_main" in " ".join(each.cmdline())]
 
 
 def test_two_workers_of_which_one_is_killed(plan, at_home, tmp_path):
@@ -96,8 +93,8 @@ def test_two_workers_of_which_one_is_killed(plan, at_home, tmp_path):
 
     def kill_one(standing):
         if standing.flown >= 5 and not killed:
-            killed.append(max(children(os.getpid())))
-            os.kill(killed[0], signal.SIGKILL)
+            killed.append(workers_of_mine()[0])
+            killed[0].kill()
 
     with local_pool(2) as pool:
         table = flown(plan, tmp_path, pool, kill_one)
@@ -107,50 +104,44 @@ def test_two_workers_of_which_one_is_killed(plan, at_home, tmp_path):
 
 
 @pytest.fixture
-def cluster(tmp_path):
-    """The address of a scheduler with two workers, and what starts the scheduler again."""
+def start_cluster(tmp_path):
+    """Starts a scheduler at a port with two workers; the process of the scheduler, its address."""
     processes = []
 
-    def start(*arguments, **options):
-        command = [sys.executable, "-m", "distributed.cli.dask_" + arguments[0], *arguments[1:]]
-        log = (tmp_path / f"{arguments[0]}-{len(processes)}.log").open("wb")
-        processes.append(subprocess.Popen(command, stderr=log, stdout=log, **options))
-        log.close()
-        return processes[-1], tmp_path / f"{arguments[0]}-{len(processes) - 1}.log"
+    def start(name, *arguments):
+        command = [sys.executable, "-m", f"distributed.cli.dask_{name}", *arguments]
+        path = tmp_path / f"{len(processes)}.log"
+        with path.open("wb") as log:
+            processes.append(subprocess.Popen(command, stderr=log, stdout=log, cwd=tmp_path))
+        return processes[-1], path
 
-    def scheduler(port=0):
-        process, log = start(
-            "scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"
-        )
-        while not (found := re.search(r"tcp://127\.0\.0\.1:(\d+)", log.read_text())):
-            assert process.poll() is None
+    def start_all(port=0):
+        options = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+        scheduler, log = start("scheduler", *options)
+        while not (found := re.search(r"tcp://127\.0\.0\.1:\d+", log.read_text())):
+            assert scheduler.poll() is None, log.read_text()
             time.sleep(0.05)
-        return process, found.group()
+        for _ in range(2):
+            start("worker", found.group(), "--nthreads", "1", "--no-dashboard", "--no-nanny")
+        return scheduler, found.group()
 
-    first, address = scheduler()
-    for name in ("one", "two"):
-        folder = tmp_path / name
-        folder.mkdir()
-        options = ("--nthreads", "1", "--no-dashboard", "--name", name, "--no-nanny")
-        start("worker", address, *options, cwd=folder)
-    yield first, address, scheduler
+    yield start_all
     for process in processes:
         process.kill()
         process.wait()
 
 
-def test_a_scheduler_that_is_stopped_and_started_again(plan, at_home, tmp_path, cluster):
-    first, address, start_scheduler = cluster
-    with Client(address) as client:
-        client.wait_for_workers(2, timeout=60)
+def test_a_scheduler_that_is_stopped_and_started_again(plan, at_home, tmp_path, start_cluster):
+    """Workers leave with their scheduler, so that they are started again too."""
+    scheduler, address = start_cluster()
     stopped = []
 
     def stop(standing):
         if standing.flown >= 5 and not stopped:
-            first.terminate()
-            first.wait()
             stopped.append(standing.flown)
-            start_scheduler(int(address.rpartition(":")[2]))
+            scheduler.terminate()
+            scheduler.wait()
+            start_cluster(int(address.rpartition(":")[2]))
 
     with pool_at(address) as pool:
         table = flown(plan, tmp_path / "out", pool, stop)

@@ -78,6 +78,11 @@ def campaign_plan(scenario: str, overrides: Sequence[str], seed: int | None) -> 
     Raises:
         InputError: it cannot be flown.
     """
+    if scenario.endswith(".py"):
+        raise InputError(
+            f"{scenario}: worlds that a function draws are not supported yet, "
+            "allowed is a scenario file or a shipped name"
+        )
     if seed is not None and not 0 <= seed < SEEDS:
         raise InputError(f"--seed {seed}: allowed 0 to {SEEDS - 1}")
     path = find_scenario(scenario)

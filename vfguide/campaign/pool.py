@@ -18,7 +18,7 @@ from vfguide.files.errors import InputError
 AHEAD = 4
 """Number of flights that are given to the cluster for each of its workers; chosen, so that none
 waits for the next, and few are flown in vain where a campaign ends early."""
-CONNECT_TIMEOUT = 10.0
+CONNECT_TIMEOUT = 5.0
 """Time in which a scheduler has to answer [s]; chosen."""
 ROOM_INTERVAL = 1.0
 """Time between two looks at how many workers there are [s]; chosen."""

@@ -1,7 +1,7 @@
 """Types of values in TOML files: strict tables, bounded numbers, vectors, words."""
 
 from collections.abc import Sequence
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, model_validator
 from pydantic_core import PydanticCustomError
@@ -14,25 +14,16 @@ class Table(BaseModel):
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True, allow_inf_nan=False)
 
-    not_yet: ClassVar[dict[str, str]] = {}
-    """Keys of the format that the program does not support yet, and what they are for."""
-
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, table: Any) -> Any:
         """Refuse unknown keys before anything else, since a mistyped key explains other errors."""
         for key in table if isinstance(table, dict) else ():
-            if key in cls.not_yet:
-                raise _key_error(key, f"not supported yet: {cls.not_yet[key]}")
             if key not in cls.model_fields:
                 names = list(cls.model_fields)
-                hint = close_match(key, names)
-                raise _key_error(key, f"unknown key{hint}; allowed: {', '.join(names)}")
+                rule = f"unknown key{close_match(key, names)}; allowed: {', '.join(names)}"
+                raise PydanticCustomError("key", "{rule}", {"key": key, "rule": rule})
         return table
-
-
-def _key_error(key: str, rule: str) -> PydanticCustomError:
-    return PydanticCustomError("key", "{rule}", {"key": key, "rule": rule})
 
 
 def rule_broken(rule: str) -> PydanticCustomError:
