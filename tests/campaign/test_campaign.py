@@ -8,9 +8,9 @@ import pytest
 from campaign_rows import HandPool, failing, flown_row
 from scenario_texts import MINIMAL
 
-from vfguide.campaign.campaign import IDENTITY, End, check_folder, fly_campaign
+from vfguide.campaign.campaign import IDENTITY_FILE, End, check_folder, fly_campaign
 from vfguide.campaign.condition import parse_condition
-from vfguide.campaign.looks import STEP, Looks
+from vfguide.campaign.looks import LOOK_INTERVAL, Looks
 from vfguide.campaign.plan import campaign_plan
 from vfguide.campaign.summary import summarize
 from vfguide.campaign.table import TABLE
@@ -105,7 +105,7 @@ def test_a_condition_ends_it_at_the_same_flight(plan, tmp_path, seed, room):
         assert looks.is_met
         ends.append(looks.enough)
     assert ends[0] == ends[1]
-    assert ends[0] % STEP == 0
+    assert ends[0] % LOOK_INTERVAL == 0
     assert table(tmp_path / "a").equals(table(tmp_path / "b"))
     assert table(tmp_path / "a").num_rows == ends[0] < 400
 
@@ -183,7 +183,7 @@ def test_folders_of_others_are_refused(plan, file, tmp_path):
     with pytest.raises(InputError, match="not empty and of no campaign"):
         check_folder(tmp_path / "b", plan)
     for text in ("", "[]", "3", "{"):
-        (tmp_path / "b" / IDENTITY).write_text(text)
+        (tmp_path / "b" / IDENTITY_FILE).write_text(text)
         with pytest.raises(InputError, match=r"campaign\.json is none of this program's"):
             check_folder(tmp_path / "b", plan)
     with pytest.raises(InputError, match="is no folder"):

@@ -39,7 +39,12 @@ def file(tmp_path):
 
 def run(*arguments, cwd):
     return subprocess.run(
-        [*VFGUIDE, *arguments], cwd=cwd, capture_output=True, text=True, timeout=COMPILING
+        [*VFGUIDE, *arguments],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        timeout=COMPILING,
+        check=False,
     )
 
 

@@ -189,10 +189,10 @@ def instead_of_goal(lines: str) -> str:
             MINIMAL.replace('"minimal"', '""'),
             'name = "": allowed are letters, digits, - _ . and spaces, a letter or digit first',
         ),
-        # What cannot be flown yet.
+        # What a campaign draws.
         (
             MINIMAL + "[vary]\nseed = [1, 2]",
-            "vary: not supported yet: values drawn at random, for campaigns",
+            "vary = a table: seed: the campaign gives every flight a seed of its own",
         ),
         # The aircraft.
         (

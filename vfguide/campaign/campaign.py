@@ -18,10 +18,10 @@ from vfguide.files.atomic import write_atomically
 from vfguide.files.errors import InputError
 from vfguide.runs.lockstep import Requests
 
-IDENTITY = "campaign.json"
+IDENTITY_FILE = "campaign.json"
 """Name of the file that says which campaign a folder is of."""
 LOOK = 0.2
-"""Longest time for which a wish of the user to end is not seen [s]; chosen."""
+"""Longest time for which a request of the user to end is not seen [s]; chosen."""
 
 
 class End(Enum):
@@ -74,7 +74,7 @@ def fly_campaign(
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        write_atomically(folder / IDENTITY, plan.identity)
+        write_atomically(folder / IDENTITY_FILE, plan.identity)
         with CampaignTable(folder, schema_of(plan.vary)) as table:
             looks.take(table.rows())
             return _fly(plan, runs, table, pool, looks, progress, requests)
@@ -120,7 +120,7 @@ def check_folder(folder: Path, plan: CampaignPlan) -> None:
         InputError: it is of another campaign or version, or not of one, or cannot be read.
     """
     allowed = "allowed is a new or an empty folder, or one of the same campaign"
-    identity = folder / IDENTITY
+    identity = folder / IDENTITY_FILE
     try:
         if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
             return
@@ -142,5 +142,5 @@ def difference(there: str, here: str) -> str:
         before, after = json.loads(there), json.loads(here)
         key = next(key for key in after if before.get(key) != after[key])
     except (ValueError, AttributeError, StopIteration):
-        return f"{IDENTITY} is none of this program's"
+        return f"{IDENTITY_FILE} is none of this program's"
     return f"{key} = {json.dumps(before.get(key))} there, {json.dumps(after[key])} here"

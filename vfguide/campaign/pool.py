@@ -15,7 +15,7 @@ from vfguide.campaign.flight import Job, fly
 from vfguide.campaign.rows import FlightRow, failed_row
 from vfguide.files.errors import InputError
 
-AHEAD = 4
+FLIGHTS_A_WORKER = 4
 """Number of flights that are given to the cluster for each of its workers; chosen, so that none
 waits for the next, and few are flown in vain where a campaign ends early."""
 CONNECT_TIMEOUT = 5.0
@@ -117,7 +117,7 @@ class Room:
         if time.monotonic() - self._looked > ROOM_INTERVAL:
             self._looked = time.monotonic()
             workers = client.scheduler_info(n_workers=-1)["workers"].values()
-            self._flights = AHEAD * max(1, sum(worker["nthreads"] for worker in workers))
+            self._flights = FLIGHTS_A_WORKER * max(1, sum(worker["nthreads"] for worker in workers))
         return self._flights
 
 

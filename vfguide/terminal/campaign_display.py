@@ -41,8 +41,8 @@ class CampaignDisplay:
 
     def __call__(self, standing: Standing) -> None:
         """Take how far the campaign is."""
-        speed = self._progress.tasks[0].speed if self._progress.tasks else None
-        rate = "" if not speed else f"{speed:.1f} flights/s"
+        (task,) = self._progress.tasks
+        rate = f"{task.speed:.1f} flights/s" if task.speed else ""
         self._progress.update(self._task, completed=standing.flown, rate=rate)
 
     def __enter__(self) -> Self:
