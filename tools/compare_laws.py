@@ -3,6 +3,7 @@
 
     python tools/compare_laws.py --runs 20
     python tools/compare_laws.py --law "only lead" --law "only lead, unassured" --kind movers
+    python tools/compare_laws.py --remedies --kind dead-end
     python tools/compare_laws.py --kind field --kind popup --csv laws.csv --markdown laws.md
 
 own plant   the paper's law as printed on the paper's rigid body: any turn, no wind, no gusts, speed
@@ -77,6 +78,8 @@ FLOWN: dict[str, Law] = {
 LAWS = (PAPERS_PLANT, *FLOWN)
 USUAL = (PAPERS_PLANT, PRINTED, UNASSURED, OURS, f"{FIELD}, {UNASSURED}", FIELD)
 """The laws that are flown where none is named."""
+REMEDIES = (PRINTED, OURS, *FIELDS, *unassured(FIELDS))
+"""The laws that show what each remedy of law field is for."""
 HIGHEST = 1e6
 """Largest reactive level that a scenario may have, dimensionless."""
 SLOW = 1000.0
@@ -355,6 +358,9 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     )
     parser.add_argument("--kind", dest="kinds", choices=list(DRAWN), action="append")
     parser.add_argument("--law", dest="laws", choices=LAWS, action="append")
+    parser.add_argument(
+        "--remedies", action="store_true", help="each remedy of law field alone, and the other laws"
+    )
     parser.add_argument("--runs", type=int, default=20, help="worlds of each kind")
     parser.add_argument("--first", type=int, default=0, help="number of the first world")
     parser.add_argument("--seed", type=int, default=1)
@@ -368,7 +374,8 @@ def parse(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--csv", type=Path, help="file for the table")
     parser.add_argument("--markdown", type=Path, help="file for the table")
     args = parser.parse_args(arguments)
-    args.kinds, args.laws = args.kinds or list(DRAWN), args.laws or list(USUAL)
+    unnamed = REMEDIES if args.remedies else USUAL
+    args.kinds, args.laws = args.kinds or list(DRAWN), args.laws or list(unnamed)
     args.out, args.set = None, []
     return args
 

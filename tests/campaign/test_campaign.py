@@ -10,7 +10,7 @@ from scenario_texts import MINIMAL
 
 from vfguide.campaign.campaign import IDENTITY_FILE, End, check_folder, fly_campaign
 from vfguide.campaign.condition import parse_condition
-from vfguide.campaign.looks import LOOK_INTERVAL, Looks
+from vfguide.campaign.looks import FLIGHTS_A_LOOK, Looks
 from vfguide.campaign.plan import campaign_plan
 from vfguide.campaign.summary import summarize
 from vfguide.campaign.table import TABLE
@@ -105,7 +105,7 @@ def test_a_condition_ends_it_at_the_same_flight(plan, tmp_path, seed, room):
         assert looks.is_met
         ends.append(looks.enough)
     assert ends[0] == ends[1]
-    assert ends[0] % LOOK_INTERVAL == 0
+    assert ends[0] % FLIGHTS_A_LOOK == 0
     assert table(tmp_path / "a").equals(table(tmp_path / "b"))
     assert table(tmp_path / "a").num_rows == ends[0] < 400
 

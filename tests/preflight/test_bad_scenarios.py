@@ -64,7 +64,7 @@ def instead_of_goal(lines: str) -> str:
             at_top("[wnd]\nspeed_mps = 3"),
             "wnd: unknown key, did you mean wind?; allowed: name, plant, law, duration_s, seed, "
             "start_time, origin, wind, weather, sensors, autopilot, link, guidance, avoidance, "
-            "fence, traffic_receiver, vehicle, obstacle, traffic",
+            "fence, traffic_receiver, vehicle, obstacle, traffic, vary",
         ),
         # Missing keys and empty lists.
         (MINIMAL.replace('name = "minimal"', ""), "name: missing, but required"),

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from vfguide.campaign.condition import Condition
 
-LOOK_INTERVAL = 20
+FLIGHTS_A_LOOK = 20
 """Number of flights between two looks; chosen. Looks are at fixed numbers of flights, in the order
 of the flights, so that a campaign ends with the same one whoever flies it."""
 
@@ -34,6 +34,6 @@ class Looks:
                 return
             self.trials += 1
             self.successes += self.condition.holds(row)
-            if self.trials % LOOK_INTERVAL == 0:
+            if self.trials % FLIGHTS_A_LOOK == 0:
                 self.is_met = self.condition.decided(self.successes, self.trials)
                 self.enough = None if self.is_met is None else self.trials
