@@ -1,4 +1,4 @@
-"""After the warm-up nothing is compiled in flight: on a small computer that is a stall of seconds."""
+"""After the warm-up nothing is compiled in flight, where a small computer would stand still."""
 
 import os
 import subprocess
