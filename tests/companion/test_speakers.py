@@ -28,6 +28,8 @@ from vfguide.link.messages import (
 )
 from vfguide.telemetry.speakers import ALONE_AFTER
 
+pytestmark = pytest.mark.slow
+
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 SILENT_WITHIN = 0.3
 """Time after which nothing is sent any more [s]."""
