@@ -4,6 +4,7 @@ import pytest
 from conversations import (
     SECOND,
     TICK,
+    Conversation,
     flying,
     heartbeat,
     modes_asked,
@@ -22,6 +23,7 @@ from vfguide.telemetry.contact import LINK_TIMEOUT, LONGEST_HICCUP, MODE_UNKNOWN
 pytestmark = pytest.mark.slow
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
+MANUAL = Px4Mode.MANUAL
 
 
 def failsafe(mode):
@@ -98,6 +100,40 @@ def test_a_mode_that_somebody_chose_meanwhile_is_left_alone():
     talk = flying()
     stall(talk, 1.5)
     assert not modes_asked(talk.fly(5.0, RETURN))
+
+
+@pytest.mark.parametrize("chosen", [RETURN, MANUAL])
+@pytest.mark.parametrize("late", [0.0, 0.3, 0.9])
+def test_for_a_mode_that_waited_nothing_is_asked(chosen, late):
+    """The failsafe is told by what waited, here or at a router; what was chosen then was lost."""
+    talk = flying()
+    said = stall(talk, 4.0, HOLD) + talk.fly(late, None)
+    said += talk.hear(CurrentMode(0, HOLD, OFFBOARD), failsafe(HOLD))
+    said += talk.fly(1.0, mode=None) + talk.fly(5.0, chosen)
+    assert not modes_asked(said)
+    assert talk.companion.phase is Phase.OFFERING
+
+
+def test_a_stall_before_the_flight_is_no_lost_link():
+    talk = Conversation(engage=False)
+    talk.fly(1.0)
+    stall(talk, 4.0, HOLD)
+    talk.fly(2.0)
+    assert sum("stood still" in note for note in talk.told) == 1
+    assert not any("link lost" in note or "no setpoints" in note for note in talk.told)
+    assert sum("the autopilot is found" in note for note in talk.told) == 1
+
+
+@given(st.floats(1.0, 60.0), st.floats(0.0, 0.9))
+def test_where_most_of_what_waited_was_lost_no_clock_leaps(seconds, kept):
+    """A socket keeps what came first, until it is full."""
+    talk = flying()
+    since, talk.now = talk.boot_ms, talk.now + round(seconds * SECOND)
+    talk.boot_ms += round(seconds * 1000)
+    for boot_ms in range(since + 20, since + round(kept * seconds * 1000), 20):
+        talk.hear(*state(boot_ms, 0.025 * boot_ms))
+    talk.fly(1.0)
+    assert not any("leapt" in note for note in talk.told)
 
 
 @pytest.mark.parametrize(

@@ -231,6 +231,36 @@ def test_a_place_that_goes_to_and_fro_is_told_once_and_ends_in_hold(every):
     assert talk.companion.phase is Phase.YIELDING
 
 
+@pytest.mark.parametrize("every", [1, 10, 20])
+def test_for_a_place_that_goes_to_and_fro_nothing_is_offered_and_it_is_told_once(every):
+    talk = Shaken()
+    talk.distance, talk.every = 20_000.0, every
+    talk.fly(1.0)
+    assert not setpoints(talk.fly(9.0))
+    assert sum("no setpoints" in note for note in talk.told) == 1
+    assert sum("go out again" in note for note in talk.told) <= 1
+
+
+class TwoOrigins(Conversation):
+    """The origin is told in each tick, now 1 m higher and now not."""
+
+    def hear(self, *messages):
+        higher = self.boot_ms // 20 % 2 * 1000
+        return super().hear(
+            *(
+                m._replace(altitude=m.altitude + higher) if isinstance(m, GpsGlobalOrigin) else m
+                for m in messages
+            )
+        )
+
+
+def test_an_origin_that_moves_to_and_fro_is_told_now_and_then():
+    talk = TwoOrigins()
+    talk.fly(9.0)
+    talk.fly(9.0, Px4Mode.OFFBOARD)
+    assert 1 <= sum("moved the origin" in note for note in talk.told) <= 2
+
+
 @pytest.mark.parametrize("every", [1, 10])
 def test_a_position_that_goes_to_and_fro_is_told_now_and_then(every):
     talk = shaken(20.0, every)

@@ -1,16 +1,34 @@
 """A second autopilot with the same address, as behind a router, begins to speak at any time."""
 
 import pytest
-from conversations import SECOND, TICK, Conversation, heartbeat, modes_asked, setpoints, state
+from conversations import (
+    SECOND,
+    TICK,
+    Conversation,
+    heartbeat,
+    modes_asked,
+    plan,
+    setpoints,
+    state,
+)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vfguide.autopilots.engagement import Phase
 from vfguide.autopilots.px4 import Px4Mode
+from vfguide.earth.geodesy import ned_to_geodetic, tangent_plane
+from vfguide.geometry.units import DEG_E7, MM
 from vfguide.link.boot_time import LATE_TIME, ROLLOVER
 from vfguide.link.enums import MavAutopilot, MavState, MavType
-from vfguide.link.messages import CurrentMode, Heartbeat
+from vfguide.link.messages import (
+    AttitudeQuaternion,
+    CurrentMode,
+    GlobalPositionInt,
+    Heartbeat,
+)
 from vfguide.telemetry.speakers import ALONE_AFTER
+
+pytestmark = pytest.mark.slow
 
 OFFBOARD, HOLD, RETURN = Px4Mode.OFFBOARD, Px4Mode.HOLD, Px4Mode.RETURN
 SILENT_WITHIN = 0.3
@@ -84,6 +102,58 @@ def test_after_the_second_one_has_gone_the_operator_may_choose_again():
     assert setpoints(talk.speak(2.0, HOLD))
     assert talk.companion.phase is Phase.OFFERING
     talk.speak(1.0, OFFBOARD)
+    assert talk.companion.phase is Phase.FLYING
+
+
+class Neighbours(Crowd):
+    """They were switched on within two seconds, and tell their places ten times a second."""
+
+    apart_ms = 0
+    metres = 300.0
+
+    def hear(self, *messages):
+        return super().hear(*(told for m in messages for told in self.with_places(m)))
+
+    def with_places(self, m):
+        yield m
+        if isinstance(m, AttitudeQuaternion) and self.boot_ms % 100 == 0:
+            yield place(self.boot_ms, 0.025 * self.boot_ms)
+            if self.metres:
+                theirs = self.boot_ms + self.apart_ms
+                yield place(theirs, 0.025 * theirs, self.metres)
+
+
+def place(boot_ms, north, east=0.0):
+    """Where the vehicle flies, level and to the north."""
+    p_n = (north, -300.0 + east, -120.0)
+    lat, lon, alt = ned_to_geodetic(tangent_plane(*plan().origin), p_n)
+    at = (round(lat / DEG_E7), round(lon / DEG_E7), round(alt / MM))
+    return GlobalPositionInt(boot_ms % ROLLOVER, *at, 120_000, 2500, 0, 0, 0)
+
+
+@settings(max_examples=20)
+@given(st.integers(-LATE_TIME, LATE_TIME), st.floats(80.0, 90_000.0))
+def test_two_that_were_switched_on_together_are_known_by_their_places(apart, metres):
+    talk = Neighbours()
+    talk.metres = 0.0
+    talk.speak(1.0, HOLD)
+    talk.speak(1.0, OFFBOARD)
+    talk.apart_ms, talk.metres = apart, metres
+    talk.speak(1.0, OFFBOARD)
+    said = talk.speak(20.0, OFFBOARD)
+    assert not setpoints(said)
+    assert not modes_asked(said)
+    assert talk.companion.phase is Phase.YIELDING
+    assert sum("their places differ" in note for note in talk.told) == 1
+
+
+@pytest.mark.parametrize("metres", [0.0, 40.0])
+@pytest.mark.parametrize("apart", [0, -300])
+def test_places_that_are_told_twice_or_late_are_of_one(apart, metres):
+    talk = Neighbours()
+    talk.apart_ms, talk.metres = apart, metres
+    talk.speak(1.0, HOLD)
+    talk.speak(9.0, OFFBOARD)
     assert talk.companion.phase is Phase.FLYING
 
 

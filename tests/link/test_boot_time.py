@@ -1,5 +1,6 @@
 """Times of an autopilot since it booted, which roll over, repeat, come late and leap."""
 
+import random
 from itertools import pairwise
 
 import pytest
@@ -45,6 +46,28 @@ def test_an_honest_counter_is_the_time_whenever_it_rolls_over(start, steps):
         messages.append(((start + total) % ROLLOVER, 1000 * total))
     clock, _ = clock_after(messages)
     assert clock == BootClock((start + total) % ROLLOVER, start + total, 1000 * total)
+
+
+@given(counters, st.integers(100, 10**6), st.floats(0.0, 1.0))
+def test_what_waited_and_what_was_lost_are_no_leap(start, stall, kept):
+    """This program stands still for so many ms; the first of what came meanwhile waits for it."""
+    waited = [20 * k for k in range(1, int(kept * stall) // 20 + 1)]
+    told = [(0, 0), *((boot, stall) for boot in waited), (stall + 20, stall + 20)]
+    clock, times = clock_after([((start + boot) % ROLLOVER, 1000 * now) for boot, now in told])
+    assert clock.leaps == 0
+    assert times[-1] - times[0] == stall + 20
+
+
+@pytest.mark.parametrize("interval", [20, 100])
+@pytest.mark.parametrize("drift", [-1e-3, 1e-3])
+def test_clocks_that_drift_apart_are_not_taken_for_late_ones(drift, interval):
+    """By a tenth of a per cent, ten times what a crystal does; messages are up to 9 ms late."""
+    clock, rng = None, random.Random(1)
+    for k in range(600_000 // interval):
+        now = round(1000 * interval * k * (1.0 + drift)) + rng.randrange(9000)
+        clock = moved_on(clock, interval * k, now)
+        assert clock.behind <= 10
+    assert clock.leaps == 0
 
 
 @given(st.lists(st.tuples(counters, st.integers(0, 10_000_000)), min_size=1, max_size=50))

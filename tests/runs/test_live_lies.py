@@ -12,7 +12,7 @@ from programs import GroundStation, Program, free_vehicles, simulation
 from proxy import Proxy
 from test_lies import lie, wind, yaw
 
-from vfguide.autopilots.px4 import Px4Mode
+from vfguide.autopilots.px4 import Px4Mode, main_and_sub
 from vfguide.geometry.units import DEG
 from vfguide.link.codec import decode
 from vfguide.link.enums import MavAutopilot, MavCmd, MavState, MavType
@@ -97,9 +97,12 @@ LIES: dict[str, Alter] = {
     "wind": wind(-12.0, 9.0, 6.0),
     "short stall": as_it_is,
     "long stall": as_it_is,
+    "choice in a stall": as_it_is,
 }
 STALLS = {"short stall": 0.75, "long stall": 1.6}
 """Times for which the companion is stopped in flight [s], by the names of the pairs."""
+FAILSAFE = 2.2
+"""Time of a stall after which the failsafe has acted and the socket is full [s]."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +170,13 @@ def flown(tmp_path_factory):
             fly.send(signal.SIGSTOP)
             time.sleep(seconds)
             fly.send(signal.SIGCONT)
+        _, sysid, fly = pairs["choice in a stall"]
+        with GroundStation(sysid) as ground:
+            fly.send(signal.SIGSTOP)
+            time.sleep(FAILSAFE)
+            ground.set_mode(Px4Mode.RETURN)
+            time.sleep(0.3)
+            fly.send(signal.SIGCONT)
         time.sleep(4.0)
         _, sysid, fly = pairs["long stall"]
         with GroundStation(sysid) as ground:
@@ -188,7 +198,9 @@ def flown(tmp_path_factory):
     return lives
 
 
-@pytest.mark.parametrize("name", [name for name in LIES if name != "elsewhere"])
+@pytest.mark.parametrize(
+    "name", [name for name in LIES if name not in ("elsewhere", "choice in a stall")]
+)
 def test_the_goal_is_reached_in_spite_of_it(flown, name):
     live = flown[name]
     assert "goal 1 reached" in live.told
@@ -237,3 +249,15 @@ def test_after_a_long_stall_it_is_silent_until_the_operator_chooses_again(flown)
     assert "no more setpoints for now" in told
     assert told.count("the autopilot follows") == 2
     assert "released" not in told
+
+
+def test_a_mode_that_was_chosen_while_it_stood_still_is_left_alone(flown):
+    """What waited says that the failsafe holds, and that it would follow again."""
+    live = flown["choice in a stall"]
+    asked = [m for m in live.said_of(CommandLong) if m.command == MavCmd.DO_SET_MODE]
+    assert [main_and_sub(Px4Mode.OFFBOARD)] == [(m.param2, m.param3) for m in asked]
+    assert "the companion stood still for 2." in live.told
+    assert "setpoints go out again, waiting for the operator to choose OFFBOARD" in live.told
+    assert "ended: the autopilot flies RETURN" in live.told
+    assert "leapt" not in live.told
+    assert "released" not in live.told

@@ -45,6 +45,10 @@ class SetpointAnnunciator:
         """Record at `now` [us] that none may go out, which the notes of the phase say already."""
         self._silent_from, self._is_told, self._why = now, False, None
 
+    def stand_still(self, now: int) -> None:
+        """Record that this program stood still until `now` [us], which is told as such."""
+        self._silent_from = now
+
     def follow(self) -> None:
         """Record that the autopilot follows, so that the operator knows that setpoints go out."""
         self._is_told |= self._why is None

@@ -41,6 +41,7 @@ def sim(
     from vfguide.link.tlog import TlogError
     from vfguide.preflight.load import load_scenario
     from vfguide.runs.models import require_models
+    from vfguide.runs.truth_log import truth_message
     from vfguide.runs.vehicle_setup import simulate
     from vfguide.sim.realtime import RealtimeFlight, warm_up
     from vfguide.sim.vehicle import steps_between_updates
@@ -60,7 +61,9 @@ def sim(
             station_of(loaded, vehicle, *each)
             for vehicle, each in zip(loaded.scenario.vehicles, sockets, strict=True)
         ]
-        warm_up(simulate(loaded, loaded.scenario.vehicles[0]))
+        scratch = simulate(loaded, loaded.scenario.vehicles[0])
+        warm_up(scratch)
+        truth_message(scratch.now, scratch.truth)
         for station in stations:
             out.print(describe(station))
         out.print(f"flying at {speed:g} x real time; Ctrl-C ends it")

@@ -134,6 +134,8 @@ class Companion:
         if after is before:
             return
         self._contact.hear(now)
+        if isinstance(message, GlobalPositionInt):
+            self._speakers.hear_place(now, before.place, message)
         if (clock := after.clock) is not None and clock is not before.clock:
             self._hear_clock(now, before.clock, clock)
         if isinstance(message, TIMED):
@@ -224,7 +226,8 @@ class Companion:
         """Follow the mode that the autopilot reports besides its heartbeats."""
         self._contact.hear(now)
         if self._tells_its_own_mode(now):
-            self._control.mode.hear_current_mode(said)
+            is_new = not self._contact.may_have_waited(now)
+            self._control.mode.hear_current_mode(said, is_new=is_new)
 
     def _tells_its_own_mode(self, now: int) -> bool:
         """Whether a mode is that of the autopilot flown so far; after a lost link its clock shows.
@@ -277,7 +280,8 @@ class Companion:
             self._contact = Contact(now)
         self._contact.hear_heartbeat(now)
         if self._tells_its_own_mode(now):
-            self._control.mode.hear_heartbeat(heartbeat)
+            is_new = not self._contact.may_have_waited(now)
+            self._control.mode.hear_heartbeat(heartbeat, is_new=is_new)
         if new and self.phase is Phase.OFFERING:
             autopilot = self._control.mode.autopilot
             self._known = Knowledge(

@@ -60,6 +60,7 @@ class ModeControl:
         """MAVLink system of the vehicle."""
         self._mode: int | None = None
         self._falls_back = False
+        self._is_new = True
         self._is_armed = False
         self._hold_from = 0
         self._strangers: set[str] = set()
@@ -89,19 +90,25 @@ class ModeControl:
         self.autopilot = found
         return True
 
-    def hear_heartbeat(self, said: Heartbeat) -> None:
-        """Follow the mode in a heartbeat of the vehicle's autopilot."""
+    def hear_heartbeat(self, said: Heartbeat, *, is_new: bool) -> None:
+        """Follow the mode in a heartbeat of the vehicle's autopilot.
+
+        `is_new` is false where it may have waited while this program stood still: then nothing is
+        asked for because of it.
+        """
+        self._is_new = is_new
         was_armed, self._is_armed = self._is_armed, said.system_status not in DISARMED
         if was_armed and not self._is_armed and self.phase in (Phase.FLYING, Phase.INTERRUPTED):
             self.begin_anew(NOT_ARMED)
         self._hear_mode(said.custom_mode, said.system_status == MavState.CRITICAL)
 
-    def hear_current_mode(self, said: CurrentMode) -> None:
-        """Follow the mode in a CURRENT_MODE.
+    def hear_current_mode(self, said: CurrentMode, *, is_new: bool) -> None:
+        """Follow the mode in a CURRENT_MODE, which `is_new` or may have waited.
 
         Where it intends the follow mode and flies another, the failsafe acts. It does not say which
         autopilot flies, so that none is found by it.
         """
+        self._is_new = is_new
         intended = said.intended_custom_mode == self.autopilot.follow_mode
         self._hear_mode(
             said.custom_mode, intended and said.custom_mode != self.autopilot.follow_mode
@@ -148,9 +155,10 @@ class ModeControl:
     def stand_still(self, now: int, why: str) -> None:
         """Record that until `now` [us] it did not guide for longer than the autopilot waits.
 
-        The autopilot's failsafe has acted by then, which its heartbeats show. Hold is asked for
-        only if they do not.
+        The autopilot's failsafe has acted by then, or somebody has chosen a mode, which its
+        heartbeats show. Hold is asked for only if they do not.
         """
+        self._is_new = False
         self._yield(now + self.autopilot.loss_time + HEARTBEAT_INTERVAL, why)
 
     def begin_anew(self, why: str) -> None:
@@ -203,7 +211,7 @@ class ModeControl:
         would follow them again by itself. A mode that somebody chose is left alone, and so is any
         other mode of the failsafe.
         """
-        if self._mode is None:
+        if self._mode is None or not self._is_new:
             return None
         if not (self.follows or self._falls_back):
             if self.hindrance is None:

@@ -30,6 +30,11 @@ are known to glitch, and short, since a wrong goal is flown to meanwhile."""
 RIGHT_LASTS = 1000
 """Time for which the place has to be right again in flight before it is followed [ms]; chosen, so
 that one that goes to and fro is wrong all the time."""
+RIGHT_BEFORE = 500
+"""Time for which the place has to be right again before it is followed where setpoints are only
+offered [ms]; chosen, so that nothing goes out where it goes to and fro."""
+ORIGIN_NOTE_INTERVAL = 10_000
+"""Least time between two notes of an origin that has moved [ms]; chosen."""
 IN_FLIGHT = 1.5
 """Ratio of the distance and height at which a plan may be flown to those at which it may be begun;
 chosen, so that a flight that begins at the limit may turn round first."""
@@ -84,6 +89,7 @@ class PlaceWatch:
         self._since = 0
         self._wrong_last = 0
         self._right_from: int | None = None
+        self._told_origin: int | None = None
         self._origin: GpsGlobalOrigin | None = None
         self._position: LocalPositionNed | None = None
         self._hud: VfrHud | None = None
@@ -105,7 +111,7 @@ class PlaceWatch:
             self._look(known, follows=follows)
         if self.wrong is None:
             if known.origin is not self._origin:
-                self._notes += origin_notes(self._origin, known.origin)
+                self._tell_of_origin(known)
             self._origin, self._position, self._hud = known.origin, known.position, known.hud
             return known
         was, hud = self._position, known.hud
@@ -114,6 +120,13 @@ class PlaceWatch:
         self._position = moved_on(was, known.position)
         hud = hud._replace(alt=self._hud.alt)  # the density of the air is that of its height
         return known._replace(origin=self._origin, position=self._position, hud=hud)
+
+    def _tell_of_origin(self, known: Knowledge) -> None:
+        """Tell of an origin that has moved, unless that has been told of late."""
+        notes, now = origin_notes(self._origin, known.origin), known.time_ms
+        if notes and (self._told_origin is None or now - self._told_origin >= ORIGIN_NOTE_INTERVAL):
+            self._notes += notes
+            self._told_origin = now
 
     def _is_due(self, known: Knowledge) -> bool:
         """Whether it is time to look, or the place does not go on from the last one."""
@@ -135,7 +148,7 @@ class PlaceWatch:
         if measured is None:
             return
         wrong = wrong_place(self._plan, known, measured, follows=follows)
-        if self._goes_to_and_fro(now, wrong) and follows:
+        if self._goes_to_and_fro(now, wrong, RIGHT_LASTS if follows else RIGHT_BEFORE):
             return
         if wrong is None or self.wrong is None:
             self._since = self._wrong_last = now
@@ -145,14 +158,14 @@ class PlaceWatch:
             self._notes.append(NOT_FOLLOWED.format(why=wrong) if wrong else RIGHT_AGAIN)
         self.wrong = wrong
 
-    def _goes_to_and_fro(self, now: int, wrong: str | None) -> bool:
-        """Whether a wrong place has not been right again for long enough at `now` [ms]."""
+    def _goes_to_and_fro(self, now: int, wrong: str | None, lasts: int) -> bool:
+        """Whether a wrong place has not been right again for so long at `now`, both [ms]."""
         if wrong is not None or self.wrong is None:
             self._right_from = None
             return False
         if self._right_from is None:
             self._right_from = now
-        return now - self._right_from < RIGHT_LASTS
+        return now - self._right_from < lasts
 
 
 def moved_on(position: LocalPositionNed, told: LocalPositionNed) -> LocalPositionNed:

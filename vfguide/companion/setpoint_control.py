@@ -80,6 +80,7 @@ class SetpointControl:
     def stand_still(self, now: int, gap: int) -> None:
         """Record that this program stood still for `gap` until `now` [us]."""
         note, could_send = STOOD_STILL.format(gap=gap * US), self.mode.may_send
+        self._setpoint_notes.stand_still(now)
         if gap >= self.mode.autopilot.loss_time:
             self.mode.stand_still(now, note)
             self._setpoints.end()
@@ -89,7 +90,9 @@ class SetpointControl:
     def watch(self, now: int, link: RoundTrip, speakers: Speakers) -> None:
         """Take what is known of the link at `now` [us]: a slow or shared one forbids guidance."""
         self.mode.is_alone = not speakers.are_two(now)
-        self._shared = None if self.mode.is_alone else TWO_SPEAK.format(sysid=self.mode.sysid)
+        self._shared = None
+        if not self.mode.is_alone:
+            self._shared = TWO_SPEAK.format(sysid=self.mode.sysid, what=speakers.what)
         self._unknown = UNANSWERED if link.is_unanswered else None
         if not link.is_too_slow:
             self._slow = None

@@ -16,7 +16,8 @@ LATE_TIME = 2000
 tells that the counter began anew."""
 AHEAD = 2000
 """Time by which the counter may get ahead of our own clock from one message to the next [ms];
-chosen, since what waited on the way comes at once."""
+chosen, since what waited on the way comes at once. What it was behind comes on top: where much
+waited and the rest was lost, the counter goes on from the past to the present at once."""
 SAME_TIMELINE = 500
 """Largest difference between our own clock and a counter that goes on where it did before a leap
 [ms]; chosen as the age above which no state is flown on."""
@@ -52,6 +53,10 @@ class BootClock(NamedTuple):
     """Counter less our own clock before the last leap [ms]."""
     returns: int = 0
     """How often it has leapt back to where it went on before the leap."""
+    behind: int = 0
+    """Time by which the counter is behind our own clock, where messages are late [ms]. Our own
+    time is rounded down at each of them, so that this ends by itself, and clocks that drift apart
+    are not taken for it."""
 
     def at(self, boot_ms: int) -> int:
         """The time at another time_boot_ms [ms]."""
@@ -74,12 +79,13 @@ def moved_on(clock: BootClock | None, boot_ms: int, now: int) -> BootClock | Non
     """
     if clock is None:
         return BootClock(boot_ms, boot_ms, now)
-    counter, time_ms, heard, leaps, leap, left, returns = clock
+    counter, time_ms, heard, leaps, leap, left, returns, behind = clock
     step, own = counted(counter, boot_ms), max(now - heard, 0) // US_PER_MS
     if -LATE_TIME < step <= 0:
         return None
-    if 0 < step <= own + AHEAD:
-        return _boot_clock((boot_ms, time_ms + step, now, leaps, leap, left, returns))
+    if 0 < step <= own + behind + AHEAD:
+        behind = max(behind + own - step, 0)
+        return _boot_clock((boot_ms, time_ms + step, now, leaps, leap, left, returns, behind))
     before, ahead = counter - heard // US_PER_MS, boot_ms - now // US_PER_MS
     back = left is not None and abs(counted(left, ahead)) <= SAME_TIMELINE
     leap = (step - own) * MS

@@ -16,6 +16,10 @@ LONGEST_HICCUP = 500_000
 """Time without a message in or out above which this program stood still [us]; chosen as the age
 above which no state is flown on. It asks the autopilot for the time five times a second."""
 
+LONGEST_WAIT = SECOND
+"""Time after this program stood still within which what arrives may have waited meanwhile [us];
+chosen as the time between two heartbeats, which show the mode again."""
+
 
 class Contact:
     """The times of one link."""
@@ -54,16 +58,24 @@ class Contact:
         return True
 
     def wake(self, now: int) -> int:
-        """For how long this program stood still until `now` [us], 0 where it did not [us]."""
+        """For how long this program stood still until `now` [us], 0 where it did not [us].
+
+        Meanwhile nobody was silent.
+        """
         gap = now - self._active
         if gap <= LONGEST_HICCUP:
             return 0
         self._woke = self._active = now
+        self._heard, self._beaten = self._heard + gap, self._beaten + gap
         return gap
 
     def waited(self, now: int) -> bool:
         """Whether what is taken at `now` [us] waited while this program stood still."""
         return now == self._woke
+
+    def may_have_waited(self, now: int) -> bool:
+        """Whether what is taken at `now` [us] may have waited meanwhile, be it at a router."""
+        return self._woke is not None and now - self._woke <= LONGEST_WAIT
 
     def silence(self, now: int) -> str | None:
         """Why the link counts as lost at `now` [us], if it does."""
