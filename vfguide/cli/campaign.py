@@ -43,7 +43,7 @@ def campaign(
 ) -> None:
     """Fly a scenario many times, with the values of [vary] drawn at random.
 
-    Example: vfguide campaign windy.toml --runs 1000 --out results
+    Example: vfguide campaign first-flight --set wind.turbulence=light --runs 4 --out results
     """
     from vfguide.campaign.campaign import End, check_folder, fly_campaign
     from vfguide.campaign.looks import Looks
