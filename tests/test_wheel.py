@@ -20,6 +20,8 @@ pytestmark = pytest.mark.slow
 NEEDED = {
     "vfguide/cli/main.py",
     "vfguide/report/report.html.j2",
+    "vfguide/report/style.css.j2",
+    "vfguide/campaign/results/report.html.j2",
     "vfguide/_data/scenarios/first-flight.toml",
     *(f"vfguide/_data/scenarios/paper/example-{number}.toml" for number in (1, 2, 3)),
     "vfguide/_data/scenarios/easystar.toml",

@@ -5,8 +5,8 @@
 
 Reads the tables of names and of words that are not used any more in docs/glossary.md, and prints
 every place in vfguide/ and tools/ where such a name is given to something, or where such a word is
-in a name, a docstring, a comment or a text; and every place in the pages and the template of the
-report where it is in the prose. Prints besides every public constant of vfguide/ whose name stands
+in a name, a docstring, a comment or a text; and every place in the pages and the templates of the
+reports where it is in the prose. Prints besides every public constant of vfguide/ whose name stands
 for another constant in another module, unless it is one of `SHARED`. Exit status 1 if there is any.
 """
 
@@ -26,7 +26,7 @@ GLOSSARY = ROOT / "docs" / "glossary.md"
 NAMES_HEADING = "## Names that are not used any more"
 WORDS_HEADING = "## Words that are not used any more"
 FOLDERS = ("vfguide", "tools")
-PAGES = ("README.md", "docs/*.md", "vfguide/report/*.j2")
+PAGES = ("README.md", "docs/*.md", "vfguide/**/*.j2")
 KEPT = frozenset({"episodes", "least_bad", "least bad"})
 """Keys and values of result.json, which keep their old words."""
 SHARED = {

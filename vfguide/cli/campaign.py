@@ -49,6 +49,7 @@ def campaign(
     from vfguide.campaign.looks import Looks
     from vfguide.campaign.plan import campaign_plan, condition_on
     from vfguide.campaign.pool import local_pool, pool_at
+    from vfguide.campaign.results.report import write_report
     from vfguide.campaign.summary import summarize
     from vfguide.files.errors import InputError
     from vfguide.files.new_folder import new_folder
@@ -71,6 +72,7 @@ def campaign(
         end = fly_campaign(plan, runs, folder, pool, looks, display, REQUESTS)
     summary = summarize(folder, plan, runs, looks)
     print_summary(summary, folder)
+    write_report(folder, summary)
     if end is End.STOPPED:
         complain(REQUESTS.ending.words)
         raise typer.Exit(REQUESTS.ending.status)

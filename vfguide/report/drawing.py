@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from io import BytesIO
-from typing import Any
+from typing import Any, TypeVar
 
 import matplotlib as mpl
 import numpy as np
@@ -91,7 +91,11 @@ class Flights:
         return traffic_paths_of(self.loaded.scenario, self.records)
 
 
-def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
+Drawn = TypeVar("Drawn")
+"""What a figure shows."""
+
+
+def to_png(draw: Callable[[Figure, Drawn], None], drawn: Drawn) -> bytes:
     """The PNG of the figure that `draw` fills; matplotlib's settings are as before afterwards.
 
     Figures whose layout matplotlib makes are cropped to what they show. Those that set their layout
@@ -100,7 +104,7 @@ def to_png(draw: Callable[[Figure, Flights], None], flights: Flights) -> bytes:
     with mpl.rc_context(_LOOK), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing")
         figure = Figure()
-        draw(figure, flights)
+        draw(figure, drawn)
         png = BytesIO()
         bbox = "tight" if figure.get_layout_engine() else None
         figure.savefig(png, format="png", bbox_inches=bbox)

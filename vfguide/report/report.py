@@ -46,8 +46,25 @@ def render(
     loaded: LoadedScenario, result: Result, pictures: Sequence[Picture], command: str
 ) -> str:
     """The report as HTML."""
+    return (
+        page_environment()
+        .get_template("report/report.html.j2")
+        .render(
+            scenario=loaded.scenario,
+            resolved=loaded.scenario.to_toml(),
+            result=result,
+            pictures=pictures,
+            closest=closest(result),
+            kinematic=loaded.scenario.plant == "kinematic",
+            command=command,
+        )
+    )
+
+
+def page_environment() -> Environment:
+    """What makes a page of a template, which is named by its path in the program."""
     environment = Environment(
-        loader=PackageLoader("vfguide.report", "."),
+        loader=PackageLoader("vfguide", "."),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -58,15 +75,7 @@ def render(
     environment.filters["figure"] = figure
     environment.filters["range"] = span
     environment.filters["data_uri"] = data_uri
-    return environment.get_template("report.html.j2").render(
-        scenario=loaded.scenario,
-        resolved=loaded.scenario.to_toml(),
-        result=result,
-        pictures=pictures,
-        closest=closest(result),
-        kinematic=loaded.scenario.plant == "kinematic",
-        command=command,
-    )
+    return environment
 
 
 def number(value: float | None, digits: int = 2) -> str:
