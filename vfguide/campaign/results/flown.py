@@ -70,6 +70,10 @@ class FlownCampaign:
         """Values of a column; NaN where a flight has none."""
         return self.columns.column(name).to_numpy().astype(float)
 
+    def first(self, number: int) -> "FlownCampaign":
+        """The campaign as if it had only so many flights."""
+        return FlownCampaign(self.folder, self.columns.slice(0, number))
+
     def known(self, name: str) -> Mask:
         """Which flights have a value of a column that is a finite number."""
         return np.isfinite(self.values(name))

@@ -1,0 +1,130 @@
+"""The comparison of two campaigns on the terminal."""
+
+import json
+from collections.abc import Iterator
+
+from rich.table import Table
+
+from vfguide.campaign.intervals import Interval
+from vfguide.campaign.results.comparison import (
+    ChangedFlight,
+    Comparison,
+    FigureComparison,
+    Outcome,
+    RateComparison,
+    Side,
+)
+from vfguide.campaign.results.worst import SHOWN
+from vfguide.results.verdict import in_words
+from vfguide.terminal.campaign_display import number
+from vfguide.terminal.console import out, shown
+
+RATE_HEADS = ("rate", "A", "B", "B - A", "from", "to", "in A alone", "in B alone")
+"""Heads of the table of rates."""
+FIGURE_HEADS = ("figure", "pairs", "median A", "median B", "median B - A", "mean B - A")
+"""Heads of the table of figures."""
+TEXT_OF_SCENARIO = "sha256"
+"""Key under which `campaign.json` has the checksum of the scenario file."""
+
+
+def print_comparison(comparison: Comparison) -> None:
+    """Print what differs between two campaigns."""
+    out.print(side("A", comparison.a))
+    out.print(side("B", comparison.b))
+    for line in told_differences(comparison):
+        out.print(line)
+    out.print(f"{comparison.pairs} flights are paired; intervals have a confidence of 95 %")
+    out.print(table(RATE_HEADS, map(rate_cells, comparison.rates)))
+    out.print(table(FIGURE_HEADS, map(figure_cells, comparison.figures)))
+    for line in changes(comparison):
+        out.print(line)
+
+
+def side(name: str, campaign: Side) -> str:
+    """Which campaign it is."""
+    told = campaign.campaign
+    scenario, version = told.get("scenario"), told.get("version")
+    return f"{name}: {campaign.folder}, {campaign.flights} flights of {scenario}, vfguide {version}"
+
+
+def told_differences(comparison: Comparison) -> Iterator[str]:
+    """What the campaigns say of themselves that is not the same."""
+    a, b = comparison.a.campaign, comparison.b.campaign
+    keys = [key for key in {**a, **b} if a.get(key) != b.get(key)]
+    for key in keys:
+        if key == TEXT_OF_SCENARIO:
+            yield "the scenario files differ"
+        else:
+            yield f"{key}: {json.dumps(a.get(key))} in A, {json.dumps(b.get(key))} in B"
+    if not keys:
+        yield "version, scenario and --set are the same"
+
+
+def table(heads: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Table:
+    """A table whose first column has words, the others numbers."""
+    made = Table()
+    for place, head in enumerate(heads):
+        made.add_column(head, justify="right" if place else "left")
+    for row in rows:
+        made.add_row(*row)
+    return made
+
+
+def rate_cells(rate: RateComparison) -> tuple[str, ...]:
+    """A row of the table of rates."""
+    differences = (rate.difference, *rate.interval)
+    return (
+        rate.name,
+        *("-" if each.rate is None else f"{each.rate:.2%}" for each in (rate.a, rate.b)),
+        *("-" if each is None else f"{each:+.2%}" for each in differences),
+        str(rate.only_a),
+        str(rate.only_b),
+    )
+
+
+def figure_cells(figure: FigureComparison) -> tuple[str, ...]:
+    """A row of the table of figures."""
+    median, mean = figure.median_difference, figure.mean_difference
+    return (
+        shown(figure.column),
+        str(figure.pairs),
+        number(figure.median_a.value),
+        number(figure.median_b.value),
+        within(median.value, median.interval) + ("" if median.is_enough else ", too few"),
+        within(mean.value, mean.interval),
+    )
+
+
+def within(value: float | None, interval: Interval | None) -> str:
+    """A difference and its interval."""
+    if value is None or interval is None:
+        return number(value)
+    return f"{value:+.4g} ({interval.low:+.3g} to {interval.high:+.3g})"
+
+
+def changes(comparison: Comparison) -> Iterator[str]:
+    """Which flights changed sides."""
+    changed = comparison.changed
+    worse = sum(flight.a.verdict == "good" for flight in changed)
+    yield (
+        f"{len(changed)} flights changed sides: {worse} good in A alone, "
+        f"{len(changed) - worse} good in B alone"
+    )
+    for flight in changed[:SHOWN]:
+        yield from change(flight)
+    if len(changed) > SHOWN:
+        yield f"{len(changed) - SHOWN} more: --out DIR writes all into DIR/compare.json"
+
+
+def change(flight: ChangedFlight) -> Iterator[str]:
+    """How a flight changed sides."""
+    yield f"flight {flight.index}, seed {flight.seed}:"
+    for name, outcome in (("A", flight.a), ("B", flight.b)):
+        yield f"  {name}: {told(outcome)}"
+        yield f"     {outcome.command}"
+
+
+def told(outcome: Outcome) -> str:
+    """A verdict with its reasons."""
+    reasons = "; ".join(map(in_words, outcome.reasons))
+    return f"{outcome.verdict}: {reasons}" if reasons else outcome.verdict
