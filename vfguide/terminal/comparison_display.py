@@ -33,7 +33,7 @@ def print_comparison(comparison: Comparison) -> None:
     out.print(side("B", comparison.b))
     for line in told_differences(comparison):
         out.print(line)
-    out.print(f"{comparison.pairs} flights are paired; intervals have a confidence of 95 %")
+    out.print(f"flights in pairs: {comparison.pairs}; intervals have a confidence of 95 %")
     out.print(table(RATE_HEADS, map(rate_cells, comparison.rates)))
     out.print(table(FIGURE_HEADS, map(figure_cells, comparison.figures)))
     for line in changes(comparison):
@@ -99,7 +99,13 @@ def within(value: float | None, interval: Interval | None) -> str:
     """A difference and its interval."""
     if value is None or interval is None:
         return number(value)
-    return f"{value:+.4g} ({interval.low:+.3g} to {interval.high:+.3g})"
+    low, high = signed(interval.low, 3), signed(interval.high, 3)
+    return f"{signed(value, 4)} ({low} to {high})"
+
+
+def signed(value: float, digits: int) -> str:
+    """A difference with its sign; no difference has none."""
+    return f"{value:+.{digits}g}" if value else "0"
 
 
 def changes(comparison: Comparison) -> Iterator[str]:
@@ -107,8 +113,8 @@ def changes(comparison: Comparison) -> Iterator[str]:
     changed = comparison.changed
     worse = sum(flight.a.verdict == "good" for flight in changed)
     yield (
-        f"{len(changed)} flights changed sides: {worse} good in A alone, "
-        f"{len(changed) - worse} good in B alone"
+        f"flights that changed sides: {len(changed)}; good in A alone {worse}, "
+        f"in B alone {len(changed) - worse}"
     )
     for flight in changed[:SHOWN]:
         yield from change(flight)

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -17,12 +18,15 @@ from vfguide.campaign.summary import (
     percentile_summary,
     rate_summary,
 )
+from vfguide.files.atomic import write_atomically
+from vfguide.files.errors import InputError
 from vfguide.geometry.vector import Mask, Series
 
 COMPARISON = "compare.json"
 """Name of the file."""
 BOOTSTRAP_SEED = 1
-"""Seed of the bootstrap samples; chosen, so that the same campaigns give the same intervals."""
+"""Seed of the bootstrap samples, a number; chosen. One that never changes gives the same intervals
+for the same campaigns."""
 
 
 @dataclass(frozen=True)
@@ -188,3 +192,16 @@ def changed_flights(a: FlownCampaign, b: FlownCampaign) -> Iterator[ChangedFligh
 def outcome(verdict: str, texts: FlightTexts) -> Outcome:
     """How a flight went."""
     return Outcome(str(verdict), texts.reasons, texts.command)
+
+
+def write_comparison(folder: Path, comparison: Comparison) -> None:
+    """Write `compare.json`.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        write_atomically(folder / COMPARISON, comparison.to_json())
+    except OSError as error:
+        raise InputError(f"--out {folder}: cannot be written: {error.strerror or error}") from error

@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -39,14 +39,19 @@ BARS_REACH = 5.0
 that one stray flight does not press all others into one bar."""
 STRAY = 0.01
 """Largest share of the flights that lies beyond the bars on either side; chosen."""
-WIDE = 10.0
-"""Ratio of the largest amount to the 95th percentile above which an axis becomes logarithmic far
-from zero, so that the many near it can be told apart; chosen."""
+WIDE = 20.0
+"""Ratio of the largest amount to the median above which an axis becomes logarithmic far from zero,
+so that the many near it can be told apart; chosen."""
+EVEN = 4.0
+"""Ratio of the amount from which on such an axis is logarithmic to the median; chosen, so that
+half of the flights lie where it is even."""
+ROOM = 0.05
+"""Room on an axis beyond the values, as a share of what they span; chosen."""
 CROWD = 300
 """Number of flights from which on their marks become paler; chosen."""
 GOOD_MARK: Any = {"color": COLOURS[0], "marker": ".", "markersize": 6, "linestyle": "none"}
 """Marks of good flights."""
-BAD_MARK: Any = {"color": COLOURS[1], "marker": "o", "markersize": 4, "linestyle": "none"}
+BAD_MARK: Any = {"color": COLOURS[1], "marker": "o", "markersize": 4, "linestyle": "none", "mew": 0}
 """Marks of bad flights."""
 UNKNOWN_MARK: Any = {"color": GOAL_COLOUR, "marker": "x", "markersize": 5, "linestyle": "none"}
 """Marks of flights without the figure, as those that failed."""
@@ -68,22 +73,39 @@ class Shown:
         return [name for name in self.flown.figures if has_spread(self.flown.values(name))]
 
 
-def campaign_figures(shown: Shown) -> dict[str, Picture]:
-    """The figures that there is something to draw in, by their names."""
-    distributions = Picture(
+class CampaignPictures(NamedTuple):
+    """The figures of a campaign; None where there is nothing to draw."""
+
+    distributions: Picture | None
+    where: Picture | None
+
+
+def campaign_pictures(shown: Shown) -> CampaignPictures:
+    """Draw the figures that there is something to draw in."""
+    return CampaignPictures(
+        distributions(shown) if shown.spread else None, where(shown) if shown.flown.varied else None
+    )
+
+
+def distributions(shown: Shown) -> Picture:
+    """The histograms of what differs between flights."""
+    return Picture(
         "distributions",
         "Number of flights by each figure that is not the same in all of them. Triangles are the "
         f"{len(shown.worst)} worst flights that did not fail. The bars at either end count what "
         "lies beyond as well.",
-        to_png(draw_distributions, shown) if shown.spread else b"",
+        to_png(draw_distributions, shown),
     )
-    where = Picture(
+
+
+def where(shown: Shown) -> Picture:
+    """The worst figure over the drawn values."""
+    return Picture(
         "where",
         f"{shown.figure.column}, by which the worst are told, over each value that was drawn. Its "
         "scale is even near zero and, where that is needed, logarithmic far from it.",
-        to_png(draw_where, shown) if shown.flown.varied else b"",
+        to_png(draw_where, shown),
     )
-    return {each.name: each for each in (distributions, where) if each.png}
 
 
 def has_spread(values: Series) -> bool:
@@ -142,7 +164,7 @@ def draw_where(figure: Figure, shown: Shown) -> None:
     for axes, key in zip(grid, flown.varied, strict=True):
         drawn = flown.values(key)
         for group, style in groups:
-            axes.plot(drawn[group], values[group], **style, alpha=paleness(group))
+            axes.plot(drawn[group], values[group], **style, alpha=paleness(int(group.sum())))
         mark_unknown(axes, drawn[~known], is_below=shown.figure.is_least)
         axes.set_xlabel(broken_name(key, SCATTERS), fontsize=8.5)
         axes.xaxis.set_major_locator(MaxNLocator(5))
@@ -155,24 +177,33 @@ def mark_unknown(axes: Axes, drawn: Series, *, is_below: bool) -> None:
     """Mark flights without the figure on the edge where the worst are."""
     edge = np.full(drawn.shape, 0.0 if is_below else 1.0)
     across = axes.get_xaxis_transform()
-    axes.plot(drawn, edge, **UNKNOWN_MARK, transform=across, clip_on=False, zorder=3)
+    axes.plot(
+        drawn,
+        edge,
+        **UNKNOWN_MARK,
+        alpha=paleness(drawn.size),
+        transform=across,
+        clip_on=False,
+        zorder=3,
+    )
 
 
-def paleness(group: Mask) -> float:
+def paleness(number: int) -> float:
     """Opacity of the marks of so many flights."""
-    return max(0.15, min(1.0, math.sqrt(CROWD / max(int(group.sum()), 1))))
+    return max(0.15, min(1.0, math.sqrt(CROWD / max(number, 1))))
 
 
 def share_axis(grid: Sequence[Axes], name: str, known: Series) -> None:
     """One vertical axis for panels beside each other, logarithmic far from zero if it is wide."""
-    low, high = (known.min(), known.max()) if known.size else (0.0, 1.0)
-    room = 0.05 * (high - low) or 0.5
-    amounts = np.abs(known)
-    scale = float(np.quantile(amounts, 0.95)) if known.size else 0.0
+    low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 1.0)
+    middle = float(np.median(np.abs(known))) if known.size else 0.0
+    is_wide = 0.0 < WIDE * middle < max(-low, high)
     for place, axes in enumerate(grid):
+        room = ROOM * (high - low) or 0.5
         axes.set_ylim(low - room, high + room)
-        if 0.0 < scale < amounts.max(initial=0.0) / WIDE:
-            make_near_large(axes, scale)
+        if is_wide:
+            axes.set_ylim(min(low, 0.0) * (1.0 + ROOM) - middle * ROOM, high * (1.0 + 4.0 * ROOM))
+            make_near_large(axes, EVEN * middle)
         if place % SCATTERS == 0:
             axes.set_ylabel(name)
         else:

@@ -1,6 +1,7 @@
 """The flights of a campaign as they lie in its folder: what has one value a flight, as columns."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -79,10 +80,15 @@ class FlownCampaign:
         return np.isfinite(self.values(name))
 
     def texts(self, places: Sequence[int]) -> Mapping[int, FlightTexts]:
-        """What the rows of some flights say in words."""
+        """What the rows of some flights say in words.
+
+        Raises:
+            InputError: they cannot be read.
+        """
         found: dict[int, FlightTexts] = {}
         ordered, first = sorted(places), 0
-        with pq.ParquetFile(self.folder / TABLE) as file:
+        path = self.folder / TABLE
+        with reading(path), pq.ParquetFile(path) as file:
             for batch in file.iter_batches(BATCH, columns=[*TEXTS]):
                 here = [each for each in ordered if first <= each < first + batch.num_rows]
                 rows = batch.take(pa.array([each - first for each in here], pa.int64()))
@@ -101,11 +107,22 @@ def read_flown(folder: Path) -> FlownCampaign:
     path = folder / TABLE
     if not path.is_file():
         raise InputError(f"{folder}: no {TABLE}; allowed is the folder of a campaign")
-    try:
+    with reading(path):
         schema = pq.read_schema(path)
         check_columns(path, schema)
         names = [field.name for field in schema if is_short(field)]
         return FlownCampaign(folder, pq.read_table(path, columns=names))
+
+
+@contextmanager
+def reading(path: Path) -> Generator[None]:
+    """Where a table is read.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    try:
+        yield
     except (OSError, pa.ArrowException) as error:
         raise InputError(f"{path}: cannot be read: {error}") from error
 

@@ -11,7 +11,7 @@ from vfguide.campaign.campaign import IDENTITY
 from vfguide.campaign.results.flown import FlownCampaign, read_flown
 from vfguide.files.errors import InputError
 
-ALLOWED = "allowed are campaigns with the same --seed and the same [vary]"
+PAIRABLE = "allowed are campaigns with the same --seed and the same [vary]"
 """Which campaigns can be paired, in words."""
 
 Identity = Mapping[str, object]
@@ -54,7 +54,7 @@ def read_pairs(folder_a: Path, folder_b: Path) -> PairedCampaigns:
     )
     difference = next(differences(pairs.a, pairs.b), None)
     if difference is not None:
-        raise InputError(f"--compare {folder_a} {folder_b}: {difference}; {ALLOWED}")
+        raise InputError(f"--compare {folder_a} {folder_b}: {difference}; {PAIRABLE}")
     return pairs
 
 

@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 from vfguide.campaign.intervals import Interval
-from vfguide.campaign.results.figures import Shown, campaign_figures
+from vfguide.campaign.results.figures import Shown, campaign_pictures
 from vfguide.campaign.results.flown import FlownCampaign, read_flown
 from vfguide.campaign.results.worst import (
     MARKED_SHARE,
@@ -54,7 +54,7 @@ def render(summary: Summary, flown: FlownCampaign) -> str:
         parts=parts,
         shown=SHOWN,
         percents=PERCENTS,
-        pictures=campaign_figures(Shown(flown, figure, marked)),
+        pictures=campaign_pictures(Shown(flown, figure, marked)),
         figure=figure,
         flights=worst_flights(flown, order[:SHOWN]),
         varied=flown.varied,
