@@ -180,6 +180,18 @@ def test_a_campaign_in_which_all_flights_failed(tmp_path):
     assert len(page.references) == 1
 
 
+def test_a_campaign_in_which_no_flight_failed(tmp_path):
+    def flown(drawn):
+        return sample_row(replace(drawn, index=0))
+
+    folder = campaign_folder(
+        tmp_path / "a", 20, lambda drawn: replace(flown(drawn), index=drawn.index)
+    )
+    page = Page(render(summary_of(folder), read_flown(folder)))  # matplotlib warns of no layout
+    assert "Failed 0.00 % 0 of 20" in page.text
+    assert len(page.references) == 2
+
+
 def test_a_campaign_of_one_flight(tmp_path):
     folder = campaign_folder(tmp_path / "a", 1)
     assert Page(render(summary_of(folder), read_flown(folder))).open == []

@@ -62,7 +62,7 @@ def print_summary(summary: Summary, folder: Path) -> None:
     table = Table()
     heads = ("figure", "flights", "least", *(f"{each:g} %" for each in SHOWN_PERCENTS), "largest")
     for head in heads:
-        table.add_column(head, justify="left" if head == "figure" else "right")
+        table.add_column(head, justify="left" if head == "figure" else "right", overflow="fold")
     for figure in summary.figures:
         shown_values = [each.value for each in figure.percentiles if each.percent in SHOWN_PERCENTS]
         cells = (figure.least, *shown_values, figure.largest)

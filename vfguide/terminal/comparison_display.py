@@ -64,7 +64,7 @@ def table(heads: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Table:
     """A table whose first column has words, the others numbers."""
     made = Table()
     for place, head in enumerate(heads):
-        made.add_column(head, justify="right" if place else "left")
+        made.add_column(head, justify="right" if place else "left", overflow="fold")
     for row in rows:
         made.add_row(*row)
     return made

@@ -56,6 +56,9 @@ BAD_MARK: Any = {"color": COLOURS[1], "marker": "o", "markersize": 4, "linestyle
 UNKNOWN_MARK: Any = {"color": GOAL_COLOUR, "marker": "x", "markersize": 5, "linestyle": "none"}
 """Marks of flights without the figure, as those that failed."""
 
+WORST_MARK: Any = {"color": COLOURS[1], "marker": "^", "markersize": 4.5, "linestyle": "none"}
+"""Marks of the worst flights below a histogram."""
+
 
 @dataclass(frozen=True)
 class Shown:
@@ -122,11 +125,11 @@ def draw_distributions(figure: Figure, shown: Shown) -> None:
         low, high = bars_between(known)
         bars = min(max(round(2.0 * math.sqrt(known.size)), LEAST_BARS), MOST_BARS)
         axes.hist(np.clip(known, low, high), bars, range=(low, high), color=COLOURS[0])
-        worst = np.clip(values[shown.worst], low, high)
-        axes.plot(worst, np.zeros_like(worst), **mark_below())
+        mark_below(axes, np.clip(values[shown.worst], low, high))
         axes.set_title(broken_name(name, HISTOGRAMS), fontsize=8.5, fontweight="normal")
-        axes.xaxis.set_major_locator(MaxNLocator(4))
+        axes.xaxis.set_major_locator(MaxNLocator(3))
         axes.yaxis.set_major_locator(MaxNLocator(3, integer=True))
+        axes.ticklabel_format(axis="x", useOffset=False)
         axes.tick_params(labelsize=7.5)
 
 
@@ -141,16 +144,11 @@ def bars_between(known: Series) -> tuple[float, float]:
     return max(low, min(first, lower - reach)), min(high, max(last, upper + reach))
 
 
-def mark_below() -> dict[str, Any]:
-    """The style of a mark below a histogram."""
-    return {
-        **UNKNOWN_MARK,
-        "marker": "^",
-        "color": COLOURS[1],
-        "markersize": 4.5,
-        "clip_on": False,
-        "zorder": 3,
-    }
+def mark_below(axes: Axes, worst: Series) -> None:
+    """Mark the values of the worst flights on the edge below a histogram, those that are known."""
+    known = worst[np.isfinite(worst)]
+    if known.size:  # what is empty has no extent, of which the layout of matplotlib makes nothing
+        axes.plot(known, np.zeros_like(known), **WORST_MARK, clip_on=False, zorder=3)
 
 
 def draw_where(figure: Figure, shown: Shown) -> None:
@@ -165,7 +163,8 @@ def draw_where(figure: Figure, shown: Shown) -> None:
         drawn = flown.values(key)
         for group, style in groups:
             axes.plot(drawn[group], values[group], **style, alpha=paleness(int(group.sum())))
-        mark_unknown(axes, drawn[~known], is_below=shown.figure.is_least)
+        if not known.all():
+            mark_unknown(axes, drawn[~known], is_below=shown.figure.is_least)
         axes.set_xlabel(broken_name(key, SCATTERS), fontsize=8.5)
         axes.xaxis.set_major_locator(MaxNLocator(5))
         axes.tick_params(labelsize=8)

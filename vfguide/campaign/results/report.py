@@ -10,6 +10,7 @@ from vfguide.campaign.results.flown import FlownCampaign, read_flown
 from vfguide.campaign.results.worst import (
     MARKED_SHARE,
     SHOWN,
+    other_figures,
     worst_figure,
     worst_first,
     worst_flights,
@@ -56,9 +57,9 @@ def render(summary: Summary, flown: FlownCampaign) -> str:
         percents=PERCENTS,
         pictures=campaign_pictures(Shown(flown, figure, marked)),
         figure=figure,
-        flights=worst_flights(flown, order[:SHOWN]),
+        flights=worst_flights(flown, figure, order[:SHOWN]),
         varied=flown.varied,
-        figures=flown.figures,
+        figures=other_figures(flown, figure),
     )
 
 

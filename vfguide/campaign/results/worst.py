@@ -38,11 +38,13 @@ class WorstFlight:
     index: int
     seed: int
     verdict: str
+    worst: float | None
+    """The figure by which it is compared; None: it has none."""
     texts: FlightTexts
     drawn: tuple[float, ...]
     """In the order of the varied keys."""
     figures: tuple[float | None, ...]
-    """In the order of the figures; None: it has none."""
+    """The other figures, in their order; None: it has none."""
 
 
 def worst_figure(flown: FlownCampaign) -> WorstFigure:
@@ -62,18 +64,25 @@ def goodness(values: Series, figure: WorstFigure) -> Series:
     return np.where(np.isnan(signed), -np.inf, signed)
 
 
-def worst_flights(flown: FlownCampaign, places: Indices) -> list[WorstFlight]:
+def other_figures(flown: FlownCampaign, figure: WorstFigure) -> list[str]:
+    """Names of the figures beside that by which flights are compared."""
+    return [name for name in flown.figures if name != figure.column]
+
+
+def worst_flights(flown: FlownCampaign, figure: WorstFigure, places: Indices) -> list[WorstFlight]:
     """What the report tells of some flights, in their order."""
     texts = flown.texts(places.tolist())
+    others = other_figures(flown, figure)
     numbers = flown.columns.take(places).to_pylist()
     return [
         WorstFlight(
             row["index"],
             row["seed"],
             row["verdict"],
+            row[figure.column],
             texts[place],
             tuple(row[key] for key in flown.varied),
-            tuple(row[name] for name in flown.figures),
+            tuple(row[name] for name in others),
         )
         for place, row in zip(places.tolist(), numbers, strict=True)
     ]
