@@ -64,7 +64,8 @@ def table(heads: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Table:
     """A table whose first column has words, the others numbers."""
     made = Table()
     for place, head in enumerate(heads):
-        made.add_column(head, justify="right" if place else "left", overflow="fold")
+        justify = "right" if place else "left"
+        made.add_column(head, justify=justify, no_wrap=not place, overflow="fold")
     for row in rows:
         made.add_row(*row)
     return made
@@ -90,17 +91,17 @@ def figure_cells(figure: FigureComparison) -> tuple[str, ...]:
         str(figure.pairs),
         number(figure.median_a.value),
         number(figure.median_b.value),
-        within(median.value, median.interval) + ("" if median.is_enough else ", too few"),
+        within(median.value, median.interval) + ("" if median.is_enough else "\ntoo few"),
         within(mean.value, mean.interval),
     )
 
 
 def within(value: float | None, interval: Interval | None) -> str:
-    """A difference and its interval."""
+    """A difference, and its interval on a line below."""
     if value is None or interval is None:
         return number(value)
     low, high = signed(interval.low, 3), signed(interval.high, 3)
-    return f"{signed(value, 4)} ({low} to {high})"
+    return f"{signed(value, 4)}\n{low} to {high}"
 
 
 def signed(value: float, digits: int) -> str:
