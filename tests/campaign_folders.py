@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from vfguide.campaign.campaign import IDENTITY
+from vfguide.campaign.campaign import IDENTITY_FILE
 from vfguide.campaign.draws import Draw, draw
 from vfguide.campaign.rows import FlightRow, columns_of, failed_row
 from vfguide.campaign.schema import schema_of
@@ -82,7 +82,7 @@ def campaign_folder(
     """A folder of a campaign with so many flights."""
     folder.mkdir(parents=True)
     told = {**IDENTITY_OF_SAMPLES, "seed": seed, **identity}
-    (folder / IDENTITY).write_text(json.dumps(told, indent=2) + "\n")
+    (folder / IDENTITY_FILE).write_text(json.dumps(told, indent=2) + "\n")
     with CampaignTable(folder, schema_of(vary)) as table:
         for each in columns(number, row_of, vary, seed):
             table.add(each)

@@ -9,7 +9,7 @@ import pyarrow.parquet as pq
 import pytest
 from campaign_folders import VARY, campaign_folder, command, sample_row
 
-from vfguide.campaign.campaign import IDENTITY
+from vfguide.campaign.campaign import IDENTITY_FILE
 from vfguide.campaign.draws import draw
 from vfguide.campaign.pairs import paired_difference, rate_difference
 from vfguide.campaign.results.comparison import (
@@ -158,10 +158,10 @@ def damaged(folder, name, content):
 @pytest.mark.parametrize(
     ("name", "content", "why"),
     [
-        (IDENTITY, None, r"no campaign\.json; allowed is the folder of a campaign"),
-        (IDENTITY, b"{", "cannot be read"),
-        (IDENTITY, b"\xff", "cannot be read"),
-        (IDENTITY, b"[]", "none of this program's"),
+        (IDENTITY_FILE, None, r"no campaign\.json; allowed is the folder of a campaign"),
+        (IDENTITY_FILE, b"{", "cannot be read"),
+        (IDENTITY_FILE, b"\xff", "cannot be read"),
+        (IDENTITY_FILE, b"[]", "none of this program's"),
         (TABLE, None, r"no results\.parquet; allowed is the folder of a campaign"),
         (TABLE, b"", "cannot be read"),
         (TABLE, b"PAR1 and what is none PAR1", "cannot be read"),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vfguide.campaign.campaign import IDENTITY
+from vfguide.campaign.campaign import IDENTITY_FILE
 from vfguide.campaign.results.flown import FlownCampaign, read_flown
 from vfguide.files.errors import InputError
 
@@ -80,9 +80,9 @@ def read_identity(folder: Path) -> Identity:
     Raises:
         InputError: it is no folder of a campaign, or it cannot be read.
     """
-    path = folder / IDENTITY
+    path = folder / IDENTITY_FILE
     if not path.is_file():
-        raise InputError(f"{folder}: no {IDENTITY}; allowed is the folder of a campaign")
+        raise InputError(f"{folder}: no {IDENTITY_FILE}; allowed is the folder of a campaign")
     try:
         identity = json.loads(path.read_text())
     except (OSError, ValueError) as error:
