@@ -111,6 +111,12 @@ def test_a_function_that_draws_worlds_is_refused(tmp_path):
     assert "not supported yet" in str(tried.exception)
 
 
-@pytest.mark.parametrize("arguments", [(), ("--runs", "0"), ("--runs", "many")])
-def test_how_many_flights_has_to_be_said(file, arguments):
+@pytest.mark.parametrize("arguments", [("--runs", "0"), ("--runs", "many")])
+def test_how_many_flights_is_a_number(file, arguments):
     assert CliRunner().invoke(app, ["campaign", str(file), *arguments]).exit_code == 2
+
+
+def test_how_many_flights_has_to_be_said(file):
+    tried = CliRunner().invoke(app, ["campaign", str(file)])
+    assert isinstance(tried.exception, InputError)
+    assert "SCENARIO --runs N" in str(tried.exception)
