@@ -27,7 +27,7 @@ def test_values_arrive_in_order_and_missing_tables_are_made(tmp_path: Path) -> N
             "nowhere.k=3",
             "nowhere: unknown key; allowed: name, plant, law, duration_s, seed, start_time, "
             "origin, wind, weather, sensors, autopilot, link, guidance, avoidance, fence, "
-            "traffic_receiver, vehicle, obstacle, traffic",
+            "traffic_receiver, vehicle, obstacle, traffic, vary",
         ),
         ("seed=x", 'seed = "x": wrong type, a whole number is required'),
         ("wind.speed_mps=99", "wind.speed_mps = 99: too large, allowed 0 to 50"),

@@ -16,7 +16,7 @@ from scenario_texts import MINIMAL, SECOND
 from vfguide.report.distance_figures import MAX_OBSTACLES, draw_clearance, draw_separation, nearest
 from vfguide.report.drawing import Flights, to_png
 from vfguide.report.figures import draw_figures
-from vfguide.report.obstacle_drawing import LONGEST_NAME, SHOWN_TIMES, short
+from vfguide.report.obstacle_drawing import LONGEST_NAME, SHOWN_TIMES, shortened
 from vfguide.report.path_figures import draw_plan, draw_side, draw_space
 from vfguide.report.report import render, span, write_report
 from vfguide.report.time_figures import draw_attitude, draw_position, draw_rates, draw_speed
@@ -380,7 +380,7 @@ def test_names_are_shown_as_they_are_written(tmp_path: Path) -> None:
         assert to_png(draw, flights).startswith(b"\x89PNG")
     (axes,) = drawn(draw_plan, flown(tmp_path, scenario_text(1, obstacles[:1]))).axes
     assert axes.texts[-1].get_text() == r"a\$b\$ <i>"
-    assert len(short(names[2])) == LONGEST_NAME
+    assert len(shortened(names[2])) == LONGEST_NAME
     long = tuple((f"obstacle named {k} MM", *its[1:]) for k, its in enumerate(OBSTACLES))
     figure = drawn(draw_clearance, flown(tmp_path, scenario_text(1, long)))
     assert figure.legends[0].get_window_extent().width < figure.bbox.width

@@ -55,7 +55,7 @@ def campaign(
 ) -> None:
     """Fly a scenario many times, with the values of [vary] drawn at random, or compare campaigns.
 
-    Example: vfguide campaign first-flight --set wind.turbulence=light --runs 4 --out results
+    Example: vfguide campaign first-flight --set wind.turbulence=light --runs 4 --out campaign
     """
     if compare is not None:
         flying = (scenario, runs, seed, workers, scheduler, until, set_)
