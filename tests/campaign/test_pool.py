@@ -1,10 +1,14 @@
 """Pools of real processes: rows are those of flights at home, whoever is killed meanwhile."""
 
 import re
+import signal
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import replace
+from pathlib import Path
+from signal import SIGHUP, SIGINT
 
 import psutil
 import pyarrow.parquet as pq
@@ -101,6 +105,24 @@ def test_two_workers_of_which_one_is_killed(plan, at_home, tmp_path):
     assert killed
     matches(table, at_home)
     assert set(table.column("verdict").to_pylist()) == {"good"}
+
+
+def test_workers_never_hear_of_ctrl_c_and_leave_nothing_behind(plan, tmp_path, monkeypatch):
+    """Blocked from their first moment on; what they write meanwhile goes with them."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    (tmp_path / "temporary").mkdir()
+    with local_pool(1) as pool:
+        masks = [
+            int(re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{each.pid}/status").read_text())[1], 16)
+            for each in workers_of_mine()
+        ]
+        pool.submit(plan.job(0))
+        while not list((tmp_path / "temporary").rglob("vfguide-flight-*")):
+            assert not list(pool.ended(0.0))
+    assert masks
+    assert all(mask >> number - 1 & 1 for mask in masks for number in (SIGINT, SIGHUP))
+    assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
+    assert list((tmp_path / "temporary").iterdir()) == []
 
 
 @pytest.fixture

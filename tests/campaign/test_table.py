@@ -143,3 +143,20 @@ def test_lines_are_strict_json():
     assert json.loads(line_of(columns(0)))["index"] == 0
     with pytest.raises(ValueError, match="not JSON compliant"):
         line_of({"miss_m": float("nan")})
+
+
+def test_lines_that_are_no_flight_are_passed_over(tmp_path):
+    whole = [line_of(columns(index)).encode() for index in (0, 1)]
+    odd = [line_of({**columns(2), "index": index}).encode() for index in (-1, "2", 2.5, True, None)]
+    others = [b"\xff\xfe\n", b"[" * 100_000 + b"\n", b"[]\n", b'{"index": 2}\n', bytes(100) + b"\n"]
+    (tmp_path / JOURNAL).write_bytes(b"".join([whole[0], *odd, *others, whole[1], whole[1]]))
+    with CampaignTable(tmp_path, SCHEMA) as table:
+        assert table.number == 2
+    assert written(tmp_path) == [0, 1]
+
+
+def test_what_a_killed_program_has_half_written_is_removed(tmp_path):
+    half = tmp_path / f".{TABLE}.4711"
+    half.write_bytes(b"PAR1")
+    CampaignTable(tmp_path, SCHEMA).close()
+    assert not half.exists()

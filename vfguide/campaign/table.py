@@ -51,13 +51,15 @@ class CampaignTable:
         """
         self._path, self._journal_path = folder / TABLE, folder / JOURNAL
         self._schema = schema
+        for left in folder.glob(f".{TABLE}.*"):
+            left.unlink()
         self._written = self._number_written()
         self.whole = self._written
         """Number of flights from the first on of which none is missing."""
         self._ready = deque[Columns]()
         self._early: dict[int, Columns] = {}
         for columns in journal(self._journal_path):
-            if not self.has(columns["index"]):
+            if set(columns) == set(schema.names) and not self.has(columns["index"]):
                 self._take(columns)
         self._journal = self._journal_path.open("a", encoding="utf-8")
         self._write_anew()
@@ -187,11 +189,22 @@ def journal(path: Path) -> Iterator[Columns]:
     """The flights of a journal; a line that was cut as it was written is none."""
     if not path.exists():
         return
-    with path.open(encoding="utf-8") as lines:
+    with path.open("rb") as lines:
         for line in lines:
-            try:
-                columns = json.loads(line)
-            except ValueError:
-                continue
-            if isinstance(columns, dict) and "index" in columns:
+            columns = flight_of(line)
+            if columns is not None:
                 yield columns
+
+
+def flight_of(line: bytes) -> Columns | None:
+    """The flight of a line of the journal; None: it is none."""
+    try:
+        columns = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(columns, dict):
+        return None
+    index: object = columns.get("index")
+    if not isinstance(index, int) or isinstance(index, bool) or index < 0:
+        return None
+    return columns
