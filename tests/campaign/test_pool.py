@@ -8,7 +8,6 @@ import tempfile
 import time
 from dataclasses import replace
 from pathlib import Path
-from signal import SIGHUP, SIGINT
 
 import psutil
 import pyarrow.parquet as pq
@@ -18,7 +17,7 @@ from vfguide.campaign.campaign import End, fly_campaign
 from vfguide.campaign.flight import fly
 from vfguide.campaign.looks import Looks
 from vfguide.campaign.plan import campaign_plan
-from vfguide.campaign.pool import local_pool, pool_at
+from vfguide.campaign.pool import FOR_THE_PROGRAM, local_pool, pool_at
 from vfguide.campaign.summary import UNREPEATABLE
 from vfguide.campaign.table import TABLE
 from vfguide.files.errors import InputError
@@ -120,9 +119,9 @@ def test_workers_never_hear_of_ctrl_c_and_leave_nothing_behind(plan, tmp_path, m
         while not list((tmp_path / "temporary").rglob("vfguide-flight-*")):
             assert not list(pool.ended(0.0))
     assert masks
-    assert all(mask >> number - 1 & 1 for mask in masks for number in (SIGINT, SIGHUP))
+    assert all(mask >> number - 1 & 1 for mask in masks for number in FOR_THE_PROGRAM)
     assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
-    assert list((tmp_path / "temporary").iterdir()) == []
+    assert list((tmp_path / "temporary").rglob("vfguide-*")) == []
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import CancelledError
 from contextlib import closing, contextmanager, suppress
+from multiprocessing import resource_tracker
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -26,8 +27,8 @@ ROOM_INTERVAL = 1.0
 """Time between two looks at how many workers there are [s]; chosen."""
 NO_DASHBOARD: Any = None
 """Address of Dask's page about itself: there is none, though its types do not say that."""
-FOR_THE_PROGRAM = (signal.SIGINT, signal.SIGHUP)
-"""The signals of a terminal, which go to the workers too."""
+FOR_THE_PROGRAM = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""The signals that ask for an end, which a terminal and `kill` can send to the workers too."""
 PRELOAD = "vfguide.campaign.worker_setup"
 """Name of the module that a worker process of ours imports first."""
 
@@ -181,11 +182,13 @@ def temporary_folder() -> TemporaryDirectory[str]:
 
 
 def local_cluster(workers: int, folder: str) -> LocalCluster:
-    """Processes on this machine that never hear of Ctrl-C or a closed terminal.
+    """Processes on this machine that never hear a request to end: that is for the program alone.
 
-    Both are for the program, which ends its workers in good order. They are blocked in the threads
-    that begin here, and so from the first moment in the processes that these begin.
+    The program ends them in good order. The signals are blocked in the threads that begin here, and
+    so from the first moment in the processes that these begin. The first of these processes would
+    be the resource tracker of Python, after which it lets the signals through: it begins before.
     """
+    resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, FOR_THE_PROGRAM)
     try:
         return LocalCluster(
