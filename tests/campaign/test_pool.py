@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 from dataclasses import replace
 from pathlib import Path
 
@@ -122,6 +123,18 @@ def test_workers_never_hear_of_ctrl_c_and_leave_nothing_behind(plan, tmp_path, m
     assert all(mask >> number - 1 & 1 for mask in masks for number in FOR_THE_PROGRAM)
     assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
     assert list((tmp_path / "temporary").rglob("vfguide-*")) == []
+
+
+def test_two_pools_at_once_are_not_in_each_others_way():
+    """All listen on this machine alone, at any port; nothing is told of the other."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        with local_pool(1), local_pool(1):
+            sockets = psutil.Process().net_connections()
+    listening = [each.laddr for each in sockets if each.status == psutil.CONN_LISTEN]
+    assert {address.ip for address in listening} == {"127.0.0.1"}
+    assert 8787 not in {address.port for address in listening}
+    assert not [each for each in told if "Port" in str(each.message)]
 
 
 @pytest.fixture

@@ -25,8 +25,9 @@ CONNECT_TIMEOUT = 5.0
 """Time in which a scheduler has to answer [s]; chosen."""
 ROOM_INTERVAL = 1.0
 """Time between two looks at how many workers there are [s]; chosen."""
-NO_DASHBOARD: Any = None
-"""Address of Dask's page about itself: there is none, though its types do not say that."""
+ANY_PORT = "127.0.0.1:0"
+"""Address of the HTTP server of a scheduler, which shows no page then; that of Dask has a port of
+its own, of which the second campaign at once is warned."""
 FOR_THE_PROGRAM = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """The signals that ask for an end, which a terminal and `kill` can send to the workers too."""
 PRELOAD = "vfguide.campaign.worker_setup"
@@ -195,7 +196,7 @@ def local_cluster(workers: int, folder: str) -> LocalCluster:
             n_workers=workers,
             threads_per_worker=1,
             processes=True,
-            dashboard_address=NO_DASHBOARD,
+            scheduler_kwargs={"dashboard": False, "dashboard_address": ANY_PORT},
             memory_limit=0,
             local_directory=folder,
             preload=PRELOAD,
