@@ -160,3 +160,26 @@ def test_what_a_killed_program_has_half_written_is_removed(tmp_path):
     half.write_bytes(b"PAR1")
     CampaignTable(tmp_path, SCHEMA).close()
     assert not half.exists()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"miss_m": "wide"},
+        {"seed": 2**70},
+        {"index": 2**70},
+        {"verdict": None},
+        {"verdict": "odd"},
+        {"reasons": 3},
+        {"vehicles": 3},
+        {"reached": 1},
+    ],
+)
+def test_a_flight_that_no_column_can_hold_is_flown_again(tmp_path, change):
+    """A journal that was changed by hand does not keep a campaign from going on."""
+    odd = {**columns(0), **change}
+    (tmp_path / JOURNAL).write_text(line_of(odd) + line_of(columns(1)))
+    with CampaignTable(tmp_path, SCHEMA) as table:
+        assert table.number == 1
+        table.add(columns(0))
+    assert written(tmp_path) == [0, 1]

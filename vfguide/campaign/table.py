@@ -18,6 +18,7 @@ from typing import Any, Self
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from vfguide.campaign.schema import COLUMN_WORDS
 from vfguide.files.atomic import write_atomically
 
 JOURNAL = "journal.jsonl"
@@ -59,7 +60,7 @@ class CampaignTable:
         self._ready = deque[Columns]()
         self._early: dict[int, Columns] = {}
         for columns in journal(self._journal_path):
-            if set(columns) == set(schema.names) and not self.has(columns["index"]):
+            if is_row(columns, schema) and not self.has(columns["index"]):
                 self._take(columns)
         self._journal = self._journal_path.open("a", encoding="utf-8")
         self._write_anew()
@@ -194,6 +195,17 @@ def journal(path: Path) -> Iterator[Columns]:
             columns = flight_of(line)
             if columns is not None:
                 yield columns
+
+
+def is_row(columns: Columns, schema: pa.Schema) -> bool:
+    """Whether a flight of the journal can be a row of the table."""
+    if set(columns) != set(schema.names) or columns["verdict"] not in COLUMN_WORDS["verdict"]:
+        return False
+    try:
+        pa.RecordBatch.from_pylist([dict(columns)], schema=schema)
+    except (pa.ArrowException, OverflowError):
+        return False
+    return True
 
 
 def flight_of(line: bytes) -> Columns | None:
