@@ -2,19 +2,26 @@
 
 import json
 import random
+import shutil
 
 import pyarrow.parquet as pq
 import pytest
 from campaign_rows import HandPool, failing, flown_row
 from scenario_texts import MINIMAL
 
+from vfguide.campaign import summary as summary_module
 from vfguide.campaign.campaign import IDENTITY_FILE, End, check_folder, fly_campaign
 from vfguide.campaign.condition import parse_condition
+from vfguide.campaign.flight import WorkerError
+from vfguide.campaign.hold import hold
 from vfguide.campaign.looks import FLIGHTS_A_LOOK, Looks
-from vfguide.campaign.plan import campaign_plan
+from vfguide.campaign.plan import campaign_plan, condition_on
+from vfguide.campaign.results.flown import read_flown
 from vfguide.campaign.summary import summarize
 from vfguide.campaign.table import TABLE
+from vfguide.files.data import data_folder
 from vfguide.files.errors import InputError
+from vfguide.preflight.load import load_scenario
 from vfguide.runs.lockstep import NoRequests
 
 VARY = '\n[vary]\n"wind.speed_mps" = [0, 5]\n"vehicle.0.heading_deg" = {mean = 0, std = 10}\n'
@@ -225,3 +232,121 @@ def test_the_seed_is_the_scenarios_unless_it_is_given(file):
     for seed in (-1, 2**32):
         with pytest.raises(InputError, match="allowed 0 to 4294967295"):
             campaign_plan(str(file), (), seed)
+
+
+class NoRoomYet(HandPool):
+    """Its scheduler does not answer at first."""
+
+    looks = 0
+
+    @property
+    def has_room(self):
+        self.looks += 1
+        return self.looks > 5 and super().has_room
+
+
+def test_a_pool_that_takes_no_flight_yet_is_waited_for(plan, tmp_path):
+    assert fly(plan, tmp_path, pool=NoRoomYet()) is End.FLOWN
+    assert table(tmp_path).num_rows == 50
+
+
+def test_a_folder_in_which_another_program_flies_is_refused(plan, tmp_path):
+    with hold(tmp_path), pytest.raises(InputError, match="another program flies a campaign there"):
+        fly(plan, tmp_path)
+    assert list(tmp_path.iterdir()) == []
+    assert fly(plan, tmp_path) is End.FLOWN
+
+
+class FaultyPool(HandPool):
+    """A worker of it cannot fly."""
+
+    def ended(self, timeout):
+        yield from super().ended(timeout)
+        if len(self.flown) > 10:
+            raise WorkerError("worker 0: no space left")
+
+
+def test_a_worker_that_cannot_fly_ends_it_and_it_can_be_gone_on_with(plan, tmp_path):
+    pool, again = FaultyPool(), HandPool()
+    with pytest.raises(InputError, match="no space left"):
+        fly(plan, tmp_path, pool=pool)
+    assert fly(plan, tmp_path, pool=again) is End.FLOWN
+    assert sorted(pool.flown + again.flown) == list(range(50))
+
+
+def test_an_aircraft_that_was_changed_makes_another_campaign(file, tmp_path):
+    own = tmp_path / "own.toml"
+    own.write_text(file.read_text())
+    fly(campaign_plan(str(own), (), 5), tmp_path / "a", 2)
+    check_folder(tmp_path / "a", campaign_plan(str(own), (), 5))
+    copy = tmp_path / "aircraft" / "aerosonde"
+    shutil.copytree(data_folder() / "aircraft" / "aerosonde", copy)
+    check_folder(tmp_path / "a", campaign_plan(str(own), (), 5))
+    with (copy / "aerosonde.toml").open("a") as text:
+        text.write("\n")
+    with pytest.raises(InputError, match="aircraft_sha256"):
+        check_folder(tmp_path / "a", campaign_plan(str(own), (), 5))
+
+
+def test_workers_find_the_aircraft_beside_a_link_to_a_scenario(file, tmp_path):
+    link = tmp_path / "link.toml"
+    link.symlink_to(file)
+    own = tmp_path / "aircraft"
+    shutil.copytree(data_folder() / "aircraft" / "aerosonde", own / "aerosonde")
+    job = campaign_plan(str(link), (), 5).job(0)
+    assert load_scenario(job.scenario).files["aerosonde"].root == own
+
+
+def test_what_is_drawn_cannot_be_set(file):
+    for text in ("wind.speed_mps=3", "vehicle[0].heading_deg=3"):
+        with pytest.raises(InputError, match="drawn for each flight"):
+            campaign_plan(str(file), (text,), None)
+
+
+def test_a_path_that_no_table_can_hold_is_refused(file):
+    odd = file.with_name("\udcff.toml")
+    odd.write_text(file.read_text())
+    with pytest.raises(InputError, match="not valid UTF-8"):
+        campaign_plan(str(odd), (), None)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("rate(verdict == 3) < 0.1 @ 0.95", "cannot be compared with"),
+        ("rate(miss_m == good) < 0.1 @ 0.95", "cannot be compared with"),
+        ("rate(wind.speed_mps == good) < 0.1 @ 0.95", "cannot be compared with"),
+        ("rate(verdict == faild) < 0.1 @ 0.95", "did you mean failed?"),
+    ],
+)
+def test_a_value_that_the_column_cannot_have_is_told_before_the_first_flight(plan, text, why):
+    with pytest.raises(InputError, match=why):
+        condition_on(text, plan)
+    condition_on("rate(verdict == failed) < 0.1 @ 0.95", plan)
+    condition_on("rate(reached == false) < 0.1 @ 0.95", plan)
+
+
+def test_a_folder_may_be_called_as_a_column(plan, tmp_path):
+    folder = tmp_path / "seed=3"
+    fly(plan, folder, 25)
+    assert summarize(folder, plan, 25, Looks(None)).flown == 25
+    assert read_flown(folder).columns.column("seed").to_pylist() == [
+        plan.job(index).draw.seed for index in range(25)
+    ]
+
+
+def test_an_identity_that_is_no_text_is_refused(plan, tmp_path):
+    (tmp_path / IDENTITY_FILE).write_bytes(b"\xff\xfe")
+    with pytest.raises(InputError, match=r"campaign\.json is none of this program's"):
+        check_folder(tmp_path, plan)
+
+
+def test_a_summary_that_cannot_be_written_is_told(plan, tmp_path, monkeypatch):
+    fly(plan, tmp_path, 2)
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(summary_module, "write_atomically", full)
+    with pytest.raises(InputError, match=r"cannot be read or written: .*No space left"):
+        summarize(tmp_path, plan, 2, Looks(None))

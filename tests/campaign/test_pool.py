@@ -1,10 +1,14 @@
 """Pools of real processes: rows are those of flights at home, whoever is killed meanwhile."""
 
 import re
+import signal
 import subprocess
 import sys
+import tempfile
 import time
+import warnings
 from dataclasses import replace
+from pathlib import Path
 
 import psutil
 import pyarrow.parquet as pq
@@ -14,7 +18,7 @@ from vfguide.campaign.campaign import End, fly_campaign
 from vfguide.campaign.flight import fly
 from vfguide.campaign.looks import Looks
 from vfguide.campaign.plan import campaign_plan
-from vfguide.campaign.pool import local_pool, pool_at
+from vfguide.campaign.pool import FOR_THE_PROGRAM, local_pool, pool_at
 from vfguide.campaign.summary import UNREPEATABLE
 from vfguide.campaign.table import TABLE
 from vfguide.files.errors import InputError
@@ -101,6 +105,36 @@ def test_two_workers_of_which_one_is_killed(plan, at_home, tmp_path):
     assert killed
     matches(table, at_home)
     assert set(table.column("verdict").to_pylist()) == {"good"}
+
+
+def test_workers_never_hear_of_ctrl_c_and_leave_nothing_behind(plan, tmp_path, monkeypatch):
+    """Blocked from their first moment on; what they write meanwhile goes with them."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    (tmp_path / "temporary").mkdir()
+    with local_pool(1) as pool:
+        masks = [
+            int(re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{each.pid}/status").read_text())[1], 16)
+            for each in workers_of_mine()
+        ]
+        pool.submit(plan.job(0))
+        while not list((tmp_path / "temporary").rglob("vfguide-flight-*")):
+            assert not list(pool.ended(0.0))
+    assert masks
+    assert all(mask >> number - 1 & 1 for mask in masks for number in FOR_THE_PROGRAM)
+    assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == set()
+    assert list((tmp_path / "temporary").rglob("vfguide-*")) == []
+
+
+def test_two_pools_at_once_are_not_in_each_others_way():
+    """All listen on this machine alone, at any port; nothing is told of the other."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        with local_pool(1), local_pool(1):
+            sockets = psutil.Process().net_connections()
+    listening = [each.laddr for each in sockets if each.status == psutil.CONN_LISTEN]
+    assert {address.ip for address in listening} == {"127.0.0.1"}
+    assert 8787 not in {address.port for address in listening}
+    assert not [each for each in told if "Port" in str(each.message)]
 
 
 @pytest.fixture

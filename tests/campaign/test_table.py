@@ -143,3 +143,43 @@ def test_lines_are_strict_json():
     assert json.loads(line_of(columns(0)))["index"] == 0
     with pytest.raises(ValueError, match="not JSON compliant"):
         line_of({"miss_m": float("nan")})
+
+
+def test_lines_that_are_no_flight_are_passed_over(tmp_path):
+    whole = [line_of(columns(index)).encode() for index in (0, 1)]
+    odd = [line_of({**columns(2), "index": index}).encode() for index in (-1, "2", 2.5, True, None)]
+    others = [b"\xff\xfe\n", b"[" * 100_000 + b"\n", b"[]\n", b'{"index": 2}\n', bytes(100) + b"\n"]
+    (tmp_path / JOURNAL).write_bytes(b"".join([whole[0], *odd, *others, whole[1], whole[1]]))
+    with CampaignTable(tmp_path, SCHEMA) as table:
+        assert table.number == 2
+    assert written(tmp_path) == [0, 1]
+
+
+def test_what_a_killed_program_has_half_written_is_removed(tmp_path):
+    half = tmp_path / f".{TABLE}.4711"
+    half.write_bytes(b"PAR1")
+    CampaignTable(tmp_path, SCHEMA).close()
+    assert not half.exists()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"miss_m": "wide"},
+        {"seed": 2**70},
+        {"index": 2**70},
+        {"verdict": None},
+        {"verdict": "odd"},
+        {"reasons": 3},
+        {"vehicles": 3},
+        {"reached": 1},
+    ],
+)
+def test_a_flight_that_no_column_can_hold_is_flown_again(tmp_path, change):
+    """A journal that was changed by hand does not keep a campaign from going on."""
+    odd = {**columns(0), **change}
+    (tmp_path / JOURNAL).write_text(line_of(odd) + line_of(columns(1)))
+    with CampaignTable(tmp_path, SCHEMA) as table:
+        assert table.number == 1
+        table.add(columns(0))
+    assert written(tmp_path) == [0, 1]

@@ -47,6 +47,9 @@ def test_a_run_flies_the_written_values(tmp_path):
         "{mean = nan, std = 1}",
         "[]",
         "{}",
+        "[0, 1e301]",
+        "{mean = 0, std = 1e308}",
+        f"[0, 1{'0' * 400}]",
     ],
 )
 def test_other_forms_are_refused_by_name(tmp_path, value):
@@ -75,3 +78,12 @@ def test_a_key_that_is_not_quoted(tmp_path):
     message = message_for(tmp_path, f"{MINIMAL}\n[vary]\nwind.speed_mps = [0, 1]\n")
     assert message.startswith("vary.wind")
     assert message.endswith(FORMS)
+
+
+@pytest.mark.parametrize("other", ["vehicle[0].heading_deg", "vehicle.00.heading_deg"])
+def test_one_key_is_drawn_once(tmp_path, other):
+    text = f'"vehicle.0.heading_deg" = [0, 1]\n"{other}" = [0, 1]'
+    message = message_for(tmp_path, f"{MINIMAL}\n[vary]\n{text}\n")
+    assert message.endswith(
+        f'"{other}" and "vehicle.0.heading_deg" are the same key, allowed is one of them'
+    )

@@ -1,13 +1,15 @@
 """A campaign: flights given to a pool, kept as they end, in one folder that can be gone on with."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
 from pyarrow import ArrowException
 
+from vfguide.campaign.hold import hold
 from vfguide.campaign.looks import Looks
 from vfguide.campaign.plan import CampaignPlan
 from vfguide.campaign.pool import Pool
@@ -70,14 +72,16 @@ def fly_campaign(
         requests: of the user to end, looked for all the time.
 
     Raises:
-        InputError: the folder cannot be written.
+        InputError: the folder cannot be written, or another program flies a campaign there; or a
+            worker cannot fly.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        write_atomically(folder / IDENTITY_FILE, plan.identity)
-        with CampaignTable(folder, schema_of(plan.vary)) as table:
-            looks.take(table.rows())
-            return _fly(plan, runs, table, pool, looks, progress, requests)
+        with hold(folder):
+            write_atomically(folder / IDENTITY_FILE, plan.identity)
+            with CampaignTable(folder, schema_of(plan.vary)) as table:
+                looks.take(table.rows())
+                return _fly(plan, runs, table, pool, looks, progress, requests)
     except (OSError, ArrowException) as error:
         raise InputError(f"{folder}: cannot be read or written: {error}") from error
 
@@ -92,14 +96,14 @@ def _fly(
     requests: Requests,
 ) -> End:
     """Keep the pool busy until all flights have ended, or nobody wants more."""
-    left = iter([index for index in range(runs) if not table.has(index)])
+    left = deque(index for index in range(runs) if not table.has(index))
     progress(Standing(table.number, runs))
     while not requests.wanted():
         if looks.enough is not None:
             table.cut(looks.enough)
             return End.DECIDED
         give(pool, plan, left)
-        if pool.is_idle:
+        if pool.is_idle and not left:
             return End.FLOWN
         for job, row in pool.ended(LOOK):
             looks.take(table.add(columns_of(row, job.draw, plan.command(job.draw))))
@@ -107,10 +111,10 @@ def _fly(
     return End.STOPPED
 
 
-def give(pool: Pool, plan: CampaignPlan, left: Iterator[int]) -> None:
+def give(pool: Pool, plan: CampaignPlan, left: deque[int]) -> None:
     """Give the pool the next flights while it has room."""
-    while pool.has_room and (index := next(left, None)) is not None:
-        pool.submit(plan.job(index))
+    while left and pool.has_room:
+        pool.submit(plan.job(left.popleft()))
 
 
 def check_folder(folder: Path, plan: CampaignPlan) -> None:
@@ -124,7 +128,7 @@ def check_folder(folder: Path, plan: CampaignPlan) -> None:
     try:
         if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
             return
-        there = identity.read_text() if identity.is_file() else None
+        there = identity.read_text(errors="replace") if identity.is_file() else None
         is_folder = folder.is_dir()
     except OSError as error:
         raise InputError(f"--out {folder}: cannot be read: {error.strerror or error}") from error

@@ -166,6 +166,24 @@ def check_column(condition: Condition, columns: Collection[str]) -> None:
         raise _refused(str(condition), condition.column, allowed)
 
 
+def check_threshold(
+    condition: Condition, values: Mapping[str, object], words: Mapping[str, Collection[str]]
+) -> None:
+    """Refuse a condition whose value its column cannot hold.
+
+    `values` has one that each column can hold, `words` all, where they are known.
+
+    Raises:
+        InputError: the column has no such value.
+    """
+    condition.holds(values)
+    allowed = words.get(condition.column, ())
+    if allowed and condition.threshold not in allowed:
+        near = close_matches(str(condition.threshold), sorted(allowed))
+        reason = f"{condition.column} is never that{near}; allowed: {', '.join(sorted(allowed))}"
+        raise _refused(str(condition), _written(condition.threshold), reason)
+
+
 def _split(text: str) -> dict[str, str]:
     """The named parts of a condition, as they are written."""
     found: dict[str, str] = {}

@@ -1,6 +1,5 @@
 """What a campaign flies: a scenario, what varies in it, and the seed of it all."""
 
-import hashlib
 import json
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
@@ -8,13 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vfguide import __version__
-from vfguide.campaign.condition import Condition, check_column, parse_condition
+from vfguide.campaign.condition import Condition, check_column, check_threshold, parse_condition
 from vfguide.campaign.draws import SEEDS, Draw, draw
 from vfguide.campaign.flight import Job
-from vfguide.campaign.schema import schema_of, simple_columns
+from vfguide.campaign.inputs import Inputs, inputs_of
+from vfguide.campaign.schema import COLUMN_WORDS, schema_of, simple_columns, values_in
 from vfguide.files.data import find_scenario
 from vfguide.files.errors import InputError
-from vfguide.files.overrides import Override, drawn_override, parse_override
+from vfguide.files.overrides import Override, drawn_override, location_of, parse_override
 from vfguide.files.scenario_file import ScenarioFile
 from vfguide.files.source import Source
 from vfguide.files.vary import Distribution, Normal, Uniform
@@ -38,6 +38,7 @@ class CampaignPlan:
     """The distributions by the dotted key that each is for."""
     loaded: LoadedScenario
     """The scenario with its written values."""
+    inputs: Inputs
 
     @property
     def name(self) -> str:
@@ -47,11 +48,11 @@ class CampaignPlan:
     @property
     def identity(self) -> str:
         """What a folder of results has to be of to go on in it, as JSON."""
-        text = find_scenario(self.source).read_bytes()
         told = {
             "version": __version__,
             "scenario": self.scenario,
-            "sha256": hashlib.sha256(text).hexdigest(),
+            "sha256": self.inputs.scenario,
+            "aircraft_sha256": self.inputs.aircraft,
             "set": list(self.overrides),
             "seed": self.seed,
         }
@@ -64,7 +65,8 @@ class CampaignPlan:
 
     def job(self, index: int) -> Job:
         """The flight with a number."""
-        return Job(self.source, self.overrides, draw(self.seed, index, self.vary))
+        drawn = draw(self.seed, index, self.vary)
+        return Job(self.source, self.overrides, drawn, tuple(self.loaded.files), self.inputs)
 
 
 def campaign_plan(scenario: str, overrides: Sequence[str], seed: int | None) -> CampaignPlan:
@@ -86,14 +88,44 @@ def campaign_plan(scenario: str, overrides: Sequence[str], seed: int | None) -> 
     if seed is not None and not 0 <= seed < SEEDS:
         raise InputError(f"--seed {seed}: allowed 0 to {SEEDS - 1}")
     path = find_scenario(scenario)
-    entry = Source(path, tuple(map(parse_override, overrides))).parse(ScenarioFile)
+    source = str(path.absolute()) if Path(scenario).is_file() else scenario
+    for text in (source, *overrides):
+        check_utf8(text)
+    given = tuple(map(parse_override, overrides))
+    entry = Source(path, given).parse(ScenarioFile)
+    check_not_drawn(given, entry.vary)
     loaded = load_scenario(path, overrides)
+    inputs = inputs_of(source, loaded.files)
     require_models(loaded)
     for override in extremes(entry.vary):
         load_scenario(path, overrides, [override])
-    source = str(path.resolve()) if Path(scenario).is_file() else scenario
     seed = loaded.scenario.seed if seed is None else seed
-    return CampaignPlan(scenario, source, tuple(overrides), seed, entry.vary, loaded)
+    return CampaignPlan(scenario, source, tuple(overrides), seed, entry.vary, loaded, inputs)
+
+
+def check_utf8(text: str) -> None:
+    """Refuse a text that no column of a table can hold.
+
+    Raises:
+        InputError: it is not valid UTF-8.
+    """
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise InputError(f"{text}: not valid UTF-8, no table can hold it") from error
+
+
+def check_not_drawn(given: Sequence[Override], vary: Mapping[str, Distribution]) -> None:
+    """Refuse to set what is drawn: the drawn value would replace it in every flight.
+
+    Raises:
+        InputError: one is set.
+    """
+    for override in given:
+        for key in vary:
+            location = location_of(key)
+            if override.location[: len(location)] == location:
+                raise InputError(f"{override.origin}: drawn for each flight, as [vary] has {key}")
 
 
 def extremes(vary: Mapping[str, Distribution]) -> Iterator[Override]:
@@ -114,5 +146,7 @@ def condition_on(text: str, plan: CampaignPlan) -> Condition:
         InputError: it is none, or there is no such column.
     """
     condition = parse_condition(text)
-    check_column(condition, simple_columns(schema_of(plan.vary)))
+    schema = schema_of(plan.vary)
+    check_column(condition, simple_columns(schema))
+    check_threshold(condition, values_in(schema), COLUMN_WORDS)
     return condition

@@ -2,16 +2,19 @@
 
 import logging
 import math
+import signal
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterable, Iterator
+from concurrent.futures import CancelledError
 from contextlib import closing, contextmanager, suppress
+from multiprocessing import resource_tracker
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from distributed import Client, Future, LocalCluster, get_worker, wait
-from distributed.client import FIRST_COMPLETED, FuturesCancelledError
+from distributed import Client, Future, KilledWorker, LocalCluster, get_worker, wait
+from distributed.client import FIRST_COMPLETED
 
-from vfguide.campaign.flight import Job, fly
+from vfguide.campaign.flight import Job, WorkerError, fly
 from vfguide.campaign.rows import FlightRow, failed_row
 from vfguide.files.errors import InputError
 
@@ -22,8 +25,11 @@ CONNECT_TIMEOUT = 5.0
 """Time in which a scheduler has to answer [s]; chosen."""
 ROOM_INTERVAL = 1.0
 """Time between two looks at how many workers there are [s]; chosen."""
-NO_DASHBOARD: Any = None
-"""Address of Dask's page about itself: there is none, though its types do not say that."""
+ANY_PORT = "127.0.0.1:0"
+"""Address of the HTTP server of a scheduler, which shows no page then; that of Dask has a port of
+its own, of which the second campaign at once is warned."""
+FOR_THE_PROGRAM = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""The signals that ask for an end, which a terminal and `kill` can send to the workers too."""
 PRELOAD = "vfguide.campaign.worker_setup"
 """Name of the module that a worker process of ours imports first."""
 
@@ -64,32 +70,34 @@ class Pool:
         """Give it a flight."""
         self._flying[self._client.submit(fly_on_worker, job, pure=False)] = job
 
-    def ended(self, timeout: float) -> list[tuple[Job, FlightRow]]:
-        """The flights that have ended; waits for one, at most for `timeout` [s]."""
+    def ended(self, timeout: float) -> Iterator[tuple[Job, FlightRow]]:
+        """The flights that have ended; waits for one, at most for `timeout` [s].
+
+        Raises:
+            WorkerError: a worker cannot fly; it comes after the flights that have ended.
+        """
         if self.is_lost:
             self._find_again()
-            return []
+            return
         try:
             ended: Any = wait(list(self._flying), timeout, FIRST_COMPLETED)
+            yield from self._taken(sorted(ended.done, key=lambda each: each.status == "error"))
         except TimeoutError:
             self.is_lost = self._client.status != "running"
-            return []
-        except (FuturesCancelledError, OSError):
+        except (CancelledError, OSError):
             self.is_lost = True
-            return []
-        return [(self._flying[future], self._row(future)) for future in ended.done]
 
     def close(self) -> None:
         """Leave the cluster; flights that have not ended are forgotten there."""
         self._client.close()
 
-    def _row(self, future: Future[FlightRow]) -> FlightRow:
-        """The row of a flight that has ended, or whose workers died again and again."""
-        job = self._flying.pop(future)
-        error = future.exception()
-        if error is None:
-            return future.result()
-        return failed_row(job.draw, f"{type(error).__name__}: {error}", "", "")
+    def _taken(self, ended: Iterable[Future[FlightRow]]) -> Iterator[tuple[Job, FlightRow]]:
+        """Flights with their rows, no longer in its hands; one that cannot be fetched stays."""
+        for future in ended:
+            job = self._flying[future]
+            row = row_of_future(future, job)
+            del self._flying[future]
+            yield job, row
 
     def _find_again(self) -> None:
         """Connect to a scheduler that was lost, if it is there again, and give it what it had."""
@@ -121,29 +129,80 @@ class Room:
         return self._flights
 
 
+def row_of_future(future: Future[FlightRow], job: Job) -> FlightRow:
+    """The row of a flight that has ended, or whose workers died again and again.
+
+    Raises:
+        WorkerError: its worker cannot fly.
+        CancelledError: the scheduler has forgotten it.
+        OSError: it cannot be fetched.
+    """
+    error: Any = future.exception()
+    if error is None:
+        return future.result()
+    told = f"{type(error).__name__}: {error}"
+    if isinstance(error, KilledWorker):
+        return failed_row(job.draw, told, "", "")
+    if isinstance(error, WorkerError):
+        raise error
+    raise WorkerError(f"a worker cannot take flight {job.draw.index}: {told}") from error
+
+
 def fly_on_worker(job: Job) -> FlightRow:
-    """Fly a job where it is sent."""
-    return fly(job, str(get_worker().name))
+    """Fly a job where it is sent, in the folder of the worker, which is removed with it."""
+    worker = get_worker()
+    return fly(job, str(worker.name), worker.local_directory)
 
 
 @contextmanager
 def local_pool(workers: int) -> Generator[Pool]:
-    """A pool of processes on this machine, each with one thread; they end with the block."""
+    """A pool of processes on this machine, each with one thread; they end with the block.
+
+    Raises:
+        InputError: there is no folder for temporary files.
+    """
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     with (
-        TemporaryDirectory(prefix="vfguide-workers-") as folder,
-        LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address=NO_DASHBOARD,
-            memory_limit=0,
-            local_directory=folder,
-            preload=PRELOAD,
-        ) as cluster,
+        temporary_folder() as folder,
+        local_cluster(workers, folder) as cluster,
         closing(Pool(lambda: Client(cluster))) as pool,
     ):
         yield pool
+
+
+def temporary_folder() -> TemporaryDirectory[str]:
+    """A folder for what workers write; a context manager that removes it.
+
+    Raises:
+        InputError: it cannot be made.
+    """
+    try:
+        return TemporaryDirectory(prefix="vfguide-workers-", ignore_cleanup_errors=True)
+    except OSError as error:
+        raise InputError(f"no folder for temporary files: {error.strerror or error}") from error
+
+
+def local_cluster(workers: int, folder: str) -> LocalCluster:
+    """Processes on this machine that never hear a request to end: that is for the program alone.
+
+    The program ends them in good order. The signals are blocked in the threads that begin here, and
+    so from the first moment in the processes that these begin. The first of these processes would
+    be the resource tracker of Python, after which it lets the signals through: it begins before.
+    """
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, FOR_THE_PROGRAM)
+    try:
+        return LocalCluster(
+            n_workers=workers,
+            threads_per_worker=1,
+            processes=True,
+            scheduler_kwargs={"dashboard": False, "dashboard_address": ANY_PORT},
+            memory_limit=0,
+            local_directory=folder,
+            preload=PRELOAD,
+        )
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

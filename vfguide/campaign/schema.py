@@ -1,7 +1,7 @@
 """The types of the columns of a campaign's table, derived from the records that it holds."""
 
 import types
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import is_dataclass
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -10,6 +10,18 @@ import pyarrow as pa
 from vfguide.campaign.rows import FlightRow
 
 _SCALARS = {float: pa.float64(), int: pa.int64(), bool: pa.bool_(), str: pa.string()}
+
+
+_VALUES: Mapping[pa.DataType, object] = {
+    pa.float64(): 0.5,
+    pa.int64(): 1,
+    pa.bool_(): True,
+    pa.string(): "a word",
+}
+COLUMN_WORDS: Mapping[str, tuple[str, ...]] = {
+    "verdict": get_args(get_type_hints(FlightRow)["verdict"])
+}
+"""All words that a column can hold, where they are known."""
 
 
 def schema_of(varied: Iterable[str]) -> pa.Schema:
@@ -21,6 +33,11 @@ def schema_of(varied: Iterable[str]) -> pa.Schema:
 def simple_columns(schema: pa.Schema) -> list[str]:
     """Names of the columns that hold numbers, words, true or false: no lists."""
     return [field.name for field in schema if not pa.types.is_nested(field.type)]
+
+
+def values_in(schema: pa.Schema) -> dict[str, object]:
+    """A value that each of the simple columns can hold."""
+    return {name: _VALUES[schema.field(name).type] for name in simple_columns(schema)}
 
 
 def fields_of(record: Any) -> list[Any]:

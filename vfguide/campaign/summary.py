@@ -17,6 +17,7 @@ from vfguide.campaign.plan import CampaignPlan
 from vfguide.campaign.schema import simple_columns
 from vfguide.campaign.table import TABLE
 from vfguide.files.atomic import write_atomically
+from vfguide.files.errors import InputError
 
 LEVEL = 0.95
 """Confidence of all intervals, a number; chosen, that of the contract."""
@@ -105,8 +106,20 @@ class Summary:
 
 
 def summarize(folder: Path, plan: CampaignPlan, runs: int, looks: Looks) -> Summary:
-    """Make the summary of the flights in a folder, and write it there."""
-    table = pq.read_table(folder / TABLE, columns=simple_columns(pq.read_schema(folder / TABLE)))
+    """Make the summary of the flights in a folder, and write it there.
+
+    Raises:
+        InputError: the folder cannot be read or written.
+    """
+    try:
+        return _summarize(folder, plan, runs, looks)
+    except (OSError, pa.ArrowException) as error:
+        raise InputError(f"{folder}: cannot be read or written: {error}") from error
+
+
+def _summarize(folder: Path, plan: CampaignPlan, runs: int, looks: Looks) -> Summary:
+    with pq.ParquetFile(folder / TABLE) as file:
+        table = file.read(simple_columns(file.schema_arrow))
     kinds = {str(each) for each in table.column("processor").to_pylist()}
     summary = Summary(
         name=plan.name,

@@ -18,6 +18,7 @@ from typing import Any, Self
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from vfguide.campaign.schema import COLUMN_WORDS
 from vfguide.files.atomic import write_atomically
 
 JOURNAL = "journal.jsonl"
@@ -51,13 +52,15 @@ class CampaignTable:
         """
         self._path, self._journal_path = folder / TABLE, folder / JOURNAL
         self._schema = schema
+        for left in folder.glob(f".{TABLE}.*"):
+            left.unlink()
         self._written = self._number_written()
         self.whole = self._written
         """Number of flights from the first on of which none is missing."""
         self._ready = deque[Columns]()
         self._early: dict[int, Columns] = {}
         for columns in journal(self._journal_path):
-            if not self.has(columns["index"]):
+            if is_row(columns, schema) and not self.has(columns["index"]):
                 self._take(columns)
         self._journal = self._journal_path.open("a", encoding="utf-8")
         self._write_anew()
@@ -187,11 +190,33 @@ def journal(path: Path) -> Iterator[Columns]:
     """The flights of a journal; a line that was cut as it was written is none."""
     if not path.exists():
         return
-    with path.open(encoding="utf-8") as lines:
+    with path.open("rb") as lines:
         for line in lines:
-            try:
-                columns = json.loads(line)
-            except ValueError:
-                continue
-            if isinstance(columns, dict) and "index" in columns:
+            columns = flight_of(line)
+            if columns is not None:
                 yield columns
+
+
+def is_row(columns: Columns, schema: pa.Schema) -> bool:
+    """Whether a flight of the journal can be a row of the table."""
+    if set(columns) != set(schema.names) or columns["verdict"] not in COLUMN_WORDS["verdict"]:
+        return False
+    try:
+        pa.RecordBatch.from_pylist([dict(columns)], schema=schema)
+    except (pa.ArrowException, OverflowError):
+        return False
+    return True
+
+
+def flight_of(line: bytes) -> Columns | None:
+    """The flight of a line of the journal; None: it is none."""
+    try:
+        columns = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(columns, dict):
+        return None
+    index: object = columns.get("index")
+    if not isinstance(index, int) or isinstance(index, bool) or index < 0:
+        return None
+    return columns

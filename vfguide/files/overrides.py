@@ -1,7 +1,6 @@
 """Values of a file replaced: from the command line, `--set key=value`, or drawn at random."""
 
 import tomllib
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -35,7 +34,7 @@ def parse_override(text: str) -> Override:
     parts = _parts(key)
     if not equals or not all(parts):
         raise InputError(f"--set {text}: allowed is key=value, such as vehicle.0.heading_deg=90")
-    return Override(text, _location(parts), _toml_value(value.strip()), f"--set {text}")
+    return Override(text, location_of(key), _toml_value(value.strip()), f"--set {text}")
 
 
 def drawn_override(key: str, value: float) -> Override:
@@ -44,7 +43,7 @@ def drawn_override(key: str, value: float) -> Override:
     Its text gives the same value to the last bit where it is parsed.
     """
     text = f"{key}={value!r}"
-    return Override(text, _location(_parts(key)), value, f'[vary] "{key}", drawn {value!r}')
+    return Override(text, location_of(key), value, f'[vary] "{key}", drawn {value!r}')
 
 
 def _parts(key: str) -> list[str]:
@@ -52,9 +51,9 @@ def _parts(key: str) -> list[str]:
     return [part.strip() for part in key.replace("[", ".").replace("]", "").split(".")]
 
 
-def _location(parts: Sequence[str]) -> tuple[int | str, ...]:
-    """The parts of a key, places in lists as numbers."""
-    return tuple(int(part) if part.isdecimal() else part for part in parts)
+def location_of(key: str) -> tuple[int | str, ...]:
+    """The parts of a dotted key, places in lists as numbers."""
+    return tuple(int(part) if part.isdecimal() else part for part in _parts(key))
 
 
 def apply_override(table: dict[str, Any], override: Override, file: Path) -> None:

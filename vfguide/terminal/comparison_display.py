@@ -23,8 +23,11 @@ RATE_HEADS = ("rate", "A", "B", "B - A", "from", "to", "in A alone", "in B alone
 """Heads of the table of rates."""
 FIGURE_HEADS = ("figure", "pairs", "median A", "median B", "median B - A", "mean B - A")
 """Heads of the table of figures."""
-TEXT_OF_SCENARIO = "sha256"
-"""Key under which `campaign.json` has the checksum of the scenario file."""
+DIGESTS = {
+    "sha256": "the scenario files differ",
+    "aircraft_sha256": "the files of the aircraft differ",
+}
+"""What is told where digests in `campaign.json` differ, by their keys."""
 
 
 def print_comparison(comparison: Comparison) -> None:
@@ -52,8 +55,8 @@ def told_differences(comparison: Comparison) -> Iterator[str]:
     a, b = comparison.a.campaign, comparison.b.campaign
     keys = [key for key in {**a, **b} if a.get(key) != b.get(key)]
     for key in keys:
-        if key == TEXT_OF_SCENARIO:
-            yield "the scenario files differ"
+        if key in DIGESTS:
+            yield DIGESTS[key]
         else:
             yield f"{key}: {json.dumps(a.get(key))} in A, {json.dumps(b.get(key))} in B"
     if not keys:

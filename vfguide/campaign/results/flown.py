@@ -107,11 +107,10 @@ def read_flown(folder: Path) -> FlownCampaign:
     path = folder / TABLE
     if not path.is_file():
         raise InputError(f"{folder}: no {TABLE}; allowed is the folder of a campaign")
-    with reading(path):
-        schema = pq.read_schema(path)
-        check_columns(path, schema)
-        names = [field.name for field in schema if is_short(field)]
-        return FlownCampaign(folder, pq.read_table(path, columns=names))
+    with reading(path), pq.ParquetFile(path) as file:
+        check_columns(path, file.schema_arrow)
+        names = [field.name for field in file.schema_arrow if is_short(field)]
+        return FlownCampaign(folder, file.read(names))
 
 
 @contextmanager
